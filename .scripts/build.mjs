@@ -50,7 +50,7 @@ async function buildAll() {
   await step('WebAssembly as JavaScript', {
     inputs: [...scripts, 'package.json', ...compiled, mikktspace],
     outputs: [
-      ...wasm.flatMap(generatedOf),
+      ...wasm.flatMap(generatedFiles),
       'mikktspace-wasm.js',
       'mikktspace-wasm.d.ts',
       'version.ts',
@@ -78,7 +78,7 @@ async function buildAll() {
 }
 
 /** Lists the generated files of a module: its bytes as text, Emscripten's factory, and the types of its bindings. */
-const generatedOf = (name) => [`${name}-wasm.js`, `${name}.js`, `${name}-bindings.ts`]
+const generatedFiles = (name) => [`${name}-wasm.js`, `${name}.js`, `${name}-bindings.ts`]
 
 function generateModules() {
   mkdirSync(path(generated), { recursive: true })

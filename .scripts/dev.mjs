@@ -1,7 +1,7 @@
 // npm run dev: watches the sources, rebuilds after each change, and reruns the tests that depend on the changed files.
 //
 //   npm run dev                 all tests but those in browsers
-//   npm run dev -- tests/mesh   only files whose path begins with this; a browser test only if you name its file
+//   npm run dev -- tests/mesh   only test files whose path begins with tests/mesh, including browser tests
 //
 // A change of C++ also reruns .build/native/warpjet_tests.
 import { existsSync, readFileSync, statSync, watch } from 'node:fs'
@@ -22,7 +22,7 @@ const pause = 200
 const importPattern = /\b(?:from|import)\s*\(?\s*["'](\.[^"']+)["']/g
 
 /** Lists a test file and everything that it imports, directly or indirectly, including files of dist. */
-function filesOf(test) {
+function listDependencies(test) {
   const files = new Set([test])
   for (const file of files) {
     if (!/\.m?js$/.test(file) || !existsSync(path(file))) continue
@@ -44,13 +44,15 @@ const listSources = () =>
 const readDist = () =>
   new Map(walk('dist', /\.js$/).map((file) => [file, readFileSync(path(file), 'utf8')]))
 
-/** Lists the tests to run after the files in `changed`. */
-function testsAfter(changed, wanted) {
+/** Lists the tests that depend on the files in `changed`. */
+function listTests(changed, wanted) {
   const isWanted = (test) =>
     wanted.length ? wanted.some((start) => test.startsWith(start)) : !test.includes('.browser.')
   return ['tests', 'web/tests']
     .flatMap((folder) => walk(folder, /\.test\.js$/))
-    .filter((test) => isWanted(test) && [...filesOf(test)].some((file) => changed.has(file)))
+    .filter(
+      (test) => isWanted(test) && [...listDependencies(test)].some((file) => changed.has(file)),
+    )
 }
 
 async function buildAndTest(changed, wanted) {
@@ -61,7 +63,7 @@ async function buildAndTest(changed, wanted) {
     await cmakeBuild('native', 'warpjet_tests')
     await exitCode(path('.build/native/warpjet_tests'), ['--gtest_brief=1'])
   }
-  const tests = testsAfter(changed, wanted)
+  const tests = listTests(changed, wanted)
   heading(`${tests.length} test files`)
   if (tests.length) await exitCode(process.execPath, ['--test', '--test-reporter=dot', ...tests])
 }
@@ -71,13 +73,13 @@ await main(async () => {
   process.env.WARPJET_CHROMIUM = (await setup()).chromium
   await build()
   say('\nWatching. Stop with Ctrl+C.')
-  let known = listSources()
+  let lastSeen = listSources()
   let wake
   for (const folder of watched) watch(path(folder), { recursive: true }, () => wake?.())
   for (;;) {
     const now = listSources()
-    const changed = new Set([...now.keys()].filter((file) => now.get(file) !== known.get(file)))
-    known = now
+    const changed = new Set([...now.keys()].filter((file) => now.get(file) !== lastSeen.get(file)))
+    lastSeen = now
     if (!changed.size) {
       await new Promise((resolve) => (wake = resolve))
       await setTimeout(pause)

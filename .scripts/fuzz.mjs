@@ -60,14 +60,17 @@ async function runTargets(names, corpus, search, launcher = []) {
   if (problems.length) throw new Stop(problems.join('\n'))
 }
 
-/** Returns a message if it found something, with the bytes of the input, since its machine may be out of reach; otherwise null. */
+/**
+ * Runs one target. Returns null, or a message if it found something. The message contains the bytes of the input, since the machine of the
+ * run may be out of reach.
+ */
 async function runTarget(name, corpus, search, launcher) {
-  for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
+  for (const directory of [corpus, findings]) mkdirSync(path(directory), { recursive: true })
   const program = `${programs}/${name}_fuzz`
   const log = `${findings}/${name}.log`
-  // Named in order, because a folder's own order depends on its file system.
-  const first = `-seed_inputs=${walk(`${seeds}/${name}`).join(',')}`
-  const options = [first, ...search, ...limits, ...targets[name].args, '-print_final_stats=1']
+  // Lists the seeds in order, because the order of files in a folder depends on the file system.
+  const seedInputs = `-seed_inputs=${walk(`${seeds}/${name}`).join(',')}`
+  const options = [seedInputs, ...search, ...limits, ...targets[name].args, '-print_final_stats=1']
   const [command, ...args] = [...launcher, path(program), corpus, ...options]
   const child = spawn(command, [...args, `-artifact_prefix=${findings}/${name}-`], {
     cwd: path(),
@@ -96,7 +99,7 @@ async function runTarget(name, corpus, search, launcher) {
 async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
   await run(path(programs, 'fuzz_seeds'), [seeds])
-  const texts = {
+  const glslSources = {
     ...own,
     ...values[300],
     ...Object.fromEntries(
@@ -104,7 +107,7 @@ async function writeSeeds() {
     ),
     'a misspelled function': 'float own(float x) { return exAp2(x); }',
   }
-  for (const [language, sources] of Object.entries({ glsl: texts, wgsl: ownWgsl })) {
+  for (const [language, sources] of Object.entries({ glsl: glslSources, wgsl: ownWgsl })) {
     mkdirSync(path(seeds, language), { recursive: true })
     for (const [name, text] of Object.entries(sources))
       writeFileSync(path(seeds, language, slug(name)), text.replaceAll('\n  ', '\n') + '\n')
@@ -118,8 +121,8 @@ const usage = `
 npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
 
   --seconds  how long each target runs. Default: 60
-  --target   only this one. Default: all at once
-  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp, tests/glsl and tests/wgsl, and ends`
+  --target   the only target to run. Default: all at once
+  --seeds    rewrites the seeds in ${seeds} from tests/fuzz/*_seeds.cpp, tests/glsl and tests/wgsl, and exits`
 
 if (isMain(import.meta))
   await main(async () => {

@@ -1,6 +1,6 @@
 // npm run pictures: draws each example as web/posters/*.webp, which the gallery shows before any script runs; the first page's warp
-// (`hero`); and the pictures of web/docs/composition.md (`composition.png`) and detail.md (`detail.webp`). Names after `--` draw only
-// those. A picture shows a moment of the sketch's own clock, so that a slow machine draws the same.
+// (`hero`); and the pictures of web/docs/composition.md (`composition.png`) and detail.md (`detail.webp`). With names after `--`, draws
+// only those. A simulated clock decides which moment of a sketch is drawn, so that a slow machine draws the same picture.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { createServer } from 'vite'
@@ -15,7 +15,7 @@ import { drawDetail } from './pictures/detail.mjs'
 const [width, height] = [480, 360]
 /** Small enough that the whole gallery loads fewer bytes than one photograph. */
 const maxBytes = 20_000
-/** The moment at which a sketch is most characteristic, in milliseconds. Default: 1500. */
+/** Maps a sketch → the time in milliseconds at which it is most characteristic. Default: 1500. */
 const moments = {
   'deformer-genie': 3600,
   'deformer-melt': 500,
@@ -24,10 +24,13 @@ const moments = {
   'deformer-twist': 3000,
   genie: 250,
 }
-const patience = { timeout: 240_000 }
+const waitOptions = { timeout: 240_000 }
 
-/** Runs in the page: the second frame is at `moment`, each further one 17 ms later. Before the first one a sketch may load a model. */
-function slowClock(moment) {
+/**
+ * Runs in the page: simulates a clock whose second frame is at `moment`, and each further one 17 ms later. Before the first frame, a sketch
+ * may load a model.
+ */
+function simulateClock(moment) {
   let now = 0
   performance.now = () => (now += 0.01)
   const { requestAnimationFrame } = window
@@ -59,14 +62,14 @@ async function packPicture({ png, width, height, maxBytes }) {
   }
 }
 
-async function poster(browser, url, name) {
+async function drawPoster(browser, url, name) {
   const page = await browser.newPage({
     viewport: name.startsWith('three-') ? { width, height } : { width: 640, height: 480 },
   })
   try {
-    await page.addInitScript(slowClock, moments[name] ?? 1500)
-    await page.goto(`${url}examples/${name}/gallery.html`, patience)
-    await page.waitForFunction(() => window.frameCount >= 3, null, patience)
+    await page.addInitScript(simulateClock, moments[name] ?? 1500)
+    await page.goto(`${url}examples/${name}/gallery.html`, waitOptions)
+    await page.waitForFunction(() => window.frameCount >= 3, null, waitOptions)
     // Hides the panels of the sketch.
     await page.addStyleTag({
       content: '.lil-gui, body > div[style*="z-index"] { display: none !important }',
@@ -82,15 +85,15 @@ async function poster(browser, url, name) {
 }
 
 /** Draws the first page's own warp at rest, on a transparent background. */
-async function hero(browser, url) {
+async function drawHero(browser, url) {
   const page = await browser.newPage({
     viewport: { width: 1280, height: 900 },
     reducedMotion: 'reduce',
   })
   try {
-    await page.addInitScript(slowClock, 0)
-    await page.goto(url, patience)
-    await page.waitForSelector('.hero canvas', patience)
+    await page.addInitScript(simulateClock, 0)
+    await page.goto(url, waitOptions)
+    await page.waitForSelector('.hero canvas', waitOptions)
     await page.waitForTimeout(500)
     const png = await page.evaluate(
       () => document.querySelector('.hero canvas').toDataURL('image/png').split(',')[1],
@@ -108,12 +111,12 @@ async function hero(browser, url) {
   }
 }
 
-/** Draws examples/composition at the moment 0, where its warps swing out furthest. */
-async function composition(browser, url) {
+/** Draws examples/composition at the time 0, at which its warps swing out furthest. */
+async function drawComposition(browser, url) {
   const viewport = { width: 640, height: 480 }
   const page = await browser.newPage({ viewport, deviceScaleFactor: 1.25 })
-  await page.goto(`${url}examples/composition/index.html`, patience)
-  await page.waitForFunction(() => window.frameCount >= 1, null, patience)
+  await page.goto(`${url}examples/composition/index.html`, waitOptions)
+  await page.waitForFunction(() => window.frameCount >= 1, null, waitOptions)
   await page.evaluate(async () => {
     window.noLoop()
     window.p5.instance.millis = () => 0
@@ -124,7 +127,7 @@ async function composition(browser, url) {
   good('web/docs/composition.png')
 }
 
-async function detail(browser, url) {
+async function drawDetailPicture(browser, url) {
   const page = await browser.newPage()
   const bytes = await drawDetail(page, url)
   await page.close()
@@ -133,14 +136,18 @@ async function detail(browser, url) {
 }
 
 await main(async () => {
-  const others = { hero, 'composition.png': composition, 'detail.webp': detail }
+  const otherPictures = {
+    hero: drawHero,
+    'composition.png': drawComposition,
+    'detail.webp': drawDetailPicture,
+  }
   const examples = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
-  const known = [...Object.keys(others), ...examples]
+  const known = [...Object.keys(otherPictures), ...examples]
   const wanted = process.argv.slice(2)
   const unknown = wanted.find((name) => !known.includes(name))
   if (unknown)
     throw new Stop(
-      `Expected names of examples, ${Object.keys(others).join(' or ')}, got ${unknown}.`,
+      `Expected names of examples, ${Object.keys(otherPictures).join(' or ')}, got ${unknown}.`,
     )
   await build()
   mkdirSync(path('web/posters'), { recursive: true })
@@ -155,7 +162,7 @@ await main(async () => {
   const [url] = server.resolvedUrls.local
   try {
     for (const name of wanted.length ? wanted : known)
-      await (others[name] ?? poster)(browser, url, name)
+      await (otherPictures[name] ?? drawPoster)(browser, url, name)
   } finally {
     await browser.close()
     await server.close()

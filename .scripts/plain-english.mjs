@@ -3,14 +3,14 @@
 //   node .scripts/plain-english.mjs [--list] [FOLDER…]   counts it, in all files or those folders
 //   npm test -- language                                  rejects it where a branch adds it
 //
-// A find is a place to reread, not proof of a fault. If a sentence is right as it is, add it to `exceptions`.
+// A hit is a place to reread, not proof of a fault. If a sentence is right as it is, add it to `exceptions`.
 import { existsSync, readFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
 import { path } from './lib/files.mjs'
 import { capture } from './lib/run.mjs'
 import { NotRun, Stop, isMain, main, say } from './lib/terminal.mjs'
 
-/** Sentences that the rules find and that are right. Compared with the excerpts that this tool prints. */
+/** Correct sentences that the rules match, written as this tool prints them. */
 const exceptions = new Set([])
 
 const roots = 'src js-bindings .scripts .cmake web tests examples README.md CONTRIBUTING.md'.split(
@@ -19,7 +19,7 @@ const roots = 'src js-bindings .scripts .cmake web tests examples README.md CONT
 const code = /\.(ts|mjs|js|cpp|hpp|cmake)$|CMakeLists\.txt$/
 const prose = /\.md$/
 const skipped = /types\/methods\.ts|corpus|golden|plain-english/
-const isRead = (file) => (code.test(file) || prose.test(file)) && !skipped.test(file)
+const isChecked = (file) => (code.test(file) || prose.test(file)) && !skipped.test(file)
 
 const comments =
   /\/\*\*?([\s\S]*?)\*\/|(?<![:\\'"`])\/\/([^\n]*(?:\n[ \t]*\/\/[^\n]*)*)|'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*"|`(?:\\.|[^`\\])*`/g
@@ -49,23 +49,23 @@ const nameRules = {
     /\b(?:const|constexpr|static|int|double|auto)\s+(?:most|least|usual)[A-Z]\w*/g,
 }
 
-const withoutMarks = (text) => text.replace(/\s*\n\s*(\*|\/\/)?\s*/g, ' ').trim()
+const stripCommentMarks = (text) => text.replace(/\s*\n\s*(\*|\/\/)?\s*/g, ' ').trim()
 
 /** Finds the places to reread in one file: [{ rule, line, text }]. */
 export function findWording(file, source) {
-  const found = []
+  const hits = []
   const report = (rule, at, text) =>
-    found.push({ rule, line: source.slice(0, at).split('\n').length, text: text.slice(0, 110) })
+    hits.push({ rule, line: source.slice(0, at).split('\n').length, text: text.slice(0, 110) })
   const apply = (rules, text, at) => {
     for (const [rule, pattern] of Object.entries(rules))
       if (pattern.test(text)) report(rule, at, text)
   }
   if (prose.test(file)) {
     for (const line of source.matchAll(/[^\n]+/g)) apply(textRules, line[0], line.index)
-    return found
+    return hits
   }
   for (const { 1: block, 2: line, index } of source.matchAll(comments)) {
-    const text = withoutMarks(block ?? line ?? '')
+    const text = stripCommentMarks(block ?? line ?? '')
     if (!text || /^clang-format|^@|^prettier/.test(text)) continue
     apply({ ...commentRules, ...textRules }, text, index)
   }
@@ -73,16 +73,16 @@ export function findWording(file, source) {
     if (text.length > 30) apply(textRules, text, index)
   for (const [rule, pattern] of Object.entries(nameRules))
     for (const { 0: text, index } of source.matchAll(pattern)) report(rule, index, text)
-  return found.filter(({ text }) => !exceptions.has(text))
+  return hits.filter(({ text }) => !exceptions.has(text))
 }
 
-/** Returns the finds of `after` that `before` lacks, however they moved: what was there before is not new. */
+/** Returns the hits of `after` that are not in `before`. A hit that only moved to another line or file is not new. */
 export function addedWording(before, after) {
   const keyOf = ({ rule, text }) => `${rule}\n${text}`
-  const left = before.map(keyOf)
-  return after.filter((find) => {
-    const i = left.indexOf(keyOf(find))
-    if (i >= 0) left.splice(i, 1)
+  const old = before.map(keyOf)
+  return after.filter((hit) => {
+    const i = old.indexOf(keyOf(hit))
+    if (i >= 0) old.splice(i, 1)
     return i < 0
   })
 }
@@ -90,8 +90,8 @@ export function addedWording(before, after) {
 const git = async (...args) => (await capture('git', args))?.trim() || null
 const linesOf = (text) => (text ? text.split('\n') : [])
 
-/** Returns the commit that a branch is compared with: where it left main, or the commit before on main itself. */
-async function base() {
+/** Returns the commit that a branch is compared with: where it left main, or on main itself the previous commit. */
+async function findBase() {
   const head = await git('rev-parse', 'HEAD')
   if (!head) throw new NotRun('this folder is no git repository')
   for (const main of ['origin/main', 'main']) {
@@ -107,15 +107,15 @@ const readNow = (file) => (existsSync(path(file)) ? readFileSync(path(file), 'ut
 
 /** Throws if a file has wording to reread that the base does not have. */
 export async function checkWording() {
-  const since = await base()
+  const since = await findBase()
   const changed = await git('diff', '--name-only', '--no-renames', since, '--', ...roots)
   const untracked = await git('ls-files', '--others', '--exclude-standard', '--', ...roots)
-  const files = [...linesOf(changed), ...linesOf(untracked)].filter(isRead)
+  const files = [...linesOf(changed), ...linesOf(untracked)].filter(isChecked)
   const before = []
   const after = []
   for (const file of files) {
     before.push(...findWording(file, (await git('show', `${since}:${file}`)) ?? ''))
-    after.push(...findWording(file, readNow(file)).map((find) => ({ ...find, file })))
+    after.push(...findWording(file, readNow(file)).map((hit) => ({ ...hit, file })))
   }
   const added = addedWording(before, after)
   if (added.length)
@@ -126,20 +126,20 @@ export async function checkWording() {
 
 const describe = ({ file, line, rule, text }) => `${file}:${line}  ${text}\n    ${rule}`
 
-/** Prints the number of finds by rule and in all; with `isListed` every place. */
-async function count(folders, isListed) {
-  const listed = linesOf(await git('ls-files', '--', ...(folders.length ? folders : roots)))
-  const files = listed.filter((file) => isRead(file) && existsSync(path(file)))
-  const finds = files.flatMap((file) =>
-    findWording(file, readNow(file)).map((find) => ({ ...find, file })),
+/** Prints the number of hits of each rule and of all rules; with `isListed`, also every place. */
+async function printCounts(folders, isListed) {
+  const tracked = linesOf(await git('ls-files', '--', ...(folders.length ? folders : roots)))
+  const files = tracked.filter((file) => isChecked(file) && existsSync(path(file)))
+  const hits = files.flatMap((file) =>
+    findWording(file, readNow(file)).map((hit) => ({ ...hit, file })),
   )
   const rules = {}
-  for (const find of finds) (rules[find.rule] ??= []).push(find)
+  for (const hit of hits) (rules[hit.rule] ??= []).push(hit)
   for (const [rule, places] of Object.entries(rules).sort(([, a], [, b]) => b.length - a.length)) {
     say(`${String(places.length).padStart(5)}  ${rule}`)
     if (isListed) for (const { file, line, text } of places) say(`       ${file}:${line}  ${text}`)
   }
-  say(`${String(finds.length).padStart(5)}  in ${files.length} files`)
+  say(`${String(hits.length).padStart(5)}  in ${files.length} files`)
 }
 
 if (isMain(import.meta))
@@ -148,5 +148,5 @@ if (isMain(import.meta))
       options: { list: { type: 'boolean' } },
       allowPositionals: true,
     })
-    await count(positionals, values.list)
+    await printCounts(positionals, values.list)
   })

@@ -5,11 +5,11 @@ import { dirname } from 'node:path'
 import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
 import { deformerParts } from './reference/deformers.mjs'
+import { meshTablesText, tablesText } from './reference/enumerations.mjs'
 import { examplePages } from './reference/example-pages.mjs'
 import { identityParts } from './reference/identities.mjs'
-import { meshNumberedText, numberedText } from './reference/numbered.mjs'
 import { operationParts } from './reference/operations.mjs'
-import { formatAs, pageWith } from './reference/parts.mjs'
+import { formatAs, replaceParts } from './reference/parts.mjs'
 import { vectorPlotParts } from './reference/plots-vectors.mjs'
 import { plotParts } from './reference/plots.mjs'
 import { readTable } from './reference/table.mjs'
@@ -23,8 +23,8 @@ export async function staleFiles() {
   const [table, deformers] = await Promise.all([readTable(), deformerParts()])
   const files = {
     'js-bindings/core/types/methods.ts': typesText(table),
-    'js-bindings/wasm/tables.ts': numberedText(table),
-    'js-bindings/wasm/mesh-tables.ts': meshNumberedText(table),
+    'js-bindings/wasm/tables.ts': tablesText(table),
+    'js-bindings/wasm/mesh-tables.ts': meshTablesText(table),
     ...examplePages(),
   }
   const pages = {
@@ -41,7 +41,7 @@ export async function staleFiles() {
     })),
     ...Object.entries(pages).map(async ([name, parts]) => {
       const file = `web/docs/${name}.md`
-      return { file, text: await pageWith(file, parts) }
+      return { file, text: await replaceParts(file, parts) }
     }),
   ]
   return (await Promise.all(texts)).filter(({ file, text }) => read(file) !== text)

@@ -3,7 +3,7 @@ import { readdirSync, writeFileSync } from 'node:fs'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
 import { Stop, good, main, seconds } from './lib/terminal.mjs'
-import { pageWith } from './reference/parts.mjs'
+import { replaceParts } from './reference/parts.mjs'
 import { setup } from './setup.mjs'
 
 await main(async () => {
@@ -17,6 +17,6 @@ await main(async () => {
   const start = performance.now()
   const { measure } = await import(`./report/${name}.mjs`)
   const file = `web/docs/${name}.md`
-  writeFileSync(path(file), await pageWith(file, await measure()))
+  writeFileSync(path(file), await replaceParts(file, await measure()))
   good(`${file}: ${seconds(start)}`)
 })

@@ -6,10 +6,10 @@ import { capture, exitCode, run } from './lib/run.mjs'
 import { Stop, bad, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { onPath } from './lib/which.mjs'
 
-// Vite 8 needs it.
+// The oldest Node that Vite 8 supports.
 const minNode = '20.19'
 
-/** Installs everything that is missing → { chromium }, the path of Chromium. */
+/** Installs everything that is missing. Returns { chromium }, the path of Chromium. */
 export async function setup() {
   const { node } = process.versions
   if (node.localeCompare(minNode, 'en', { numeric: true }) < 0)
@@ -30,7 +30,7 @@ export async function setup() {
 
 const namesOf = (list) => list.map(({ name }) => name).join(', ')
 
-/** Prints what was found, and returns the requirements that are missing. */
+/** Searches for each requirement, prints the result, and returns those that are missing. */
 async function check(list) {
   await Promise.all(list.map(async (each) => (each.file = await each.find())))
   for (const { name, file } of list)
@@ -45,18 +45,18 @@ async function rootPrefix() {
   return (await capture('sudo', ['-n', 'true'])) === null ? null : ['sudo', '-n']
 }
 
-/** Throws, and says what to type, unless this process may install packages. */
+/** Returns the prefix of commands that install packages. Throws, and prints what to type, if this process may not install any. */
 async function requireRoot(names, command) {
   const prefix = await rootPrefix()
   if (prefix) return prefix
-  say(`\nThis may not install packages here. Please type:\n\n  ${command}\n`)
+  say(`\nThis script may not install packages here. Please type:\n\n  ${command}\n`)
   throw new Stop(`Missing: ${names}.`)
 }
 
 async function installPackages(packages, names) {
   if (!onPath('apt-get'))
     throw new Stop(
-      `Missing: ${names}. This system has no apt-get to install them with; please install them your own way and start again (on Windows, use Debian or Ubuntu in WSL).`,
+      `Missing: ${names}. This system has no apt-get to install them with; please install them in another way and start again (on Windows, use Debian or Ubuntu in WSL).`,
     )
   const install = ['install', '--yes', '--no-install-recommends', ...packages]
   const typed = `sudo apt-get update && sudo apt-get ${install.join(' ')}`

@@ -1,5 +1,5 @@
-// npm run site: writes the site to .build/site, static files for any folder of any server, and checks its budgets. `-- --time` also
-// measures how soon the first page is interactive.
+// npm run site: writes the site to .build/site as static files, which work in any folder of any server, and checks its budgets. `-- --time`
+// also measures how soon the first page is interactive.
 import { rmSync } from 'node:fs'
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'

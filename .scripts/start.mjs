@@ -1,4 +1,4 @@
-// npm start: set-up, build, then the gallery in the browser. Options: --port 8080, --host (for other devices).
+// npm start: sets up, builds, and serves the gallery. Options: --port 8080, --host (for other devices).
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'

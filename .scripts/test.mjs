@@ -1,4 +1,4 @@
-// npm test: set-up, build, then the everyday checks; `npm test -- --all` runs every check. `npm test -- js cpp` runs only those groups.
+// npm test: sets up, builds, and runs the everyday checks; `npm test -- --all` runs every check, `npm test -- js cpp` only those groups.
 // A failure does not stop the other steps.
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
@@ -7,8 +7,8 @@ import { NotRun, Stop, bad, good, heading, main, say, seconds } from './lib/term
 import { chooseTier } from './lib/tiers.mjs'
 import { setup } from './setup.mjs'
 
-const known = [...new Set(checks.map(({ group }) => group))]
-const usage = `\n\nnpm test -- [--all] [${known.join('] [')}]`
+const knownGroups = [...new Set(checks.map(({ group }) => group))]
+const usage = `\n\nnpm test -- [--all] [${knownGroups.join('] [')}]`
 
 await main(async () => {
   const start = performance.now()
@@ -25,7 +25,7 @@ await main(async () => {
     title: 'Set-up',
     work: async () => (process.env.WARPJET_CHROMIUM = (await setup()).chromium),
   })
-  if (results[0].result !== 'passed') throw new Stop('Nothing can be tested without that.')
+  if (results[0].result !== 'passed') throw new Stop('Nothing can be tested without the set-up.')
   await record({ title: 'Build', work: build })
   for (const check of chosen) await record(check)
 
@@ -41,27 +41,29 @@ await main(async () => {
 }, usage)
 
 function select(groups, isAll) {
-  const unknown = groups.find((group) => !known.includes(group))
+  const unknown = groups.find((group) => !knownGroups.includes(group))
   if (unknown) throw new Stop(`There are no tests named ${unknown}.${usage}`)
   const chosen = checks.filter(({ group }) => !groups.length || groups.includes(group))
-  const run = chosen.filter(({ rare }) => isAll || !rare)
+  const checksToRun = chosen.filter(({ rare }) => isAll || !rare)
   const reasons = chosen.map(({ title, rare }) => `${title}: ${rare}`)
-  if (!run.length)
-    throw new Stop(`Nothing of that is run every day; add --all.\n${reasons.join('\n')}`)
-  return run
+  if (!checksToRun.length)
+    throw new Stop(
+      `The everyday run includes none of these steps; add --all.\n${reasons.join('\n')}`,
+    )
+  return checksToRun
 }
 
 async function attempt({ title: step, work }) {
   heading(step)
   const start = performance.now()
-  const end = (result, why) => ({ step, time: seconds(start), result, why })
+  const createResult = (result, why) => ({ step, time: seconds(start), result, why })
   try {
     await work()
-    return end('passed')
+    return createResult('passed')
   } catch (error) {
     const why = error instanceof Stop ? error.message : (error?.stack ?? String(error))
-    if (error instanceof NotRun) return end('NOT RUN', error.message)
+    if (error instanceof NotRun) return createResult('NOT RUN', error.message)
     bad(`${step}: ${why}`)
-    return end('FAILED', why)
+    return createResult('FAILED', why)
   }
 }

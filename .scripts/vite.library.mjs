@@ -1,4 +1,4 @@
-// The Vite configuration of the library: ES modules that share files, and single files for pages without a bundler.
+// The Vite configuration of the library: ES modules that share chunks, and single files for pages without a bundler.
 import { createHash } from 'node:crypto'
 import { readFileSync } from 'node:fs'
 import { defaultClientConditions } from 'vite'
@@ -12,8 +12,8 @@ const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylon
 
 const banner = `/*! ${name} ${version} | ${license} licence, third-party notices in NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
-/** `output` has options of Rolldown, `lib` those of Vite. */
-const settings = (lib, output, others) => ({
+/** Returns a configuration. `lib` has options of Vite, `output` those of Rolldown. */
+const createConfig = (lib, output, others) => ({
   configFile: false,
   root: path('.'),
   publicDir: false,
@@ -43,10 +43,10 @@ const withoutWasmInMaps = {
 }
 
 /**
- * The files that hold what several entries need, so that each entry brings what it uses and no more. A module goes to the
- * first file whose pattern matches it or a module that imports it.
+ * The chunks of code that several entries share, divided so that an entry loads no code that it does not use. A module goes to the
+ * first chunk whose pattern matches it or a module that imports it.
  */
-const sharedFiles = [
+const sharedChunks = [
   {
     name: 'basics',
     test: /\/js-bindings\/(errors\/.*|options\/.*|detail\/option|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/shapes|wasm\/inlined|wasm\/instance|wasm\/tables|generated\/version)\.ts$/,
@@ -87,7 +87,7 @@ const sharedFiles = [
   },
 ]
 
-export const moduleBuild = settings(
+export const moduleBuild = createConfig(
   {
     entry: Object.fromEntries(modules.map((name) => [name, path(`js-bindings/${name}.ts`)])),
     formats: ['es'],
@@ -95,26 +95,31 @@ export const moduleBuild = settings(
   {
     chunkFileNames: 'shared/[name].js',
     minifyInternalExports: false,
-    codeSplitting: { groups: sharedFiles },
+    codeSplitting: { groups: sharedChunks },
   },
 )
 
-// Keeps the names of classes, which error messages show.
+// Keeps the names of classes: they are visible in error messages.
 const keepNames = { class: true, function: false }
 const minified = {
   minify: { compress: { keepNames }, mangle: { keepNames }, codegen: true },
   comments: false,
 }
 
-/** One file. `wasm` names the wasm modules in it: the gzipped file is 1 KB smaller if they come first. */
-const single = (entry, fileName, format, { wasm = [], conditions = [], ...others } = {}) =>
-  settings({ entry, name, formats: [format], fileName: () => fileName }, minified, {
+/** Returns the configuration of a single file. `wasm` names its wasm modules: the gzipped file is 1 KB smaller if they are first. */
+const createSingleFile = (
+  entry,
+  fileName,
+  format,
+  { wasm = [], conditions = [], ...others } = {},
+) =>
+  createConfig({ entry, name, formats: [format], fileName: () => fileName }, minified, {
     ...others,
     resolve: { conditions: [...conditions, ...defaultClientConditions] },
-    plugins: [withoutWasmInMaps, withFirst(entry, wasm), additions],
+    plugins: [withoutWasmInMaps, importWasmFirst(entry, wasm), additions],
   })
 
-const withFirst = (entry, wasm) => ({
+const importWasmFirst = (entry, wasm) => ({
   name: 'wasm-first',
   enforce: 'pre',
   transform: (code, id) =>
@@ -128,13 +133,13 @@ const withFirst = (entry, wasm) => ({
 })
 
 /** `add:x` adds the exports of the entry x to the global `warpjet`. */
-const addition = /(?:^|\/)add:(.+)$/
+const additionPattern = /(?:^|\/)add:(.+)$/
 const additions = {
   name: 'additions',
   enforce: 'pre',
-  resolveId: (id) => (addition.test(id) ? id : null),
+  resolveId: (id) => (additionPattern.test(id) ? id : null),
   load(id) {
-    const [, name] = addition.exec(id) ?? []
+    const [, name] = additionPattern.exec(id) ?? []
     if (!name) return null
     const entry = JSON.stringify(path(`js-bindings/${name}.ts`))
     return `import * as names from ${entry}; Object.assign(globalThis.warpjet, names)`
@@ -144,18 +149,23 @@ const additions = {
 const wasmOf = { warpjet: ['core', 'evaluation'], mesh: ['mesh'] }
 
 export const singleModuleBuilds = singleModules.map((name) =>
-  single(path(`js-bindings/${name}.ts`), `${name}.min.js`, 'es', { wasm: wasmOf[name] }),
+  createSingleFile(path(`js-bindings/${name}.ts`), `${name}.min.js`, 'es', { wasm: wasmOf[name] }),
 )
 
-/** Files for <script> tags. They need the single modules, which the main script fetches when a sketch first needs them. */
+/**
+ * Returns the configurations of files for <script> tags. Build the single modules first: the main script fetches them when a sketch needs
+ * them.
+ */
 export const scriptBuilds = () => [
-  single(path('js-bindings/p5.global.ts'), `${mainScript}.min.js`, 'iife', {
+  createSingleFile(path('js-bindings/p5.global.ts'), `${mainScript}.min.js`, 'iife', {
     wasm: wasmOf.warpjet,
     conditions: ['main-script'],
     define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
   }),
   ...scriptsBeside.map((name) =>
-    single(`add:${name}`, `warpjet.${name}.min.js`, 'iife', { conditions: ['page-script'] }),
+    createSingleFile(`add:${name}`, `warpjet.${name}.min.js`, 'iife', {
+      conditions: ['page-script'],
+    }),
   ),
 ]
 

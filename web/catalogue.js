@@ -47,7 +47,7 @@ export const sections = [
         name: 'one-edge-per-side',
         figure: 'Figure 6',
         title: 'One edge per side',
-        text: 'A cube of 12 triangles, four times under one twist. Above, the twist has only corners to move. Below, the option detail divides the cube as finely as the picture needs. Left: normals at vertices. Right: exact normals at each pixel, which light the twist even where the shape misses it.',
+        text: 'A cube of 12 triangles, four times under one twist. Above, the twist has only corners to move. Below, the option detail divides the cube as finely as the picture needs. Left: normals at vertices. Right: exact normals at each pixel, which show the twist in the light even where the shape lacks it.',
       },
       {
         name: 'lotus',
@@ -107,18 +107,18 @@ export const sections = [
         name: 'domain-warping-2d',
         figure: 'f(g(p))',
         title: 'Noise moved by noise',
-        text: 'Left: fractal noise. Middle: the same noise at points displaced by noise. Right: at points displaced by noise that is itself displaced. Nothing else turns clouds into marble.',
+        text: 'Left: fractal noise. Middle: the same noise at points displaced by noise. Right: at points displaced by noise that is itself displaced. Nothing more is needed to turn clouds into marble.',
       },
       {
         name: 'domain-warping-colours',
         figure: 'q and r',
-        title: 'Its insides as colours',
+        title: 'Inner vectors as colours',
         text: 'On the way to its value the warp computes two vectors, which say more about the pattern than the value does. The length of the first mixes in cream, a coordinate of the second mixes in sea blue; time drifts through both.',
       },
       {
         name: 'domain-warping-lit',
         figure: 'Gradient',
-        title: 'The same in the light',
+        title: 'The value as a lit relief',
         text: 'The value is now a height, and its exact gradient, through three nested fractal noises, gives the normal. Every pixel has its own, so the lamp at the mouse finds every crease.',
       },
       {
@@ -157,7 +157,7 @@ export const sections = [
         name: 'deformer-stretch',
         figure: 'stretch',
         title: 'Squash and stretch',
-        text: 'Longer along an axis, and thinner across it by as much as keeps the volume.',
+        text: 'Longer along an axis, and thinner across it, so that the volume stays the same.',
       },
       {
         name: 'deformer-bulge',
@@ -249,7 +249,7 @@ export const sections = [
         name: 'glsl-terrain',
         scripts: ['glsl'],
         figure: 'GLSL',
-        title: 'Terrain from a text',
+        title: 'Terrain from source',
         text: 'Rotated and shrinking octaves, as on Shadertoy, are the height of a plane. The source has a loop, a matrix and two functions, and no normals; the light is exact all the same.',
       },
       {
@@ -263,7 +263,7 @@ export const sections = [
         name: 'glsl-noise',
         scripts: ['glsl'],
         figure: 'GLSL',
-        title: 'Noise of a package',
+        title: 'Noise from a package',
         text: 'The simplex noise that half the web uses, read unchanged from its package, displaces a sphere. Its derivative, which nobody wrote, gives the normal.',
       },
       {
@@ -324,7 +324,7 @@ export const sections = [
         background: '#150a24',
         figure: 'TSL',
         title: 'A raging sea, before and after',
-        text: 'The waves of an example of three.js, as nodes. Left: normals from two more heights, each at a shifted place. Right: exactNormals reads the height from the shader and differentiates it. Change the shift: only the left half has one.',
+        text: 'The waves of an example of three.js, as nodes. Left: normals from two more heights, each at a shifted place. Right: exactNormals reads the height from the shader and differentiates it. Change the shift: only the left half depends on it.',
       },
       {
         name: 'three-grass',

@@ -1,10 +1,10 @@
 /** Registers the service worker, which makes the site work offline, some time after the page loads. Only a built site has one. */
 
-/** Milliseconds after the load of a page, so that network and CPU are free for what the visitor sees first. */
+/** Milliseconds to wait after a page has loaded, so that network and CPU are free for what the visitor sees first. */
 const delay = 5000
 
 const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds))
-const idle = () =>
+const waitUntilIdle = () =>
   new Promise((resolve) => {
     if (window.requestIdleCallback) requestIdleCallback(resolve, { timeout: 10_000 })
     else resolve()
@@ -14,7 +14,7 @@ async function registerWorker(root) {
   if (document.readyState !== 'complete')
     await new Promise((resolve) => addEventListener('load', resolve, { once: true }))
   await sleep(delay)
-  await idle()
+  await waitUntilIdle()
   await navigator.serviceWorker.register(new URL('sw.js', root))
 }
 

@@ -1,7 +1,7 @@
-// Runs in an example's page before its sketch, in the gallery only. Records the shader code of each warp for the page around it; the
-// callback is compiled a second time for that, with plain input names, which read better than p5's. It also leaves the mouse wheel and
-// vertical swipes to that page, so that visitors can scroll past a sketch. On a full page the sketch keeps them, and its picture is as
-// large as fits.
+// Runs in an example's page before its sketch, in the gallery only. Records the shader code of each warp for the page around it. For
+// this, it compiles the callback a second time, with plain input names, which read better than p5's. It also leaves the mouse wheel and
+// vertical swipes to that page, so that visitors can scroll past a sketch. On a full page, the sketch keeps wheel and swipes, and its
+// picture is as large as fits.
 {
   const records = (window.recordedCode = [])
   const { compile, compileWarp, gen } = warpjet
@@ -47,7 +47,7 @@
     }),
   }
 
-  // If the script for GLSL is loaded, record the hooks with which it replaced the sketch's.
+  // If the script for GLSL is loaded, record the hooks with which exactNormals replaces the sketch's.
   const { exactNormals } = p5.prototype
   if (exactNormals)
     p5.prototype.exactNormals = function (shader) {
@@ -61,8 +61,8 @@
     document.head.append(Object.assign(document.createElement('style'), { textContent }))
   if (frameElement?.ownerDocument.body.matches('.full')) {
     const { createCanvas } = p5.prototype
-    p5.prototype.createCanvas = function (...how) {
-      const canvas = createCanvas.apply(this, how)
+    p5.prototype.createCanvas = function (...args) {
+      const canvas = createCanvas.apply(this, args)
       const { width, height } = this
       const fitting = `min(100vw, 100vh * ${width} / ${height})`
       style(`.p5Canvas { height: auto !important; width: ${fitting} !important }`)
@@ -74,7 +74,7 @@
   } else {
     const { orbitControl } = p5.prototype
     p5.prototype.orbitControl = function () {
-      // p5 sets this once it has disabled scrolling by the wheel; set it first, so that p5 does not.
+      // p5 sets this when it disables scrolling by the wheel. If it is set already, p5 does not disable it.
       this.wheelDefaultDisabled = true
       return orbitControl.call(this, 1, 1, 0)
     }

@@ -1,6 +1,6 @@
 /**
- * The sliders of the examples' pages. Each changes a number in the sketch's source, found by the text around it with # for the number;
- * so the sketches need no code for sliders.
+ * The sliders of the examples' pages. Each changes a number in the sketch's source, which is found by the text around it, with # in place
+ * of the number. So the sketches need no code for sliders.
  */
 const ranges = {
   'airplane-twist': { Twist: ['.mult(x).mult(#)', 0, 0.04] },
@@ -80,13 +80,13 @@ const ranges = {
 const number = String.raw`(-?\d+(?:\.\d+)?)`
 const escape = (text) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')
 
-/** Finds an example's sliders → [{ label, value, from, to, at, length }], where `at` is the index of the number in the sketch. */
-export function sliders(name, sketch) {
+/** Finds an example's sliders. Returns [{ label, value, from, to, at, length }], where `at` is the index of the number in the sketch. */
+export function findSliders(name, sketch) {
   return Object.entries(ranges[name] ?? {}).map(([label, [text, from, to]]) => {
     const pattern = new RegExp(escape(text).replace('#', number), 'd')
-    const found = pattern.exec(sketch)
-    if (!found) throw new Error(`expected “${text}” in examples/${name}/sketch.js, got no match.`)
-    const [at, end] = found.indices[1]
-    return { label, value: Number(found[1]), from, to, at, length: end - at }
+    const match = pattern.exec(sketch)
+    if (!match) throw new Error(`expected “${text}” in examples/${name}/sketch.js, got no match.`)
+    const [at, end] = match.indices[1]
+    return { label, value: Number(match[1]), from, to, at, length: end - at }
   })
 }

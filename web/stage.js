@@ -14,14 +14,14 @@ export function makeStage(place, { page, title }, report) {
     coming?.remove()
     const frame = document.createElement('iframe')
     Object.assign(frame, { src: page, title, className: 'coming' })
-    // The frame's page runs this instead of its sketch, if it is set.
+    // If `sketch` is set, the frame's page runs it instead of its own sketch.
     if (sketch) frame.sketch = URL.createObjectURL(new Blob([sketch], { type: 'text/javascript' }))
     coming = frame
     place.append(frame)
-    const look = setInterval(() => {
-      if (frame !== coming) return clearInterval(look)
+    const poll = setInterval(() => {
+      if (frame !== coming) return clearInterval(poll)
       if (!frame.contentWindow?.frameCount) return
-      clearInterval(look)
+      clearInterval(poll)
       shown?.remove()
       ;[shown, coming] = [frame, undefined]
       frame.className = 'shown'
@@ -37,7 +37,8 @@ export function makeStage(place, { page, title }, report) {
     report({ frames: 0, rate: 0 })
   }
 
-  function follow() {
+  /** Starts or ends the frame if that is due. */
+  function update() {
     const isWanted = isSeen && !isPaused
     if (isWanted && !shown && !coming) begin()
     if (!isWanted && (shown || coming)) end()
@@ -46,7 +47,7 @@ export function makeStage(place, { page, title }, report) {
   new IntersectionObserver(
     ([{ isIntersecting }]) => {
       isSeen = isIntersecting
-      follow()
+      update()
     },
     { threshold: [0, 0.3] },
   ).observe(place)
@@ -58,7 +59,7 @@ export function makeStage(place, { page, title }, report) {
     },
     setPaused(now) {
       isPaused = now
-      follow()
+      update()
     },
   }
 }

@@ -11,17 +11,17 @@
     })
 
   /** Matches the statements of a warp, up to the new position, in a complete vertex shader of three.js. */
-  const block =
+  const statements =
     /\{\nvec3 warpjetStart = transformed;[\s\S]*?\btransformed = (?:warpjetPosition;|\( inverse[^;]*;)/
-  /** Matches the function of a warp in a complete shader of WebGPURenderer. */
-  const ofNodes = /^(?:mat3|vec3) warpjet_\w+\s*\([^)]*\)\s*\{\n[\s\S]*?\nreturn [^\n]*;\n\}/m
+  /** Matches a function that exactNormals writes, in a complete shader of WebGPURenderer. */
+  const nodeFunction = /^(?:mat3|vec3) warpjet_\w+\s*\([^)]*\)\s*\{\n[\s\S]*?\nreturn [^\n]*;\n\}/m
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
-    const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []
-    const [ofNode] = ofNodes.exec(text) ?? []
+    const [code] = statements.exec(text.slice(text.indexOf('void main'))) ?? []
+    const [nodeCode] = nodeFunction.exec(text) ?? []
     for (const [maker, found] of [
       ['warp', code],
-      ['exactNormals', ofNode],
+      ['exactNormals', nodeCode],
     ])
       if (found && !records.some((known) => known.code === found))
         records.push({ maker, code: found })

@@ -1,5 +1,6 @@
-// npm run bench -- detail-frames [--warp name] [--normals vertex]: frames of meshes with the option `detail`, whose updates are part of them, against those of
-// the uniform mesh of the same error, in three.js on WebGL in software: the warps of `npm run report -- detail`, 600 x 600 pixels.
+// npm run bench -- detail-frames [--warp name] [--normals vertex]: compares frames of meshes with the option `detail`, updates included,
+// with frames of a uniformly subdivided mesh of the same error: in three.js on WebGL in software, at 600 x 600 pixels, for the warps
+// of `npm run report -- detail`.
 import { readdirSync } from 'node:fs'
 import { loadavg } from 'node:os'
 import { parseArgs } from 'node:util'
@@ -14,18 +15,20 @@ import { median } from '../lib/median.mjs'
 import { say } from '../lib/terminal.mjs'
 import {
   chooseTriangles,
-  findUniform,
+  countUniformPieces,
   galleryWarps,
   meshes,
+  robustMax,
   scale,
   viewFrom,
-  worstOf,
 } from '../report/detail/cases.mjs'
 
-const chosen = ['box', 'sphere', 'teapot']
+const shapes = ['box', 'sphere', 'teapot']
 
-/** Returns into how many pieces the uniform mesh of the same error splits the sides, as seen by the first frame. */
-function piecesFor(mesh, warp, uniforms, distance, size) {
+/**
+ * Returns into how many pieces each side must be split so that the uniform mesh has the same error as the divided one in the first frame.
+ */
+function countPieces(mesh, warp, uniforms, distance, size) {
   const random = randomNumbers(7)
   const place = new THREE.Vector3().setFromSphericalCoords(distance, 1.1, 0)
   const view = viewFrom(place, size)
@@ -33,28 +36,30 @@ function piecesFor(mesh, warp, uniforms, distance, size) {
   const divided = createDetail(mesh, warp)
   divided.update(view, { uniforms })
   const all = chooseTriangles(random, divided, Infinity)
-  const error = worstOf(screenErrors(divided, warpPositions, view, all))
+  const error = robustMax(screenErrors(divided, warpPositions, view, all))
   divided.dispose()
-  return findUniform(mesh, warpPositions, view, error, random)
+  return countUniformPieces(mesh, warpPositions, view, error, random)
 }
 
 async function measureAll(page, warps, normals) {
   const rows = {}
   for (const { name, warp, sizes, uniforms } of warps)
-    for (const shape of chosen) {
+    for (const shape of shapes) {
       const size = Math.max(...sizes)
       const distance = 3.2 * size
       const mesh = scale(meshes[shape], sizes)
-      const pieces = piecesFor(mesh, warp, uniforms, distance, size)
-      const plain = Object.fromEntries(Object.entries(mesh).map(([key, list]) => [key, [...list]]))
-      const found = {}
+      const pieces = countPieces(mesh, warp, uniforms, distance, size)
+      const plainMesh = Object.fromEntries(
+        Object.entries(mesh).map(([key, list]) => [key, [...list]]),
+      )
+      const results = {}
       for (const moves of [false, true])
-        found[moves] = await page.evaluate((settings) => measureFrames(settings), {
+        results[moves] = await page.evaluate((settings) => measureFrames(settings), {
           name,
-          mesh: plain,
+          mesh: plainMesh,
           ...{ pieces, sizes, uniforms, normals, distance, moves },
         })
-      const [still, moving] = [found.false, found.true]
+      const [still, moving] = [results.false, results.true]
       rows[`${name}, ${shape}`] = {
         triangles: still.triangles.divided,
         uniform: still.triangles.uniform,
@@ -80,7 +85,7 @@ export async function measure(args) {
       normals: { type: 'string', default: 'vertex' },
     },
   })
-  // The lotus has a `param`, which three.js has not.
+  // The lotus has a `param`, which `warp` of three.js does not support.
   const warps = (await galleryWarps()).filter(
     ({ name }) => name !== 'lotus' && name.includes(values.warp),
   )
@@ -91,7 +96,9 @@ export async function measure(args) {
   const rows = await measureAll(page, warps, values.normals)
   await pages.close()
   console.table(rows)
-  const of = (key) => median(Object.values(rows).map((row) => row[key])).toFixed(2)
-  say(`Medians: ${of('ratio')} if the camera moves, ${of('ratio ')} if the surface moves, too.`)
+  const medianOf = (key) => median(Object.values(rows).map((row) => row[key])).toFixed(2)
+  say(
+    `Medians: ${medianOf('ratio')} if the camera moves, ${medianOf('ratio ')} if the surface moves, too.`,
+  )
   say(`Load of the machine: ${loadavg()[0].toFixed(1)}.`)
 }

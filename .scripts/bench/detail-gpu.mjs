@@ -1,5 +1,5 @@
-// npm run bench -- detail-gpu [--edges 100000] [--size 1024] [--frames 40] [--software]: the compute passes of the option `detail` in three.js on
-// WebGPU, by timestamps of the GPU if there are any, and what render() costs on the CPU with them and without.
+// npm run bench -- detail-gpu [--edges 100000] [--size 1024] [--frames 40] [--software]: times the compute passes of the option `detail` in
+// three.js on WebGPU, by timestamps of the GPU where it supports them, and the CPU time of render() with and without these passes.
 import { parseArgs } from 'node:util'
 import { chromium } from 'playwright-core'
 import { webgpuFlags } from '../../tests/support/browser/browser.js'
@@ -7,7 +7,7 @@ import { threePagesIn } from '../../tests/support/browser/three/open.js'
 import { gpuFlags, softwareFlags } from '../lib/flags.mjs'
 import { Stop, good, say } from '../lib/terminal.mjs'
 
-/** Timestamps that are not rounded. */
+/** The flag with which timestamps are not rounded. */
 const exactTimes = '--enable-webgpu-developer-features'
 
 /** Runs in the page: tests whether WebGPU draws on a GPU. */
@@ -48,7 +48,7 @@ export async function measure(args) {
     if (!(Number.isInteger(value) && value > 0))
       throw new Stop(`Expected a whole number above 0 for --${name}, got ${values[name]}.`)
   const { pages, page } = await launch(values.software)
-  const { rows, adapter } = await page.evaluate((given) => benchDetail(given), settings)
+  const { rows, adapter } = await page.evaluate((options) => benchDetail(options), settings)
   await pages.close()
   good(`WebGPU: ${adapter || 'an unnamed adapter'}`)
   say(

@@ -1,5 +1,5 @@
-// npm run bench -- detail: what the option `detail` costs on the CPU in a frame in which camera and time move, at about 10,000 edges: how
-// long an update takes, and what memory it uses.
+// npm run bench -- detail: measures what the option `detail` costs on the CPU in a frame in which camera and time move, at about 10,000
+// edges: how long an update takes, and what memory it uses.
 import { cpus, loadavg } from 'node:os'
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
@@ -17,9 +17,9 @@ const updates = 300
 /** Garbage is counted in series of this many updates. */
 const series = 20
 
-const partsOf = (p) => ({ x: p.x(), y: p.y(), z: p.z() })
+const components = (p) => ({ x: p.x(), y: p.y(), z: p.z() })
 
-const along =
+const alongPosition =
   (height) =>
   ({ glsl, position, millis }) => {
     const moving = position.mult(2).add(glsl.vec3(0, 0, millis.div(1000)))
@@ -30,7 +30,7 @@ const along =
 const warps = {
   twist: [
     ({ glsl, position, millis }) => {
-      const { x, y, z } = partsOf(position)
+      const { x, y, z } = components(position)
       const angle = y.mult(millis.div(1000).sin().mult(2))
       const [c, s] = [angle.cos(), angle.sin()]
       return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
@@ -39,7 +39,7 @@ const warps = {
   ],
   bend: [
     ({ glsl, position, millis }) => {
-      const { x, y, z } = partsOf(position)
+      const { x, y, z } = components(position)
       const rate = millis.div(1000).sin().mult(0.4).add(0.6)
       const [angle, radius] = [y.mult(rate), glsl.val(1).div(rate)]
       const inner = radius.sub(x)
@@ -49,12 +49,12 @@ const warps = {
     },
     2,
   ],
-  simplex: [along((glsl, p) => glsl.simplex(p)), undefined],
-  'fbm of three octaves': [along((glsl, p) => glsl.fbm(p, { octaves: 3 })), 8],
+  simplex: [alongPosition((glsl, p) => glsl.simplex(p)), undefined],
+  'fbm of three octaves': [alongPosition((glsl, p) => glsl.fbm(p, { octaves: 3 })), 8],
 }
 
-/** A sphere has about three edges for each two triangles. */
-function sphere() {
+/** Returns a sphere of about `edges` edges. A sphere has about three edges for each two triangles. */
+function createSphere() {
   const rows = Math.round(Math.sqrt(edges / 6))
   return arraysOf(new THREE.SphereGeometry(1, 2 * rows, rows))
 }
@@ -64,20 +64,20 @@ const viewOf = (i) =>
   viewFrom(new THREE.Vector3().setFromSphericalCoords(2.5 + Math.sin(i / 20), 1.2, i / 100), 1)
 
 setFlagsFromString('--expose-gc')
-const collect = runInNewContext('gc')
+const collectGarbage = runInNewContext('gc')
 
 /** Returns the bytes in use. Arrays are freed some time after a collection. */
-async function memory() {
+async function measureMemory() {
   for (let i = 0; i < 3; i++) {
-    collect()
+    collectGarbage()
     await new Promise((resolve) => setTimeout(resolve, 20))
   }
   const { heapUsed, arrayBuffers } = process.memoryUsage()
   return { heapUsed, arrayBuffers, wasm: detailMemoryInUse() + evaluationMemoryInUse() }
 }
 
-/** Adds up the time of `update` in the wasm; what remains of an update is the evaluation of the warp. */
-function timeInWasm() {
+/** Makes `update` of the wasm record its time. The rest of an update's time is the evaluation of the warp. */
+function recordWasmTime() {
   const { prototype } = details.get().Detail
   const { update } = prototype
   const spent = { milliseconds: 0, detail: undefined, args: [] }
@@ -97,7 +97,7 @@ function timeUpdates(update, spent) {
     spent.milliseconds = 0
     const total = time(() => update(i))
     const needAndWrite = spent.milliseconds
-    // Nothing has changed since, so that a second update computes needs and writes nothing.
+    // Nothing has changed since, so a second update computes how far edges must be split, but writes nothing.
     spent.milliseconds = 0
     spent.detail.update(...spent.args)
     if (i < warmUp) continue
@@ -112,21 +112,21 @@ function timeUpdates(update, spent) {
 async function measureWarp([offset, aim], spent) {
   const warp = compileWarp(offset, { normals: false })
   const views = Array.from({ length: warmUp + updates }, (_, i) => viewOf(i))
-  const mesh = sphere()
-  const before = await memory()
+  const mesh = createSphere()
+  const before = await measureMemory()
   const divided = createDetail(mesh, warp)
   const update = (i, tolerance = 1) =>
     divided.update(views[i], { uniforms: { millis: 20 * i }, tolerance })
   update(0, 1e6)
-  const undivided = await memory()
-  const least = divided.indices.length / 3
+  const undivided = await measureMemory()
+  const minTriangles = divided.indices.length / 3
   const times = timeUpdates(update, spent)
   const edges = spent.detail.pieces().length
   const garbage = countGarbage(update, views.length)
   const triangles = views.map((_, i) => (update(i), divided.indices.length / 3))
-  const first = await memory()
+  const first = await measureMemory()
   views.forEach((_, i) => update(i))
-  const last = await memory()
+  const last = await measureMemory()
   divided.dispose()
   const scale = 10_000 / edges
   const format = (ms) => (scale * ms).toFixed(2)
@@ -142,7 +142,7 @@ async function measureWarp([offset, aim], spent) {
       'wasm, kB': kilobytes(scale * (undivided.wasm - before.wasm)),
       'arrays, kB': kilobytes(scale * (undivided.arrayBuffers - before.arrayBuffers)),
       'wasm, bytes per triangle': Math.round(
-        (last.wasm - undivided.wasm) / (Math.max(...triangles) - least),
+        (last.wasm - undivided.wasm) / (Math.max(...triangles) - minTriangles),
       ),
       'garbage, bytes per update': garbage,
       ...Object.fromEntries(
@@ -156,28 +156,28 @@ const kilobytes = (bytes) => Math.round(bytes / 1024)
 
 /** Returns the bytes of garbage in an update, in the median of series in which none was collected. */
 function countGarbage(update, count) {
-  const found = []
+  const bytesPerUpdate = []
   for (let first = 0; first + series <= count; first += series) {
     const { heapUsed } = process.memoryUsage()
     for (let i = first; i < first + series; i++) update(i)
     const grown = process.memoryUsage().heapUsed - heapUsed
-    if (grown >= 0) found.push(grown / series)
+    if (grown >= 0) bytesPerUpdate.push(grown / series)
   }
-  return Math.round(median(found))
+  return Math.round(median(bytesPerUpdate))
 }
 
 export async function measure() {
-  const spent = timeInWasm()
-  const found = {}
-  for (const [name, warp] of Object.entries(warps)) found[name] = await measureWarp(warp, spent)
+  const spent = recordWasmTime()
+  const results = {}
+  for (const [name, warp] of Object.entries(warps)) results[name] = await measureWarp(warp, spent)
   const table = (key) =>
     console.table(
-      Object.fromEntries(Object.entries(found).map(([name, each]) => [name, each[key]])),
+      Object.fromEntries(Object.entries(results).map(([name, result]) => [name, result[key]])),
     )
   say(`A sphere of about ${edges} edges; camera and time move in ${updates} updates.`)
   say('Milliseconds for 10,000 edges, medians:')
   table('times')
-  say(`Memory for 10,000 edges, and what grows in ${warmUp + updates} more updates, in bytes:`)
+  say(`Memory for 10,000 edges, and its growth in ${warmUp + updates} more updates, in bytes:`)
   table('memory')
   say(`The wasm has a heap of ${kilobytes(details.get().HEAPU8.length)} kB, which never shrinks.`)
   say(`Load of the machine: ${loadavg()[0].toFixed(1)} on ${cpus().length} cores.`)

@@ -1,4 +1,4 @@
-// The native program of npm run bench -- evaluate: reads a compiled warp and a mesh, moves the mesh
+// The native program of npm run bench -- evaluate: reads a compiled warp and a mesh, warps the mesh
 // twice, and prints how many seconds the second pass took.
 #include <chrono>
 #include <cstdio>
@@ -35,13 +35,13 @@ int main(int, char** arguments) {
   std::vector<bool> isUniform;
   for (const Stream& input : inputs) isUniform.insert(isUniform.end(), input.size, input.isUniform);
 
-  std::vector<float> moved(3 * vertices), turned(3 * vertices);
-  const Sink results[] = {{moved.data(), 3}, {turned.data(), 3}};
-  const std::uint32_t wanted[] = {0, 1, 2, 3, 4, 5};
+  std::vector<float> warpedPositions(3 * vertices), warpedNormals(3 * vertices);
+  const Sink results[] = {{warpedPositions.data(), 3}, {warpedNormals.data(), 3}};
+  const std::uint32_t outputs[] = {0, 1, 2, 3, 4, 5};
   double seconds = 0;
   for (int pass = 0; pass < 2; ++pass) {
     const auto start = std::chrono::steady_clock::now();
-    BlockEvaluator(allocateRegisters(words, header[1], wanted, isUniform), inputs)
+    BlockEvaluator(allocateRegisters(words, header[1], outputs, isUniform), inputs)
         .run(vertices, inputs, results);
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }

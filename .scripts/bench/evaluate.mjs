@@ -32,9 +32,13 @@ export async function measure() {
   const interpreted = await interpretedLibrary(warps.twist.warp)
   console.log('Millions of vertices a second, and median ratios of neighbours.')
   console.table(rows.map((row) => measureRow(row, interpreted)))
-  console.log('\nMilliseconds until the first vertex is moved, and microseconds of one more.')
+  console.log(
+    '\nMilliseconds until the first vertex is moved, and microseconds for each further one.',
+  )
   console.table(
-    Object.fromEntries(Object.entries(warps).map(([name, { warp }]) => [name, startUp(warp)])),
+    Object.fromEntries(
+      Object.entries(warps).map(([name, { warp }]) => [name, measureStartUp(warp)]),
+    ),
   )
 }
 
@@ -42,8 +46,8 @@ export async function measure() {
 function measureRow({ name, vertices, rounds }, interpreted) {
   const { warp: offset, byHand } = warps[name]
   const warp = compileWarp(offset)
-  const plain = interpreted.compileWarp(offset)
-  const mesh = randomMesh(vertices)
+  const interpretedWarp = interpreted.compileWarp(offset)
+  const mesh = createSphere(vertices)
   const uniforms = { millis: 1234 }
   const arrays = () => ({
     positions: new Float32Array(3 * vertices),
@@ -51,25 +55,25 @@ function measureRow({ name, vertices, rounds }, interpreted) {
   })
   const results = arrays()
   const out = arrays()
-  const native = nativeRunner(warp, mesh, 1234)
+  const native = createNativeRunner(warp, mesh, 1234)
   let moved
-  const ways = {
+  const methods = {
     evaluate: () => time(() => (moved = warp.evaluate(mesh, { uniforms }))),
     'into out': () => time(() => warp.evaluate(mesh, { uniforms, out })),
-    interpreter: () => time(() => plain.evaluate(mesh, { uniforms })),
+    interpreter: () => time(() => interpretedWarp.evaluate(mesh, { uniforms })),
     'by hand': () => time(() => byHand(mesh, 1234, results)),
     native: native.time,
   }
   // Warms up until the engine has used its optimizing compiler.
   for (let i = vertices > 100_000 ? 2 : 20; i > 0; i--) {
-    ways.evaluate()
-    ways['into out']()
+    methods.evaluate()
+    methods['into out']()
   }
-  const times = timesInTurn(ways, rounds)
-  native.end()
-  const speeds = Object.entries(times).map(([way, each]) => [
-    way,
-    (vertices / median(each) / 1000).toFixed(2),
+  const times = timesInTurn(methods, rounds)
+  native.dispose()
+  const speeds = Object.entries(times).map(([method, milliseconds]) => [
+    method,
+    (vertices / median(milliseconds) / 1000).toFixed(2),
   ])
   const ratio = (a, b) => median(times[a].map((took, i) => took / times[b][i])).toFixed(2)
   return {
@@ -83,29 +87,31 @@ function measureRow({ name, vertices, rounds }, interpreted) {
   }
 }
 
-/** Returns the shortest times of generating the machine code, in the second call, and of the interpreter, which runs the first call. */
-function startUp(offset) {
-  const at = { normal: [0, 1, 0], uniforms: { millis: 1234 } }
+/**
+ * Returns the shortest times of the first call, which is interpreted, of the second, which generates the machine code, and of later calls.
+ */
+function measureStartUp(offset) {
+  const options = { normal: [0, 1, 0], uniforms: { millis: 1234 } }
   const best = {
     'machine code, ms': Infinity,
     'interpreter, ms': Infinity,
     'evaluateAt, µs': Infinity,
   }
-  const keep = (name, value) => (best[name] = Math.min(best[name], value))
+  const keepMin = (name, value) => (best[name] = Math.min(best[name], value))
   for (let round = 0; round < 15; round++) {
     const warp = compileWarp(offset)
-    const once = () => warp.evaluateAt([1, 2, 3], at)
+    const once = () => warp.evaluateAt([1, 2, 3], options)
     // Prepares the evaluation, so that the loop does not time it.
-    warp.evaluateAt([1, 2, 3], { uniforms: at.uniforms })
-    keep('interpreter, ms', time(once))
-    keep('machine code, ms', time(once))
-    keep('evaluateAt, µs', 2 * time(() => { for (let i = 0; i < 500; i++) once() })) // prettier-ignore
+    warp.evaluateAt([1, 2, 3], { uniforms: options.uniforms })
+    keepMin('interpreter, ms', time(once))
+    keepMin('machine code, ms', time(once))
+    keepMin('evaluateAt, µs', 2 * time(() => { for (let i = 0; i < 500; i++) once() })) // prettier-ignore
   }
   return best
 }
 
-/** Vertices on a sphere of radius 100, whose normals point outwards. */
-function randomMesh(vertices) {
+/** Returns vertices on a spiral around a sphere of radius 100, with normals that point outwards. */
+function createSphere(vertices) {
   const positions = new Float32Array(3 * vertices)
   const normals = new Float32Array(3 * vertices)
   for (let i = 0; i < vertices; i++) {
@@ -120,13 +126,13 @@ function randomMesh(vertices) {
 
 /** Returns the largest difference of positions and normals, relative to the size of the mesh. */
 function largestDifference(moved, results) {
-  const of = (name, size) =>
+  const maxDifference = (name, size) =>
     results[name].reduce((max, x, i) => Math.max(max, Math.abs(moved[name][i] - x) / size), 0)
-  return Math.max(of('positions', 100), of('normals', 1))
+  return Math.max(maxDifference('positions', 100), maxDifference('normals', 1))
 }
 
 /** Writes program and mesh into a file. Each run of the native program times one pass over the mesh. */
-function nativeRunner(warp, { positions, normals }, millis) {
+function createNativeRunner(warp, { positions, normals }, millis) {
   const program = warp[Symbol.for('warpjet.program')].program()
   const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
   const file = join(folder, 'program')
@@ -138,14 +144,14 @@ function nativeRunner(warp, { positions, normals }, millis) {
     program.inputs.findIndex((input) => input.name === 'millis'),
     ...sizes,
   ])
-  const moment = new Float32Array([millis])
+  const time32 = new Float32Array([millis])
   const parts = [
     header,
     program.words,
     new Uint32Array([positions.length / 3]),
     positions,
     normals,
-    moment,
+    time32,
   ]
   writeFileSync(file, Buffer.concat(parts.map((part) => Buffer.from(part.buffer))))
   return {
@@ -157,6 +163,6 @@ function nativeRunner(warp, { positions, normals }, millis) {
       if (status !== 0) throw new Error(`${stderr}`)
       return 1000 * Number(stdout)
     },
-    end: () => rmSync(folder, { recursive: true }),
+    dispose: () => rmSync(folder, { recursive: true }),
   }
 }

@@ -8,12 +8,12 @@ import { plainGraph, sineWarp } from './generate/plain-graph.mjs'
 import { measureStartUp } from './generate/start-up.mjs'
 
 /** The number of builder nodes per sine, counted as in the paper. */
-const nodesOfASine = 5
+const nodesPerSine = 5
 
 function measureSize(sines, runs) {
   const { warp } = stackedSines(sines)
   const { code } = compileWarp(warp)
-  const nodes = nodesOfASine * sines
+  const nodes = nodesPerSine * sines
   const median = medianTime(runs, () => compileWarp(warp))
   return {
     'builder nodes': nodes,
@@ -26,13 +26,13 @@ function measureSize(sines, runs) {
 }
 
 function compareSize(sines, runs) {
-  const works = {
+  const methods = {
     warpjet: () => time(() => compileWarp(sineWarp(sines))),
     plain: () => time(() => plainGraph(sines)),
   }
-  const { warpjet, plain } = timesInTurn(works, runs, 12)
+  const { warpjet, plain } = timesInTurn(methods, runs, 12)
   return {
-    'builder nodes': 3 * nodesOfASine * sines + 6,
+    'builder nodes': 3 * nodesPerSine * sines + 6,
     'warpjet ms': Number(median(warpjet).toFixed(2)),
     'plain ms': Number(median(plain).toFixed(2)),
     ratio: Number((median(warpjet) / median(plain)).toFixed(2)),
@@ -47,7 +47,7 @@ const repeat = (count, step) => (glsl) => {
 }
 const oneSine = ({ glsl, position, millis }) => glsl.vec3(position.y.add(millis).sin(), 0, 0)
 
-const singles = {
+const singleCases = {
   'a warp of one sine': [3000, () => compileWarp(oneSine)],
   'v = v * v + v, 40 times': [5, () => compile(repeat(40, (v) => v.mult(v).add(v)))],
   'a chain of 100,000 sines': [5, () => compile(repeat(100_000, (v) => v.sin()))],
@@ -63,7 +63,7 @@ export async function measure() {
     '\nIn turn with a plain graph in JavaScript (.scripts/bench/generate/plain-graph.mjs)',
   )
   printSizes(compareSize, { 10: 200, 100: 100, 200: 60, 2000: 15 })
-  for (const [name, [runs, work]] of Object.entries(singles))
+  for (const [name, [runs, work]] of Object.entries(singleCases))
     console.log(`${name}: ${medianTime(runs, work).toFixed(3)} ms`)
   console.log('\nStart-up, medians in ms')
   console.table(await measureStartUp())

@@ -12,32 +12,35 @@ import { median, time } from '../lib/median.mjs'
 export async function measure() {
   const original = readFileSync(path('node_modules/glsl-noise/simplex/3d.glsl'), 'utf8')
   const source = `${original}\nvec3 offset(vec3 p) { return vec3(snoise(p), 0.0, 0.0); }`
-  const own = ({ glsl, position }) => glsl.vec3(position.simplex(), 0, 0)
+  const ourOffset = ({ glsl, position }) => glsl.vec3(position.simplex(), 0, 0)
   const compileSource = (options) => compileWarp(glslOffset(source), options)
 
-  const all = Array.from({ length: 150 }, () => time(() => compileSource()))
+  const times = Array.from({ length: 150 }, () => time(() => compileSource()))
   const length = ({ code, declarations }) => code.length + declarations.length
   console.table({
-    'source → offset, ms': { median: median(all), best: Math.min(...all), first: all[0] },
+    'source → offset, ms': { median: median(times), best: Math.min(...times), first: times[0] },
   })
   console.table({
     characters: {
       original: original.length,
       'as an offset': length(compileSource({ normals: false })),
       'with exact normals': length(compileSource()),
-      'our own simplex': length(compileWarp(own)),
+      'our own simplex': length(compileWarp(ourOffset)),
     },
   })
   await measureInBrowser({
     "webgl-noise's, as it is": { declarations: source, code: 'vec3 moved = p + offset(p), n = p;' },
     "webgl-noise's, exact normals": shaderOf(compileSource({ surfaceVariation: false })),
-    'our own, exact normals': shaderOf(compileWarp(own, { surfaceVariation: false })),
+    'our own, exact normals': shaderOf(compileWarp(ourOffset, { surfaceVariation: false })),
   })
 }
 
 function shaderOf({ code, declarations }) {
-  const given = 'vec3 position = p, normal = normalize(p);'
-  return { declarations, code: `${given}\n${code}\nvec3 moved = warpedPosition, n = warpedNormal;` }
+  const inputs = 'vec3 position = p, normal = normalize(p);'
+  return {
+    declarations,
+    code: `${inputs}\n${code}\nvec3 moved = warpedPosition, n = warpedNormal;`,
+  }
 }
 
 async function measureInBrowser(shaders) {
@@ -45,14 +48,14 @@ async function measureInBrowser(shaders) {
   const browser = await launchBrowser()
   const { page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">'))
   console.log('\nTime to the first frame (compile, link, draw), median of 15 runs in ms')
-  console.table(await page.evaluate(firstDraws, shaders))
+  console.table(await page.evaluate(measureFirstDraws, shaders))
 
   const field = await openPage(browser, `${server.url}/examples/ray-marched-field/index.html`)
   await field.page.waitForFunction(() => globalThis.frameCount > 1)
   // Reads the sketch's own variables; `panel` waits for the GPU.
   const frames = await field.page.evaluate(`{
     noLoop()
-    const all = Array.from({ length: 9 }, () => [panel(-160, usual), panel(160, exact)])
+    const all = Array.from({ length: 9 }, () => [panel(-160, sampled), panel(160, exact)])
     all
   }`)
   const [four, one] = [0, 1].map((i) => median(frames.map((pair) => pair[i])))
@@ -62,20 +65,20 @@ async function measureInBrowser(shaders) {
   await server.close()
 }
 
-/** Runs in a page. Each program has a different constant, so that no driver has it cached. */
-function firstDraws(shaders) {
+/** Runs in a page: measures the first draw of each shader. Each program has a different constant, so that no driver has it cached. */
+function measureFirstDraws(shaders) {
   const gl = document.createElement('canvas').getContext('webgl2')
-  const stage = (program, type, source) => {
+  const attachShader = (program, type, source) => {
     const shader = gl.createShader(type)
     gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${source}`)
     gl.compileShader(shader)
     gl.attachShader(program, shader)
   }
   let salt = 1
-  const draw = ({ declarations, code }) => {
+  const timeDraw = ({ declarations, code }) => {
     const start = performance.now()
     const program = gl.createProgram()
-    stage(
+    attachShader(
       program,
       gl.VERTEX_SHADER,
       `out vec3 light;\n${declarations}
@@ -87,7 +90,7 @@ function firstDraws(shaders) {
         gl_Position = vec4(moved * 0.3, 1.0);
       }`,
     )
-    stage(
+    attachShader(
       program,
       gl.FRAGMENT_SHADER,
       'in vec3 light; out vec4 color; void main() { color = vec4(light, 1.0); }',
@@ -100,14 +103,14 @@ function firstDraws(shaders) {
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
     return performance.now() - start
   }
-  const found = Object.fromEntries(Object.keys(shaders).map((name) => [name, []]))
+  const times = Object.fromEntries(Object.keys(shaders).map((name) => [name, []]))
   for (let i = 0; i < 16; i++)
     for (const [name, shader] of Object.entries(shaders)) {
-      const time = draw(shader)
+      const time = timeDraw(shader)
       // The first draw also starts the renderer.
-      if (i > 0) found[name].push(time)
+      if (i > 0) times[name].push(time)
     }
   return Object.fromEntries(
-    Object.entries(found).map(([name, all]) => [name, all.sort((a, b) => a - b)[7]]),
+    Object.entries(times).map(([name, list]) => [name, list.sort((a, b) => a - b)[7]]),
   )
 }

@@ -1,6 +1,6 @@
-// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: frames with normals at vertices, at pixels, and by
-// four evaluations at each pixel, for the warps of the gallery. `faded` is the default where noise that is finer than a pixel fades.
-// Without a GPU, or with --software, it measures SwiftShader: a smaller size does there.
+// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: times frames with normals at vertices, at pixels, and
+// by four evaluations at each pixel, for the warps of the gallery. `pixel` does not fade noise; `faded`, the default, does, and is
+// measured if it differs. Without a GPU, or with --software, SwiftShader draws, for which a smaller --size suffices.
 import { parseArgs } from 'node:util'
 import { compileWarp } from '../../dist/warpjet.js'
 import { servePages } from '../../tests/support/browser/server.js'
@@ -31,12 +31,16 @@ function readOptions(args) {
 
 /** Compiles all warps → [{ name, shaders, characters, auto }]. */
 async function compileAll(names) {
-  const plain = Object.entries(plainWarps).map(([name, source]) => [name, (0, eval)(source), {}])
+  const plainEntries = Object.entries(plainWarps).map(([name, source]) => [
+    name,
+    (0, eval)(source),
+    {},
+  ])
   const gallery = [...(await sketchWarps()), ...threeWarps()]
-  const found = gallery
+  const galleryWarps = gallery
     .filter(({ warp }) => warp)
     .map(({ name, warp, options }) => [name, warp, options?.uniforms])
-  const all = [...plain, ...found].map(([name, offset, uniforms]) => {
+  const all = [...plainEntries, ...galleryWarps].map(([name, offset, uniforms]) => {
     const options = { perFrame: true, surfaceVariation: true, uniforms }
     const warp = compileWarp(offset, { ...options, normals: 'vertex' })
     const plain = compileWarp(offset, { ...options, normals: false })
@@ -50,15 +54,15 @@ async function compileAll(names) {
       auto: compileWarp(offset, { ...options, normals: 'auto' }).normals,
     }
   })
-  // The cheapest of the gallery are first: if time is short, most of them are measured.
-  const first = all.splice(0, plain.length)
+  // After the plain warps, the gallery's are in order of cost: if time is short, most of them are still measured.
+  const first = all.splice(0, plainEntries.length)
   const sorted = [...first, ...all.sort((a, b) => a.characters - b.characters)]
   const unknown = names?.filter((name) => !sorted.some((each) => each.name === name)) ?? []
   if (unknown.length) throw new Stop(`Expected names of warps for --warp, got ${unknown}.`)
   return sorted.filter(({ name }) => !names || names.includes(name))
 }
 
-/** Runs in the page, and makes `measureWarp`. */
+/** Runs in the page, and defines `measureDraw` and `measureWarp`. */
 function prepare(size) {
   const canvas = new OffscreenCanvas(size, size)
   const gl = canvas.getContext('webgl2', { antialias: false })
@@ -94,14 +98,14 @@ function prepare(size) {
     return program
   }
 
-  /** The cost does not depend on values. */
+  /** Sets all uniforms to 0.7. The cost does not depend on their values. */
   function setUniforms(program) {
     const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS)
     for (let i = 0; i < count; i++) {
       const { name, type } = gl.getActiveUniform(program, i)
-      const place = gl.getUniformLocation(program, name)
+      const location = gl.getUniformLocation(program, name)
       const kinds = { [gl.FLOAT]: 1, [gl.FLOAT_VEC2]: 2, [gl.FLOAT_VEC3]: 3, [gl.FLOAT_VEC4]: 4 }
-      if (kinds[type]) gl[`uniform${kinds[type]}fv`](place, Array(kinds[type]).fill(0.7))
+      if (kinds[type]) gl[`uniform${kinds[type]}fv`](location, Array(kinds[type]).fill(0.7))
     }
   }
 
@@ -117,8 +121,8 @@ function prepare(size) {
 
   const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2')
 
-  /** Returns the share of a batch's time in which the GPU works, by its own clock; `undefined` if the browser does not show that. */
-  async function measureShare(program, count) {
+  /** Returns the share of a batch's time in which the GPU works, by its own clock; `undefined` if the browser has no timer for it. */
+  async function measureGpuShare(program, count) {
     if (!timer) return undefined
     const query = gl.createQuery()
     gl.beginQuery(timer.TIME_ELAPSED_EXT, query)
@@ -141,16 +145,18 @@ function prepare(size) {
     return count
   }
 
-  /** Batches of frames take this many milliseconds or more, but have at most `maxCount`. */
-  const [batch, maxCount] = [50, 1000]
+  /** A batch of frames takes about this many milliseconds, but has at most `maxCount` frames. */
+  const [batchTime, maxCount] = [50, 1000]
 
-  /** Returns how many frames a batch has. Waiting for a pixel takes longer than a short frame, so one frame does not tell. */
+  /**
+   * Returns how many frames a batch has. Reading a pixel back takes longer than drawing a short frame, so one frame cannot be timed alone.
+   */
   function countFrames(program) {
     let count = 1
     for (;;) {
       const total = count * time(program, count)
-      if (total >= batch / 2 || count === maxCount)
-        return Math.min(maxCount, Math.ceil((count * batch) / total))
+      if (total >= batchTime / 2 || count === maxCount)
+        return Math.min(maxCount, Math.ceil((count * batchTime) / total))
       count = Math.min(maxCount, 4 * count)
     }
   }
@@ -186,17 +192,17 @@ function prepare(size) {
       for (const { program, count, times } of methods) times.push(time(program, count))
       rounds++
     } while (rounds < 9 && performance.now() < end)
-    const found = {}
+    const results = {}
     for (const { name, program, first, count, times } of methods) {
-      found[name] = {
+      results[name] = {
         first,
         frame: median(times),
-        share: await measureShare(program, count),
+        share: await measureGpuShare(program, count),
         rounds,
       }
       gl.deleteProgram(program)
     }
-    return found
+    return results
   }
 }
 
@@ -233,14 +239,14 @@ export async function measure(args) {
   const all = await compileAll(names)
   const rows = {}
   for (const [i, warp] of all.entries()) {
-    const left = 1000 * seconds - (performance.now() - start)
-    if (left < 0) break
-    const share = left / (all.length - i)
-    const found = await page.evaluate(
+    const remaining = 1000 * seconds - (performance.now() - start)
+    if (remaining < 0) break
+    const budget = remaining / (all.length - i)
+    const results = await page.evaluate(
       ([shaders, ms]) => measureWarp(shaders, ms),
-      [warp.shaders, share],
+      [warp.shaders, budget],
     )
-    rows[warp.name] = rowOf(found, warp)
+    rows[warp.name] = rowOf(results, warp)
     process.stderr.write(`${i + 1}/${all.length} ${warp.name}\n`)
   }
   await browser.close()

@@ -1,6 +1,6 @@
-// npm run bench -- three [--frames] [--rounds 100] [--copies 1] [--batch 1] [--software]: compares a ray against a warped mesh with three-mesh-bvh on a
-// baked mesh, times bounds, and compares a frame and the first frame with the same warp written by hand in onBeforeCompile, with its
-// derivatives. --frames measures frames alone.
+// npm run bench -- three [--frames] [--rounds 100] [--copies 1] [--batch 1] [--software]: compares a ray on a warped mesh with
+// three-mesh-bvh on a baked mesh, times bounds(), and compares a frame and the first frame with the same warp and its derivatives written
+// by hand in onBeforeCompile. --frames measures only frames.
 import { parseArgs } from 'node:util'
 import * as THREE from 'three'
 import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
@@ -32,15 +32,15 @@ function measureRays(segments) {
   microsecondsPerRay(mesh)
   const ray = microsecondsPerRay(mesh)
   let now = 0
-  const afterChange = (work) =>
+  const timeAfterChange = (work) =>
     median(
       Array.from({ length: 15 }, () => {
         warped.update(++now)
         return time(work)
       }),
     )
-  const first = afterChange(() => rays[1].intersectObject(mesh))
-  const bounds = afterChange(() => warped.bounds())
+  const firstRay = timeAfterChange(() => rays[1].intersectObject(mesh))
+  const bounds = timeAfterChange(() => warped.bounds())
   const bake = () => {
     const uniforms = { millis: now++ }
     return toBufferGeometry(bakeWarp(fromBufferGeometry(geometry), compiled, { uniforms }))
@@ -53,7 +53,7 @@ function measureRays(segments) {
     triangles: geometry.index.count / 3,
     'µs a ray, warped': ray,
     'baked, BVH': microsecondsPerRay(baked),
-    'ms first ray': first,
+    'ms first ray': firstRay,
     'ms bounds': bounds,
     'ms baking and BVH': medianTime(5, () => new MeshBVH(bake())),
   }
@@ -61,7 +61,7 @@ function measureRays(segments) {
   return row
 }
 
-/** On a GPU, several copies of a mesh in a draw, and frames in a batch, take longer than waiting for the GPU. */
+/** On a GPU, set --copies (meshes in a draw) and --batch (frames) so high that drawing takes longer than waiting for the GPU. */
 export async function measure(args) {
   const { values } = parseArgs({
     args,
@@ -77,8 +77,10 @@ export async function measure(args) {
   const browser = await launchFastest(values.software)
   const pages = await threePagesIn(browser)
   const { page } = await pages.open('three', 'page-bench.js')
-  console.log('\nMilliseconds, medians; the quotient is the median of those of neighbours.')
+  console.log(
+    '\nMedian milliseconds; the quotient is the median of the quotients of consecutive frames.',
+  )
   const settings = [values.rounds, values.copies, values.batch].map(Number)
-  console.table(await page.evaluate((given) => bench(...given), settings))
+  console.table(await page.evaluate((args) => bench(...args), settings))
   await pages.close()
 }

@@ -8,20 +8,20 @@ export const isUbuntu = () =>
   existsSync('/etc/os-release') && /^ID=ubuntu$/m.test(readFileSync('/etc/os-release', 'utf8'))
 
 /**
- * Returns whether the program is one of the scripts that Ubuntu's packages install: one asks for the snap of Chromium, the other starts
- * the snap of Firefox, which cannot use a profile in /tmp.
+ * Returns whether the program is one of the scripts that Ubuntu's packages install: Chromium's asks to install its snap,
+ * Firefox's starts its snap, which cannot use a profile in /tmp.
  */
 const isStub = (file) =>
   isUbuntu() && statSync(file).size < 20_000 && /\bsnap\b/.test(readFileSync(file, 'utf8'))
 
-async function find(variable, names, applications, fetched) {
+async function find(variable, names, applications, playwrightName) {
   const chosen = process.env[variable]
   if (chosen && !isProgram(chosen)) throw new Stop(`${variable} names no program: ${chosen}`)
   if (chosen) return chosen
   const installed = [...names.map((name) => onPath(name)), ...applications]
   const found = installed.find((file) => file && isProgram(file) && !isStub(file))
   if (found || !existsSync(path('node_modules/playwright-core'))) return found
-  const { [fetched]: browser } = await import('playwright-core')
+  const { [playwrightName]: browser } = await import('playwright-core')
   return isProgram(browser.executablePath()) ? browser.executablePath() : undefined
 }
 

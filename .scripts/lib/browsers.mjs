@@ -1,4 +1,4 @@
-// Browsers that the test files share: starting one takes 2 s of a core, and there are thirty files.
+// Starts browsers that the test files share: starting one takes 2 s of a core, and there are thirty files.
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'

@@ -34,15 +34,14 @@ async function checkFormat() {
     exitCode(...cpp),
     exitCode(process.execPath, prettier('--check')),
   ])
-  if (failures.some(Boolean)) throw new Stop('`npm run format` puts this right.')
+  if (failures.some(Boolean)) throw new Stop('`npm run format` fixes this.')
 }
 
 async function checkReference() {
   // Imported late, because it uses packages that set-up installs.
   const { staleFiles } = await import('../reference.mjs')
   const stale = (await staleFiles()).map(({ file }) => file)
-  if (stale.length)
-    throw new Stop(`Stale: ${stale.join(', ')}; \`npm run reference\` puts this right.`)
+  if (stale.length) throw new Stop(`Stale: ${stale.join(', ')}; \`npm run reference\` fixes this.`)
 }
 
 async function cpp(preset) {
@@ -64,14 +63,14 @@ async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] }
     .filter((file) => kindOf(file) === kind && !(isEveryday() && rareFiles.includes(file)))
   if (!all.length) throw new Stop(`There are no tests of the kind ${kind}.`)
   const files = new Set([...longest.filter((file) => all.includes(file)), ...all])
-  const ours = (name) => path('.scripts/lib', name)
-  const printing = ['--import', pathToFileURL(ours('tests-console.mjs')).href]
-  await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
+  const libFile = (name) => path('.scripts/lib', name)
+  const preload = ['--import', pathToFileURL(libFile('tests-console.mjs')).href]
+  await node(...preload, libFile('run-tests.mjs'), `${atOnce}`, ...files)
 }
 
 // Tests wait for their pages: on two cores, two processes are idle for a sixth of the time, three are not.
 const browsersAtOnce = availableParallelism() + 1
-/** Files that take 40 s of a core or more, or wait for long; those that wait are among those that compute. */
+/** Files that take 40 s of a core or more, or wait for long, with those that wait placed between those that compute. */
 const longest = [
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
   'tests/p5/webgpu-examples',
@@ -96,7 +95,7 @@ async function environments() {
   await nodeTests('package')
 }
 
-const tool =
+const runTool =
   (file, ...args) =>
   () =>
     node(binary(file), ...args)
@@ -108,13 +107,13 @@ export const checks = [
   {
     group: 'types',
     title: 'Types',
-    work: tool('typescript-7/bin/tsc', '--project', 'tsconfig.json'),
+    work: runTool('typescript-7/bin/tsc', '--project', 'tsconfig.json'),
   },
-  { group: 'lint', title: 'Lint', work: tool('oxlint/bin/oxlint', '--deny-warnings') },
+  { group: 'lint', title: 'Lint', work: runTool('oxlint/bin/oxlint', '--deny-warnings') },
   {
     group: 'knip',
     title: 'Unused files, exports and packages',
-    work: tool('knip/bin/knip.js', '--no-progress'),
+    work: runTool('knip/bin/knip.js', '--no-progress'),
   },
   { group: 'language', title: 'Plain English in added lines', work: checkWording },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },

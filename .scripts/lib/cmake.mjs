@@ -15,23 +15,25 @@ function isOfThisCheckout(cache) {
 
 /** Returns whether the folder was configured with the current presets. CMake itself does not notice that a preset names a new compiler. */
 function isConfigured(folder) {
-  const [cache, used] = ['CMakeCache.txt', 'CMakePresets.json'].map((name) => path(folder, name))
+  const [cache, usedPresets] = ['CMakeCache.txt', 'CMakePresets.json'].map((name) =>
+    path(folder, name),
+  )
   return (
     existsSync(cache) &&
     isOfThisCheckout(cache) &&
-    existsSync(used) &&
-    readFileSync(used, 'utf8') === readFileSync(presets, 'utf8')
+    existsSync(usedPresets) &&
+    readFileSync(usedPresets, 'utf8') === readFileSync(presets, 'utf8')
   )
 }
 
 export async function cmakeBuild(preset, ...targets) {
   const folder = `.build/${preset}`
   if (!isConfigured(folder)) {
-    for (const made of ['CMakeCache.txt', 'CMakeFiles'])
-      rmSync(path(folder, made), { recursive: true, force: true })
+    for (const stale of ['CMakeCache.txt', 'CMakeFiles'])
+      rmSync(path(folder, stale), { recursive: true, force: true })
     const env = onPath('ninja') && !process.env.CMAKE_GENERATOR ? { CMAKE_GENERATOR: 'Ninja' } : {}
-    const [command, ...first] = preset === 'wasm' ? ['emcmake', 'cmake'] : ['cmake']
-    await run(command, [...first, '--preset', preset], { env })
+    const [command, ...prefix] = preset === 'wasm' ? ['emcmake', 'cmake'] : ['cmake']
+    await run(command, [...prefix, '--preset', preset], { env })
     copyFileSync(presets, path(folder, 'CMakePresets.json'))
   }
   const only = targets.length ? ['--target', ...targets] : []

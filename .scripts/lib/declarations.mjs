@@ -4,9 +4,10 @@ import { declared, importsIn } from './entries.mjs'
 import { path } from './files.mjs'
 import { run } from './run.mjs'
 
-const written = '.build/types'
+/** The folder into which the compiler writes one declaration per source file. */
+const unbundled = '.build/types'
 
-/** This file only refers to exports of the entries. */
+/** globals.d.ts only refers to exports of the entries. It is copied, not bundled. */
 const globals = 'globals.d.ts'
 
 const entries = declared.filter((name) => `${name}.d.ts` !== globals)
@@ -18,16 +19,16 @@ export const declarations = [
   globals,
 ]
 
-const declaredImports = importsIn(written, '.d.ts')
+const declaredImports = importsIn(unbundled, '.d.ts')
 
-/** Resolves `#x` to its declaration, before the plugin of declarations looks for it beside the source. */
+/** Resolves `#x` to its declaration, before rolldown-plugin-dts looks for it beside the source. */
 const withImports = {
   name: 'imports-of-declarations',
   resolveId: { order: 'pre', handler: (id) => declaredImports[id] ?? null },
 }
 
 export async function declareTypes() {
-  for (const folder of [written, 'dist/types'])
+  for (const folder of [unbundled, 'dist/types'])
     rmSync(path(folder), { recursive: true, force: true })
   await run(process.execPath, [
     'node_modules/typescript-7/bin/tsc',
@@ -37,7 +38,7 @@ export async function declareTypes() {
   const { rolldown } = await import('rolldown')
   const { dts } = await import('rolldown-plugin-dts')
   const bundle = await rolldown({
-    input: Object.fromEntries(entries.map((name) => [name, path(written, `${name}.d.ts`)])),
+    input: Object.fromEntries(entries.map((name) => [name, path(unbundled, `${name}.d.ts`)])),
     // Users have these types already.
     external: /^(three|react|@react-three\/fiber|@babylonjs\/core)(\/|$)/,
     plugins: [withImports, dts({ dtsInput: true, tsconfig: false })],
@@ -55,5 +56,5 @@ export async function declareTypes() {
       ],
     },
   })
-  copyFileSync(path(written, globals), path('dist/types', globals))
+  copyFileSync(path(unbundled, globals), path('dist/types', globals))
 }

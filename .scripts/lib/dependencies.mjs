@@ -8,20 +8,21 @@ import { Stop } from './terminal.mjs'
 
 const read = (file) => readFileSync(path(file), 'utf8')
 
-/** Returns the nodes on circles and between them. `edges` maps each node → the set of nodes that it points to. */
-function circlesIn(edges) {
-  const left = new Map(edges)
-  const pointsOn = (node) => [...left.get(node)].some((target) => left.has(target))
-  const isPointedTo = (node) => [...left.values()].some((targets) => targets.has(node))
-  for (let size = -1; size !== left.size;) {
-    size = left.size
-    for (const node of left.keys()) if (!pointsOn(node) || !isPointedTo(node)) left.delete(node)
+/** Returns the nodes on cycles and on paths between cycles. `edges` maps each node → the set of nodes that it points to. */
+function findCycles(edges) {
+  const remaining = new Map(edges)
+  const hasSuccessor = (node) => [...remaining.get(node)].some((target) => remaining.has(target))
+  const hasPredecessor = (node) => [...remaining.values()].some((targets) => targets.has(node))
+  for (let size = -1; size !== remaining.size;) {
+    size = remaining.size
+    for (const node of remaining.keys())
+      if (!hasSuccessor(node) || !hasPredecessor(node)) remaining.delete(node)
   }
-  return [...left.keys()]
+  return [...remaining.keys()]
 }
 
-/** Includes must not be circular, neither between files nor between modules, which are folders of src. */
-function includeProblems() {
+/** Returns messages about circular includes, between files or between modules, which are folders of src. */
+function findIncludeProblems() {
   const files = walk('src', /\.[ch]pp$/).map((file) => file.replace('src/', ''))
   const folders = [...new Set(files.map((file) => dirname(file)))]
   // A file beside subfolders is a module by itself: it lies below them, or is their façade.
@@ -37,7 +38,10 @@ function includeProblems() {
       if (edges.has(other) && moduleOf(other) !== moduleOf(file))
         modules.get(moduleOf(file)).add(moduleOf(other))
     }
-  const problems = { 'circular includes': circlesIn(edges), 'circular modules': circlesIn(modules) }
+  const problems = {
+    'circular includes': findCycles(edges),
+    'circular modules': findCycles(modules),
+  }
   if (modules.get('builder').has('emit'))
     problems['the front end must not include a back end'] = ['builder', 'emit']
   return Object.entries(problems)
@@ -46,28 +50,31 @@ function includeProblems() {
 }
 
 /** Matches shader source. `glsl.vec3(…)` in a message is JavaScript and does not match. */
-const shaderText =
+const shaderSource =
   /(?<![.\w])(?:vec[234]f?|mat[234](?:x[234]f?)?)\(|\b(?:textureSize|textureDimensions|texelFetch|textureLoad|texture2D|gl_[A-Z]\w+)\b|#version|\bvoid main\b/
 const comments = /\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*/g
 const strings = /'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`/g
 
-/** Matches the adapters, which have to speak the language of their hosts: p5's shaders are GLSL, and so are three's. Compute passes are WGSL. */
+/**
+ * Matches the files that may contain shader source: adapters, since p5's and three's shaders are GLSL, compute passes, which are WGSL, and
+ * types.
+ */
 const adapters =
   /^js-bindings\/(?:(?:p5|three|babylon)\/|glsl-source\/function-text\.ts$|detail\/gpu\/)|\.d\.ts$/
 
 /** Finds shader source outside dialects and adapters. */
-const shaderTextProblems = () =>
+const findShaderSource = () =>
   walk('js-bindings', /\.ts$/)
     .filter((file) => !adapters.test(file))
     .flatMap((file) =>
       (read(file).replace(comments, '').match(strings) ?? [])
-        .filter((text) => shaderText.test(text))
-        .map((text) => `${file} has shader text, which belongs to a dialect: ${text}`),
+        .filter((text) => shaderSource.test(text))
+        .map((text) => `${file} contains shader source, which belongs in a dialect: ${text}`),
     )
 
-/** Rejects circular includes, circular imports, imports of an entry from below, and shader text outside a dialect. */
+/** Rejects circular includes, circular imports, imports of an entry by a lower module, and shader source outside a dialect. */
 export async function checkDependencies() {
-  const problems = [...includeProblems(), ...shaderTextProblems()]
+  const problems = [...findIncludeProblems(), ...findShaderSource()]
   if (problems.length) throw new Stop(problems.join('\n'))
   const cruiser = path('node_modules/dependency-cruiser/bin/dependency-cruise.mjs')
   await run(process.execPath, [cruiser, 'js-bindings', '--config', '.dependency-cruiser.cjs'])

@@ -1,4 +1,4 @@
-// Writes TypeScript declarations of the functions that embind binds, from the module's own registrations: the module is started with imports
+// Writes TypeScript declarations of the functions that embind binds, from the module's registrations: the module is started with imports
 // that only record their arguments. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ does not register parameter names.
 import { wasmSignatures } from './wasm-signatures.mjs'
 
@@ -14,13 +14,13 @@ const typedArrays = [
 ].map((kind) => `${kind}Array`)
 
 /** Reads the pairs of short and full names that match `pattern` in minified glue. */
-const pairs = (glue, pattern) =>
+const matchPairs = (glue, pattern) =>
   Object.fromEntries([...glue.matchAll(pattern)].map(([, key, value]) => [key, value]))
 
 /** Starts the module, and returns its registrations. */
-function registrations(glue, module) {
-  const importNames = pairs(glue.match(/asmLibraryArg=\{(.*?)\}/s)[1], /"([^"]+)":(\w+)/g)
-  const found = {
+function readRegistrations(glue, module) {
+  const importNames = matchPairs(glue.match(/asmLibraryArg=\{(.*?)\}/s)[1], /"([^"]+)":(\w+)/g)
+  const registered = {
     types: new Map(),
     arrays: new Map(),
     enums: new Map(),
@@ -29,48 +29,49 @@ function registrations(glue, module) {
     functions: [],
     constants: [],
   }
-  const { types, arrays, enums, objects, classes, functions, constants } = found
+  const { types, arrays, enums, objects, classes, functions, constants } = registered
   let memory
-  const text = (at) => {
+  const readText = (at) => {
     const bytes = new Uint8Array(memory.buffer)
     return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)))
   }
-  const list = (count, at) => [...new Uint32Array(memory.buffer, at, count)]
-  const name = (type, spelled) => types.set(type, spelled)
+  const readList = (count, at) => [...new Uint32Array(memory.buffer, at, count)]
+  const setName = (type, spelled) => types.set(type, spelled)
   const register = {
-    void: (type) => name(type, 'void'),
-    bool: (type) => name(type, 'boolean'),
-    integer: (type) => name(type, 'number'),
-    float: (type) => name(type, 'number'),
-    std_string: (type) => name(type, 'string'),
-    emval: (type, at) => name(type, text(at).replace('emscripten::val', 'unknown')),
+    void: (type) => setName(type, 'void'),
+    bool: (type) => setName(type, 'boolean'),
+    integer: (type) => setName(type, 'number'),
+    float: (type) => setName(type, 'number'),
+    std_string: (type) => setName(type, 'string'),
+    emval: (type, at) => setName(type, readText(at).replace('emscripten::val', 'unknown')),
     array: (type, item, kind) => arrays.set(type, { item, kind }),
-    memory_view: (type, kind) => name(type, typedArrays[kind]),
+    memory_view: (type, kind) => setName(type, typedArrays[kind]),
     enum(type, at) {
-      name(type, text(at))
-      enums.set(type, { name: text(at), values: [] })
+      setName(type, readText(at))
+      enums.set(type, { name: readText(at), values: [] })
     },
-    enum_value: (type, at) => enums.get(type).values.push(text(at)),
+    enum_value: (type, at) => enums.get(type).values.push(readText(at)),
     value_object(type, at) {
-      name(type, text(at))
-      objects.set(type, { name: text(at), fields: [] })
+      setName(type, readText(at))
+      objects.set(type, { name: readText(at), fields: [] })
     },
-    value_object_field: (type, at, field) => objects.get(type).fields.push([text(at), field]),
+    value_object_field: (type, at, field) => objects.get(type).fields.push([readText(at), field]),
     value_array(type, at) {
-      name(type, text(at))
-      objects.set(type, { name: text(at), elements: [] })
+      setName(type, readText(at))
+      objects.set(type, { name: readText(at), elements: [] })
     },
     value_array_element: (type, element) => objects.get(type).elements.push(element),
     class(type, pointer, constPointer, ...others) {
-      const spelled = text(others[7])
-      for (const each of [type, pointer, constPointer]) name(each, spelled)
+      const spelled = readText(others[7])
+      for (const each of [type, pointer, constPointer]) setName(each, spelled)
       classes.set(type, { name: spelled, constructors: [], methods: [] })
     },
-    class_constructor: (type, count, at) => classes.get(type).constructors.push(list(count, at)),
+    class_constructor: (type, count, at) =>
+      classes.get(type).constructors.push(readList(count, at)),
     class_function: (type, at, count, types) =>
-      classes.get(type).methods.push([text(at), list(count, types)]),
-    function: (at, count, types) => functions.push([text(at), list(count, types)]),
-    constant: (at, type) => constants.push([text(at), type]),
+      classes.get(type).methods.push([readText(at), readList(count, types)]),
+    function: (at, count, types) => functions.push([readText(at), readList(count, types)]),
+    constant: (at, type) => constants.push([readText(at), type]),
   }
   const imports = {}
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -80,10 +81,11 @@ function registrations(glue, module) {
   const { exports } = new WebAssembly.Instance(module, imports)
   memory = Object.values(exports).find((each) => each instanceof WebAssembly.Memory)
   exports[exportNames(glue).___wasm_call_ctors]()
-  return found
+  return registered
 }
 
-const exportNames = (glue) => pairs(glue, /Module\["(\w+)"\]=(?:asm|Module\["asm"\])\["([^"]+)"\]/g)
+const exportNames = (glue) =>
+  matchPairs(glue, /Module\["(\w+)"\]=(?:asm|Module\["asm"\])\["([^"]+)"\]/g)
 
 /** Widens the type of a parameter: any array-like list is accepted, and none is modified. */
 const asParameter = (type) => {
@@ -91,42 +93,43 @@ const asParameter = (type) => {
   return type.endsWith('[]') ? `readonly ${type}` : type
 }
 
-const parameters = (types) =>
+const writeParameters = (types) =>
   types.map((type, i) => `${'abcdefghij'[i]}: ${asParameter(type)}`).join(', ')
 
 /** Returns the declarations of the module. `glue` is Emscripten's JavaScript, `wasm` the bytes. */
 export function embindTypes(glue, wasm) {
-  const { types, arrays, enums, objects, classes, functions, constants } = registrations(
+  const { types, arrays, enums, objects, classes, functions, constants } = readRegistrations(
     glue,
     new WebAssembly.Module(wasm),
   )
-  const spell = (type) => {
+  const writeType = (type) => {
     const array = arrays.get(type)
-    if (array) return typedArrays[array.kind] ?? `${spell(array.item)}[]`
+    if (array) return typedArrays[array.kind] ?? `${writeType(array.item)}[]`
     if (types.has(type)) return types.get(type)
     throw new Error(`A binding has a type that is not registered`)
   }
-  const call = ([result, ...given]) => `(${parameters(given.map(spell))}): ${spell(result)}`
+  const writeCall = ([result, ...operands]) =>
+    `(${writeParameters(operands.map(writeType))}): ${writeType(result)}`
   const values = [...enums.values()].map(
     ({ name }) => `export interface ${name} { readonly value: number }`,
   )
   const records = [...objects.values()].map(({ name, fields, elements }) =>
     elements
-      ? `export type ${name} = readonly [${elements.map(spell).join(', ')}]`
-      : `export interface ${name} { ${fields.map(([field, type]) => `${field}: ${spell(type)}`).join('; ')} }`,
+      ? `export type ${name} = readonly [${elements.map(writeType).join(', ')}]`
+      : `export interface ${name} { ${fields.map(([field, type]) => `${field}: ${writeType(type)}`).join('; ')} }`,
   )
   const handles = [...classes.values()].map(({ name, methods }) => {
-    const own = methods.map(
-      ([method, [result, , ...given]]) => `  ${method}${call([result, ...given])}\n`,
+    const members = methods.map(
+      ([method, [result, , ...operands]]) => `  ${method}${writeCall([result, ...operands])}\n`,
     )
-    return `export interface ${name} {\n${own.join('')}  delete(): void\n}`
+    return `export interface ${name} {\n${members.join('')}  delete(): void\n}`
   })
   const signatures = wasmSignatures(wasm)
-  const plain = Object.entries(exportNames(glue))
+  const plainExports = Object.entries(exportNames(glue))
     .filter(([name, short]) => /^_[a-z]/.test(name) && signatures.has(short))
     .map(([name, short]) => {
-      const { given, result } = signatures.get(short)
-      return `  ${name}(${parameters(given)}): ${result}`
+      const { parameters: types, result } = signatures.get(short)
+      return `  ${name}(${writeParameters(types)}): ${result}`
     })
   const bound = [
     ...[...enums.values()].map(
@@ -135,12 +138,13 @@ export function embindTypes(glue, wasm) {
     ),
     ...[...classes.values()].flatMap(({ name, constructors }) =>
       constructors.map(
-        ([, ...given]) => `  ${name}: new (${parameters(given.map(spell))}) => ${name}`,
+        ([, ...operands]) =>
+          `  ${name}: new (${writeParameters(operands.map(writeType))}) => ${name}`,
       ),
     ),
-    ...functions.map(([name, signature]) => `  ${name}${call(signature)}`),
-    ...constants.map(([name, type]) => `  readonly ${name}: ${spell(type)}`),
-    ...plain,
+    ...functions.map(([name, signature]) => `  ${name}${writeCall(signature)}`),
+    ...constants.map(([name, type]) => `  readonly ${name}: ${writeType(type)}`),
+    ...plainExports,
   ]
   return [
     ...values,

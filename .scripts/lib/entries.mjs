@@ -8,10 +8,10 @@ const targetsOf = (entry) =>
   typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(targetsOf)
 const targets = [...new Set(targetsOf({ ...exports, ...bin }))]
 
-/** The names of the targets of a form, which is a pattern with the name as its group. */
+/** Returns the names in the targets that match the pattern `form`, whose group is the name. */
 const namesOf = (form) => targets.flatMap((target) => form.exec(target)?.[1] ?? [])
 
-/** Modules that share files: `x` is built from js-bindings/x.ts into dist/x.js. `memory` is for tests, and not in the package. */
+/** Modules whose bundles share chunks: `x` is built from js-bindings/x.ts into dist/x.js. `memory` is for tests, and not in the package. */
 export const modules = [...namesOf(/^(?:\.\/)?dist\/((?!.*\.min\.js)[\w.-]+)\.js$/), 'memory']
 
 /** Declarations: `x` is js-bindings/x.ts declared by dist/types/x.d.ts. */
@@ -25,7 +25,7 @@ export const singleModules = minified.filter((name) => modules.includes(name))
 /** The script for a page with p5, which is built from js-bindings/p5.global.ts. */
 export const mainScript = 'p5.warpjet'
 
-/** Scripts beside it: `x` is built from js-bindings/x.ts into dist/warpjet.x.min.js, and adds its exports to the global. */
+/** Scripts to load after p5.warpjet: `x` is built from js-bindings/x.ts into dist/warpjet.x.min.js, and adds its exports to the global. */
 export const scriptsBeside = minified.flatMap((name) => /^warpjet\.(.+)$/.exec(name)?.[1] ?? [])
 
 /** The bundled files of dist. */

@@ -1,4 +1,4 @@
-// Installs the project that tests the package: it has the tarball that npm would publish, and the bundlers of tests/package.
+// Installs the project that tests the package, with the tarball that npm would publish and the bundlers of tests/package.
 import {
   copyFileSync,
   cpSync,
@@ -13,16 +13,16 @@ import { capture, exitCode, run } from './run.mjs'
 import { NotRun, Stop } from './terminal.mjs'
 
 const project = path('.build/package')
-const lists = ['package.json', 'package-lock.json']
+const packageFiles = ['package.json', 'package-lock.json']
 
 /** Throws a NotRun if the registry is unreachable and the bundlers were not installed before. */
 export async function installEnvironments() {
   mkdirSync(project, { recursive: true })
-  if (!lists.every(isCurrent) || !existsSync(`${project}/node_modules/.package-lock.json`))
+  if (!packageFiles.every(isCurrent) || !existsSync(`${project}/node_modules/.package-lock.json`))
     await installBundlers()
-  for (const name of tarballs()) rmSync(`${project}/${name}`)
+  for (const name of listTarballs()) rmSync(`${project}/${name}`)
   await run('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', project])
-  const [tarball] = tarballs()
+  const [tarball] = listTarballs()
   const installed = `${project}/node_modules/warpjet`
   rmSync(installed, { recursive: true, force: true })
   mkdirSync(installed)
@@ -31,19 +31,19 @@ export async function installEnvironments() {
   cpSync(path('tests/types/shipped'), `${project}/types`, { recursive: true })
 }
 
-const tarballs = () => readdirSync(project).filter((name) => name.endsWith('.tgz'))
+const listTarballs = () => readdirSync(project).filter((name) => name.endsWith('.tgz'))
 const read = (file) => (existsSync(file) ? readFileSync(file, 'utf8') : null)
 const isCurrent = (name) => read(`${project}/${name}`) === read(path('tests/package', name))
 
 async function installBundlers() {
-  for (const name of lists) copyFileSync(path('tests/package', name), `${project}/${name}`)
+  for (const name of packageFiles) copyFileSync(path('tests/package', name), `${project}/${name}`)
   const options = ['--ignore-scripts', '--prefer-offline', '--no-audit', '--no-fund']
   // It takes half a minute, or an hour on a stalled network.
   const install = () => exitCode('npm', ['ci', ...options], { cwd: project, timeout: 300_000 })
   if ((await install()) === 0 || (await install()) === 0) return
   // Makes the next run try again.
-  for (const name of lists) rmSync(`${project}/${name}`)
+  for (const name of packageFiles) rmSync(`${project}/${name}`)
   if ((await capture('npm', ['ping'], { timeout: 30_000 })) === null)
     throw new NotRun('the npm registry, which has the bundlers, cannot be reached')
-  throw new Stop('npm cannot install what tests/package/package.json names.')
+  throw new Stop('npm cannot install the dependencies of tests/package/package.json.')
 }

@@ -7,7 +7,7 @@ import { good, heading, root, say, seconds } from './terminal.mjs'
 
 export const path = (...parts) => join(fileURLToPath(root), ...parts)
 
-/** All files below `folder` (relative to the repository) whose name matches, sorted, with '/' on every system. */
+/** Returns all files below `folder` (relative to the repository) whose name matches, sorted, with '/' on every system. */
 export function walk(folder, matches = /./) {
   if (!existsSync(path(folder))) return []
   return readdirSync(path(folder), { withFileTypes: true })
@@ -25,7 +25,7 @@ const expand = (inputs) =>
     existsSync(path(input)) && statSync(path(input)).isDirectory() ? walk(input) : [input],
   )
 
-function fingerprint(inputs) {
+function computeHash(inputs) {
   const hash = createHash('sha256')
   for (const file of expand(inputs)) {
     hash.update(`${file}\0`)
@@ -40,9 +40,9 @@ function fingerprint(inputs) {
  */
 export async function step(title, { inputs, outputs, work }) {
   const stamp = path('.build/stamps', title.replace(/\W+/g, '-'))
-  const now = fingerprint(inputs)
-  const known = existsSync(stamp) && readFileSync(stamp, 'utf8')
-  if (known === now && outputs.every((file) => existsSync(path(file)))) {
+  const current = computeHash(inputs)
+  const previous = existsSync(stamp) && readFileSync(stamp, 'utf8')
+  if (previous === current && outputs.every((file) => existsSync(path(file)))) {
     good(`${title}: up to date`)
     return
   }
@@ -50,7 +50,7 @@ export async function step(title, { inputs, outputs, work }) {
   const start = performance.now()
   await work()
   mkdirSync(path('.build/stamps'), { recursive: true })
-  writeFileSync(stamp, now)
+  writeFileSync(stamp, current)
   good(`${title}: ${seconds(start)}`)
   say()
 }

@@ -1,4 +1,4 @@
-/** Returns the middle of a list of numbers, or the upper of two. */
+/** Returns the median of a list of numbers: the middle one, or the upper of the two middle ones. */
 export const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
 
 /** Returns how many milliseconds `work` takes. */
@@ -12,8 +12,8 @@ export function time(work) {
 export const medianTime = (runs, work) => median(Array.from({ length: runs }, () => time(work)))
 
 /**
- * Maps each name of `works` → the milliseconds of its runs. They run in turn, so that other load on the machine slows all of them alike.
- * `works` return milliseconds; the first `warmUp` rounds are not recorded.
+ * Runs the functions of `works` in turn, so that other load on the machine slows all of them alike. Each returns milliseconds; the first
+ * `warmUp` rounds are not recorded. Maps each name of `works` → the milliseconds of its `runs`.
  */
 export function timesInTurn(works, runs, warmUp = 1) {
   const times = Object.fromEntries(Object.keys(works).map((name) => [name, []]))

@@ -1,4 +1,4 @@
-// Runs test files, each in its own process, a number of them in parallel, in the given order:
+// Runs test files in the given order, each in its own process, with a given number of them in parallel:
 //
 //   node run-tests.mjs 2 a.test.js b.test.js
 //
@@ -7,7 +7,7 @@ import { compose } from 'node:stream'
 import { run } from 'node:test'
 import { spec } from 'node:test/reporters'
 
-/** In milliseconds. No file takes as long; a file that hangs must fail rather than hide the results of the others. */
+/** Max milliseconds per file. No file takes that long; a file that hangs must fail rather than hide the results of the others. */
 const timeout = 15 * 60_000
 
 /** Reports why a file failed although all its tests passed; `spec` only prints "test failed". */

@@ -9,7 +9,7 @@ export async function run(command, args, options = {}) {
   if (code !== 0) throw new Stop(`${basename(command)} ${args[0] ?? ''} failed (${code})`)
 }
 
-/** Runs a program → its exit status, the signal that ended it, or the error's code. `timeout` is in milliseconds. */
+/** Runs a program and returns its exit status, the signal that ended it, or the error's code. `timeout` is in milliseconds. */
 export function exitCode(command, args, { env = {}, cwd = root, timeout } = {}) {
   const options = { cwd, env: { ...process.env, ...env }, stdio: 'inherit', timeout }
   const child = spawn(command, args, options)
@@ -19,7 +19,7 @@ export function exitCode(command, args, { env = {}, cwd = root, timeout } = {}) 
   })
 }
 
-/** Runs a program → its stdout, or null if it cannot be started, fails, or exceeds `timeout` milliseconds. */
+/** Runs a program and returns its stdout, or null if it cannot be started, fails, or exceeds `timeout` milliseconds. */
 export function capture(command, args, { env = {}, timeout } = {}) {
   const child = spawn(command, args, {
     cwd: root,

@@ -13,11 +13,11 @@ const budgets = {
   'gallery/sine-sphere/index.html': { bytes: 60_000, requests: 11 },
 }
 
-const packed = /\.(?:html|css|js|json|svg)$/
+const compressible = /\.(?:html|css|js|json|svg)$/
 
 const sizeOf = (file) => {
   const bytes = readFileSync(path(file))
-  return packed.test(file) ? gzipSync(bytes, { level: 9 }).length : bytes.length
+  return compressible.test(file) ? gzipSync(bytes, { level: 9 }).length : bytes.length
 }
 
 /** Lists the modules that a script imports statically. */
@@ -26,7 +26,7 @@ function importsOf(text) {
   return body.map(({ source }) => source?.value).filter((url) => url?.startsWith('.'))
 }
 
-/** Lists the URLs that a file loads at once, without its links and its lazy loads. */
+/** Lists the URLs that a file loads at once: neither links to other pages nor lazy images. */
 function loadedBy(file, text) {
   const tags = [...text.matchAll(/<(?:script|link|img)\b[^>]*>/g)].map(([tag]) => tag)
   const early = tags.filter((tag) => !/loading="lazy"/.test(tag))
@@ -37,16 +37,16 @@ function loadedBy(file, text) {
   ].filter((url) => url && !url.startsWith('data:') && !url.startsWith('http'))
 }
 
-/** The files of `folder` that the page at `start` loads at once. */
+/** Lists the files of `folder` that the page at `start` loads at once. */
 export function filesOf(folder, start) {
   const files = new Set([start])
   for (const file of files) {
-    if (!packed.test(file)) continue
+    if (!compressible.test(file)) continue
     const text = readFileSync(path(folder, file), 'utf8')
     for (const url of loadedBy(file, text)) {
-      const found = join(dirname(file), url.split(/[?#]/)[0])
-      if (existsSync(path(folder, found))) files.add(found)
-      else throw new Stop(`${folder}/${file} names ${url}, which is not there.`)
+      const target = join(dirname(file), url.split(/[?#]/)[0])
+      if (existsSync(path(folder, target))) files.add(target)
+      else throw new Stop(`${folder}/${file} refers to ${url}, which does not exist.`)
     }
   }
   return [...files]
@@ -64,7 +64,7 @@ export function checkSite(folder) {
     if (total > bytes || files.length > requests) over.push(page)
   }
   const all = walk(folder)
-  const whole = all.reduce((sum, file) => sum + readFileSync(path(file)).length, 0)
-  say(`the whole site                     ${(whole / 1e6).toFixed(1)} MB, ${all.length} files`)
+  const siteSize = all.reduce((sum, file) => sum + readFileSync(path(file)).length, 0)
+  say(`the whole site                     ${(siteSize / 1e6).toFixed(1)} MB, ${all.length} files`)
   if (over.length) throw new Stop(`Over its budget: ${over.join(', ')}.`)
 }

@@ -7,12 +7,12 @@ import { median } from './median.mjs'
 import { Stop } from './terminal.mjs'
 
 const runs = 7
-/** The processor of a slow phone. */
+/** The factor by which the processor is slowed down, to that of a slow phone. */
 const slowdown = 4
 /** Max milliseconds until the page is interactive, and until a key pressed at that moment is answered (a good INP). */
 const aims = { interactive: 1500, key: 200 }
 /** The start ends before the first 5 s without a long task, as in Lighthouse's time to interactive. */
-const quiet = 5000
+const quietTime = 5000
 
 /** Runs in the page, before its scripts: collects paint, long tasks (over 50 ms) and the time that a key takes. */
 function observePage() {
@@ -37,7 +37,7 @@ async function load(browser, url) {
   await page.goto(url, { timeout: 120_000, waitUntil: 'commit' })
   await setTimeout(aims.interactive)
   await page.keyboard.press('b')
-  await setTimeout(2 * quiet)
+  await setTimeout(2 * quietTime)
   const seen = await page.evaluate(() => JSON.parse(JSON.stringify(window.seen)))
   const answer = await page.locator('.filter output').textContent()
   if (!/\d of \d/.test(answer)) throw new Stop('The first page does not answer its filter.')
@@ -45,7 +45,8 @@ async function load(browser, url) {
   const { startTime: paint } = seen.paint.find(({ name }) => name === 'first-contentful-paint')
   let interactive = paint
   for (const { startTime, duration } of seen.longtask)
-    if (startTime < interactive + quiet) interactive = Math.max(interactive, startTime + duration)
+    if (startTime < interactive + quietTime)
+      interactive = Math.max(interactive, startTime + duration)
   return { paint, interactive, key: Math.max(0, ...seen.event.map(({ duration }) => duration)) }
 }
 

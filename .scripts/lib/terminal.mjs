@@ -20,19 +20,22 @@ export class Stop extends Error {}
 /** Thrown by a check that cannot run here, with the reason. It neither passes nor fails. */
 export class NotRun extends Error {}
 
-/** Runs `work` as the whole program. A Stop, or a command line that `parseArgs` rejects, ends it with one message, the latter with `usage`. */
+/**
+ * Runs `work` as the whole program. If it throws a Stop, prints the message; if `parseArgs` rejects the command line, prints the reason and
+ * `usage`.
+ */
 export async function main(work, usage = '') {
   try {
     await work()
   } catch (error) {
-    const isWrongCall = error.code?.startsWith('ERR_PARSE_ARGS')
-    if (!isWrongCall && !(error instanceof Stop)) throw error
+    const isUsageError = error.code?.startsWith('ERR_PARSE_ARGS')
+    if (!isUsageError && !(error instanceof Stop)) throw error
     // The rest of Node's message is about arguments that begin with a dash.
-    bad(isWrongCall ? `${error.message.split(/\.\s/)[0]}. ${usage}` : error.message)
+    bad(isUsageError ? `${error.message.split(/\.\s/)[0]}. ${usage}` : error.message)
     process.exitCode = 1
   }
 }
 
-/** True if `meta` is the `import.meta` of the script that Node was started with. */
+/** Returns whether `meta` is the `import.meta` of the script that Node was started with. */
 export const isMain = (meta) =>
   process.argv[1] && meta.url === pathToFileURL(realpathSync(process.argv[1])).href

@@ -23,5 +23,5 @@ export const chooseTier = (tier) => (process.env[variable] = tier)
 
 export const isEveryday = () => process.env[variable] === 'everyday'
 
-/** Returns whether a part of a test file that only runs with `--all` belongs to this run. Callers name the part for the reader. */
+/** Returns whether this run includes the parts of test files that only run with `--all`. Callers name the part for the reader. */
 export const isRun = (_part) => !isEveryday()

@@ -1,8 +1,8 @@
 // Builds with Vite, isolated from a Vite server in the same process.
 
 /**
- * Builds each config in turn. Vite sets NODE_ENV for its process and child processes if it is unset: after a server, a build would be a
- * development build, and after a build, a server would serve its pages in production mode.
+ * Builds each config in turn. If NODE_ENV is unset, Vite sets it for its process and child processes: a build that follows a server would
+ * be a development build, and a server that follows a build would serve its pages in production mode.
  */
 export async function viteBuild(...configs) {
   const { build } = await import('vite')

@@ -4,63 +4,66 @@ const kinds = { 0x7f: 'number', 0x7e: 'bigint', 0x7d: 'number', 0x7c: 'number' }
 
 const [typeSection, importSection, functionSection, exportSection] = [1, 2, 3, 7]
 
-/** Maps the name of each export → { given, result }, TypeScript types. Vectors, which JavaScript cannot hold, are `never`. */
+/**
+ * Maps the name of each export → { parameters, result }, TypeScript types. Wasm's vector types, for which JavaScript has none, are `never`.
+ */
 export function wasmSignatures(bytes) {
-  let at = 8
-  const number = () => {
+  // Skips the magic number and the version.
+  let offset = 8
+  const readNumber = () => {
     let value = 0
     for (let shift = 0; ; shift += 7) {
-      const byte = bytes[at++]
+      const byte = bytes[offset++]
       value += (byte & 127) * 2 ** shift
       if (byte < 128) return value
     }
   }
-  const list = (read) => Array.from({ length: number() }, read)
-  const text = () => {
-    const size = number()
-    return new TextDecoder().decode(bytes.subarray(at, (at += size)))
+  const readList = (readItem) => Array.from({ length: readNumber() }, readItem)
+  const readText = () => {
+    const size = readNumber()
+    return new TextDecoder().decode(bytes.subarray(offset, (offset += size)))
   }
-  const valueType = () => kinds[bytes[at++]] ?? 'never'
-  const limits = () => {
-    if (number() & 1) number()
-    number()
+  const readValueType = () => kinds[bytes[offset++]] ?? 'never'
+  const skipLimits = () => {
+    if (readNumber() & 1) readNumber()
+    readNumber()
   }
-  const skipImport = [number, () => (at++, limits()), limits, () => (at += 2)]
+  const skipImport = [readNumber, () => (offset++, skipLimits()), skipLimits, () => (offset += 2)]
 
   let types = []
   const functions = []
   const exported = new Map()
-  const read = {
+  const readSection = {
     [typeSection]: () => {
-      types = list(() => {
-        at++ // 0x60, a function
-        const given = list(valueType)
-        const [result = 'void'] = list(valueType)
-        return { given, result }
+      types = readList(() => {
+        offset++ // 0x60, a function
+        const parameters = readList(readValueType)
+        const [result = 'void'] = readList(readValueType)
+        return { parameters, result }
       })
     },
     [importSection]: () =>
-      list(() => {
-        text()
-        text()
-        const kind = bytes[at++]
+      readList(() => {
+        readText()
+        readText()
+        const kind = bytes[offset++]
         const type = skipImport[kind]()
         if (kind === 0) functions.push(types[type])
       }),
-    [functionSection]: () => functions.push(...list(() => types[number()])),
+    [functionSection]: () => functions.push(...readList(() => types[readNumber()])),
     [exportSection]: () =>
-      list(() => {
-        const name = text()
-        const kind = bytes[at++]
-        const index = number()
+      readList(() => {
+        const name = readText()
+        const kind = bytes[offset++]
+        const index = readNumber()
         if (kind === 0) exported.set(name, functions[index])
       }),
   }
-  while (at < bytes.length) {
-    const section = bytes[at++]
-    const end = number() + at
-    read[section]?.()
-    at = end
+  while (offset < bytes.length) {
+    const section = bytes[offset++]
+    const end = readNumber() + offset
+    readSection[section]?.()
+    offset = end
   }
   return exported
 }

@@ -1,4 +1,4 @@
-// Draws web/docs/detail.webp: four shapes under a warp, above with their own triangles, below with the option `detail`.
+// Draws web/docs/detail.webp: four warped shapes, in the upper row with their own triangles, in the lower row with the option `detail`.
 import teapot from 'teapot'
 import { angleWeightedNormals, createMesh, fit, frontUVs, toScreen } from '../../web/models/mesh.js'
 import { weld } from '../../web/models/subdivide.js'
@@ -55,14 +55,14 @@ function draw() {
   window.done = true
 }
 async function drawAll({ positions, normals, uvs, indices }, maxBytes) {
-  const inThrees = (list) => list.flatMap((_, i) => (i % 3 ? [] : [list.slice(i, i + 3)]))
+  const splitIntoTriples = (list) => list.flatMap((_, i) => (i % 3 ? [] : [list.slice(i, i + 3)]))
   pot = new p5.Geometry(1, 1, function () {
-    const vectors = (list) => inThrees(list).map((xyz) => new p5.Vector(...xyz))
+    const vectors = (list) => splitIntoTriples(list).map((xyz) => new p5.Vector(...xyz))
     Object.assign(this, { vertices: vectors(positions), vertexNormals: vectors(normals), uvs })
-    Object.assign(this, { faces: inThrees(indices), gid: 'pot' })
+    Object.assign(this, { faces: splitIntoTriples(indices), gid: 'pot' })
   })
-  const all = Object.assign(document.createElement('canvas'), { width: 4 * width, height: 2 * height })
-  const context = all.getContext('2d')
+  const sheet = Object.assign(document.createElement('canvas'), { width: 4 * width, height: 2 * height })
+  const context = sheet.getContext('2d')
   for (const [column, { offset, detail = 1, draw }] of cases.entries())
     for (const [row, options] of [{}, { detail }].entries()) {
       const warp = createWarp(offset(), options)
@@ -71,24 +71,24 @@ async function drawAll({ positions, normals, uvs, indices }, maxBytes) {
       context.drawImage(document.querySelector('canvas'), column * width, row * height)
     }
   for (let quality = 0.9; quality > 0.1; quality -= 0.05) {
-    const address = all.toDataURL('image/webp', quality)
+    const address = sheet.toDataURL('image/webp', quality)
     if (address.length * 0.75 < maxBytes) return address.split(',')[1]
   }
 }
 </script>`
 
-function coarseTeapot() {
+function createCoarseTeapot() {
   const { points, triangles } = weld(teapot.positions, teapot.cells)
   const normals = angleWeightedNormals(points, triangles)
   const mesh = toScreen(fit(createMesh({ points, normals, uvs: frontUVs(points), triangles })))
   return Object.fromEntries(Object.entries(mesh).map(([name, list]) => [name, [...list]]))
 }
 
-/** Returns the picture as WebP in base64. `url` is that of a server of the gallery. */
+/** Returns the picture as WebP in base64. `url` is the address of a server of the gallery. */
 export async function drawDetail(page, url) {
   await page.goto(`${url}recorder.js`)
   await page.setContent(html)
   await page.waitForFunction(() => window.done, null, { timeout: 240_000 })
-  const args = [coarseTeapot(), maxBytes]
+  const args = [createCoarseTeapot(), maxBytes]
   return page.evaluate((list) => window.drawAll(...list), args)
 }

@@ -3,7 +3,7 @@ import { Application, ReflectionKind } from 'typedoc'
 import { path } from '../lib/files.mjs'
 import { markdownTable } from './parts.mjs'
 
-/** Returns the text of a comment in one line. */
+/** Returns the text of a declaration's comment in one line. */
 const textOf = ({ comment }) =>
   comment?.summary
     .map(({ text }) => text)
@@ -27,13 +27,13 @@ export async function deformerParts() {
       textOf(signatures[0]).replace(/ Throws a `WarpError`[^.]*\.$/, ''),
       options.find((each) => each.name.toLowerCase() === `${name}options`.toLowerCase()),
     ])
-    .filter(([, , own]) => own)
+    .filter(([, , deformerOptions]) => deformerOptions)
     .sort(([a], [b]) => a.localeCompare(b))
-  return { deformers: sections.map(section).join('\n') }
+  return { deformers: sections.map(writeSection).join('\n') }
 }
 
-/** An option without a comment shares that of the one before. */
-function section([name, text, { children }]) {
+/** Returns the section of a deformer. An option without a comment shares the comment of the option before it. */
+function writeSection([name, text, { children }]) {
   const rows = []
   for (const option of children)
     if (option.comment) rows.push([[option.name], textOf(option).replaceAll('|', '\\|')])

@@ -5,7 +5,9 @@ import { pageOf } from '../../web/playground/document.js'
 import { hosts, threeStyle } from '../../web/playground/hosts.js'
 import { path } from '../lib/files.mjs'
 
-const ownCopies = (elsewhere) => `<!-- This repository's own copies. Elsewhere${elsewhere}. -->`
+/** Returns the comment that explains the addresses of scripts. */
+const commentOnCopies = (elsewhere) =>
+  `<!-- These are this repository's copies. Elsewhere${elsewhere}. -->`
 
 /** Returns the import map of the modules that a sketch imports. All addons import three. */
 const importsOf = (sketch) =>
@@ -23,7 +25,7 @@ function exampleText({ name, title, scripts = [], background }, host) {
       { host: 'p5', chosen: scripts },
       {
         title,
-        before: ownCopies(', such as in the p5 editor, name those of a CDN'),
+        before: commentOnCopies(', such as in the p5 editor, use a CDN'),
         sketch: '<script src="sketch.js"></script>',
       },
     )
@@ -32,7 +34,7 @@ function exampleText({ name, title, scripts = [], background }, host) {
     { host },
     {
       title,
-      before: ownCopies(' name those of a CDN, or let a bundler find them'),
+      before: commentOnCopies(', use a CDN, or let a bundler find the packages'),
       modules: importsOf(sketch),
       style: threeStyle(background),
       sketch: '<script type="module" src="sketch.js"></script>',

@@ -1,16 +1,17 @@
 // The formulas of operations on numbers, for web/docs/plots.md. tests/core/formulas.test.js compares each with what warpjet computes.
 
-const jumps = 'The derivative is 0 everywhere, at the steps too.'
-const isTruth = 'As a number it is 1 or 0, and its derivative 0 everywhere, at the step too.'
-const isOperands =
-  'The derivative is that of the operand whose value is taken, of the first one where they are equal.'
-const isInfiniteAtZero = 'At 0 value and derivative are infinite.'
+const jumpRemark = 'The derivative is 0 everywhere, at the steps too.'
+const conditionRemark =
+  'As a number it is 1 or 0, and its derivative 0 everywhere, at the step too.'
+const operandRemark =
+  'The derivative is that of the operand whose value is taken: of the first one if they are equal.'
+const infiniteAtZero = 'At 0, value and derivative are infinite.'
 
 /**
  * Maps each operation → its row:
- * - `value`, and `by`, the derivative with respect to each operand: JavaScript. `where` defines a part that several of them share.
- * - `plot`: the call that is plotted, from and to which x. Default: `x.name()` from -3 to 3, where there is one operand.
- * - `kink`: what warpjet returns as derivative where the function is not differentiable.
+ * - `value`, and `by`, the derivative with respect to each operand, as JavaScript. `where` defines terms that several of them share.
+ * - `plot`: the call that is plotted, and the range of x. Default: `x.name()` from -3 to 3, for operations of one operand.
+ * - `remark`: what warpjet returns as derivative where the function is not differentiable.
  */
 export const formulas = {
   neg: { value: '-x', by: ['-1'] },
@@ -21,7 +22,7 @@ export const formulas = {
     value: 'x / y',
     by: ['1 / y', '-x / (y * y)'],
     plot: ['glsl.div(1, x)'],
-    kink: isInfiniteAtZero,
+    remark: infiniteAtZero,
   },
   pow: {
     value: 'pow(x, exponent)',
@@ -33,16 +34,16 @@ export const formulas = {
     value: '1 / sqrt(x)',
     by: ['-1 / (2 * x * sqrt(x))'],
     plot: ['x.inversesqrt()', 0.05, 4],
-    kink: isInfiniteAtZero,
+    remark: infiniteAtZero,
   },
   exp: { value: 'exp(x)', by: ['exp(x)'], plot: ['x.exp()', -3, 1.5] },
   exp2: { value: 'pow(2, x)', by: ['log(2) * pow(2, x)'], plot: ['x.exp2()', -3, 2] },
-  log: { value: 'log(x)', by: ['1 / x'], plot: ['x.log()', 0.05, 4], kink: isInfiniteAtZero },
+  log: { value: 'log(x)', by: ['1 / x'], plot: ['x.log()', 0.05, 4], remark: infiniteAtZero },
   log2: {
     value: 'log(x) / log(2)',
     by: ['1 / (x * log(2))'],
     plot: ['x.log2()', 0.05, 4],
-    kink: isInfiniteAtZero,
+    remark: infiniteAtZero,
   },
   sin: { value: 'sin(x)', by: ['cos(x)'] },
   cos: { value: 'cos(x)', by: ['-sin(x)'] },
@@ -51,13 +52,13 @@ export const formulas = {
     value: 'asin(x)',
     by: ['1 / sqrt(1 - x * x)'],
     plot: ['x.asin()', -1, 1],
-    kink: 'At -1 and 1 the derivative counts as 0.',
+    remark: 'At -1 and 1 the derivative counts as 0.',
   },
   acos: {
     value: 'PI / 2 - asin(x)',
     by: ['-1 / sqrt(1 - x * x)'],
     plot: ['x.acos()', -1, 1],
-    kink: 'At -1 and 1 the derivative counts as 0.',
+    remark: 'At -1 and 1 the derivative counts as 0.',
   },
   atan: { value: 'atan(x)', by: ['1 / (1 + x * x)'] },
   'atan(y, x)': {
@@ -75,46 +76,47 @@ export const formulas = {
     value: 'log(x + sqrt(x * x - 1))',
     by: ['1 / sqrt(x * x - 1)'],
     plot: ['x.acosh()', 1, 5],
-    kink: 'At 1 the derivative counts as 0.',
+    remark: 'At 1 the derivative counts as 0.',
   },
   atanh: {
     value: 'log((1 + x) / (1 - x)) / 2',
     by: ['1 / (1 - x * x)'],
     plot: ['x.atanh()', -1, 1],
-    kink: 'At -1 and 1 value and derivative are infinite.',
+    remark: 'At -1 and 1, value and derivative are infinite.',
   },
-  abs: { value: 'x < 0 ? -x : x', by: ['sign(x)'], kink: 'At 0 the derivative is 0.' },
+  abs: { value: 'x < 0 ? -x : x', by: ['sign(x)'], remark: 'At 0 the derivative is 0.' },
   sign: {
     value: 'x < 0 ? -1 : x > 0 ? 1 : 0',
     by: ['0'],
-    kink: 'The derivative is 0 everywhere, at the step too.',
+    remark: 'The derivative is 0 everywhere, at the step too.',
   },
-  floor: { value: 'floor(x)', by: ['0'], kink: jumps },
-  ceil: { value: '-floor(-x)', by: ['0'], kink: jumps },
-  round: { value: 'floor(x + 0.5)', by: ['0'], kink: jumps },
-  trunc: { value: 'x < 0 ? ceil(x) : floor(x)', by: ['0'], kink: jumps },
+  floor: { value: 'floor(x)', by: ['0'], remark: jumpRemark },
+  ceil: { value: '-floor(-x)', by: ['0'], remark: jumpRemark },
+  round: { value: 'floor(x + 0.5)', by: ['0'], remark: jumpRemark },
+  trunc: { value: 'x < 0 ? ceil(x) : floor(x)', by: ['0'], remark: jumpRemark },
   fract: {
     value: 'x - floor(x)',
     by: ['1'],
-    kink: 'The derivative is 1 everywhere, at the jumps too.',
+    remark: 'The derivative is 1 everywhere, at the jumps too.',
   },
   mod: {
     value: 'x - divisor * floor(x / divisor)',
     by: ['1', '-floor(x / divisor)'],
     plot: ['x.mod(1.5)'],
-    kink: 'The derivative by `x` is 1 everywhere, by the divisor -floor(x / divisor).',
+    remark:
+      'The derivative with respect to `x` is 1 everywhere, with respect to the divisor -floor(x / divisor).',
   },
   min: {
     value: 'x <= y ? x : y',
     by: ['x <= y ? 1 : 0', 'x <= y ? 0 : 1'],
     plot: ['x.min(1)'],
-    kink: isOperands,
+    remark: operandRemark,
   },
   max: {
     value: 'x >= y ? x : y',
     by: ['x >= y ? 1 : 0', 'x >= y ? 0 : 1'],
     plot: ['x.max(1)'],
-    kink: isOperands,
+    remark: operandRemark,
   },
   clamp: {
     value: 'min(max(x, low), high)',
@@ -124,7 +126,7 @@ export const formulas = {
       'max(x, low) > high ? 1 : 0',
     ],
     plot: ['x.clamp(-1, 1)'],
-    kink: 'The derivative is that of the operand whose value is taken, bounds included.',
+    remark: 'The derivative is that of the operand whose value is taken, bounds included.',
   },
   mix: {
     value: 'x + (y - x) * amount',
@@ -135,7 +137,7 @@ export const formulas = {
     value: 'x < edge ? 0 : 1',
     by: ['0', '0'],
     plot: ['glsl.step(0.5, x)'],
-    kink: 'The derivative is 0 everywhere, at the edge too.',
+    remark: 'The derivative is 0 everywhere, at the edge too.',
   },
   smoothstep: {
     value: 't * t * (3 - 2 * t)',
@@ -147,29 +149,39 @@ export const formulas = {
     where: { t: 'clamp((x - low) / (high - low), 0, 1)' },
     plot: ['glsl.smoothstep(-1, 1, x)', -2, 2],
   },
-  lt: { value: 'x < y ? 1 : 0', by: ['0', '0'], plot: ['x.lt(1)'], kink: isTruth },
-  le: { value: 'x <= y ? 1 : 0', by: ['0', '0'], plot: ['x.le(1)'], kink: isTruth },
-  gt: { value: 'x > y ? 1 : 0', by: ['0', '0'], plot: ['x.gt(1)'], kink: isTruth },
-  ge: { value: 'x >= y ? 1 : 0', by: ['0', '0'], plot: ['x.ge(1)'], kink: isTruth },
-  eq: { value: 'x == y ? 1 : 0', by: ['0', '0'], plot: ['x.floor().eq(1)'], kink: isTruth },
-  ne: { value: 'x != y ? 1 : 0', by: ['0', '0'], plot: ['x.floor().ne(1)'], kink: isTruth },
+  lt: { value: 'x < y ? 1 : 0', by: ['0', '0'], plot: ['x.lt(1)'], remark: conditionRemark },
+  le: { value: 'x <= y ? 1 : 0', by: ['0', '0'], plot: ['x.le(1)'], remark: conditionRemark },
+  gt: { value: 'x > y ? 1 : 0', by: ['0', '0'], plot: ['x.gt(1)'], remark: conditionRemark },
+  ge: { value: 'x >= y ? 1 : 0', by: ['0', '0'], plot: ['x.ge(1)'], remark: conditionRemark },
+  eq: {
+    value: 'x == y ? 1 : 0',
+    by: ['0', '0'],
+    plot: ['x.floor().eq(1)'],
+    remark: conditionRemark,
+  },
+  ne: {
+    value: 'x != y ? 1 : 0',
+    by: ['0', '0'],
+    plot: ['x.floor().ne(1)'],
+    remark: conditionRemark,
+  },
   and: {
     value: 'x != 0 && y != 0 ? 1 : 0',
     by: ['0', '0'],
     plot: ['x.gt(-1).and(x.lt(1))'],
-    kink: isTruth,
+    remark: conditionRemark,
   },
   or: {
     value: 'x != 0 || y != 0 ? 1 : 0',
     by: ['0', '0'],
     plot: ['x.lt(-1).or(x.gt(1))'],
-    kink: isTruth,
+    remark: conditionRemark,
   },
-  not: { value: 'x != 0 ? 0 : 1', by: ['0'], plot: ['x.lt(1).not()'], kink: isTruth },
+  not: { value: 'x != 0 ? 0 : 1', by: ['0'], plot: ['x.lt(1).not()'], remark: conditionRemark },
   ifElse: {
     value: 'condition != 0 ? yes : no',
     by: ['0', 'condition != 0 ? 1 : 0', 'condition != 0 ? 0 : 1'],
     plot: ['x.lt(0).ifElse(x.neg(), x.mult(x))'],
-    kink: 'The derivative is that of the value that is taken; a jump between the two counts for nothing.',
+    remark: 'The derivative is that of the value that is taken; a jump between the two is ignored.',
   },
 }

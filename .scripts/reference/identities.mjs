@@ -1,4 +1,4 @@
-// The tables of web/docs/identities.md, one row per row of src/graph/identities.hpp.
+// Writes the tables of web/docs/identities.md. Each row is a row of src/graph/identities.hpp.
 import { Stop } from '../lib/terminal.mjs'
 
 const headings = {
@@ -37,11 +37,11 @@ const table = (rows) =>
     '| --- | --- | --- | --- |',
     ...rows.map(
       ({ from, to, when, ...keeps }) =>
-        `| ${code(from)} | ${code(to)} | ${when && code(when)} | ${describePrecision(keeps)} |`,
+        `| ${formatCode(from)} | ${formatCode(to)} | ${when && formatCode(when)} | ${describePrecision(keeps)} |`,
     ),
   ].join('\n')
 
-const code = (text) => `\`${text.replaceAll('|', '\\|')}\``
+const formatCode = (text) => `\`${text.replaceAll('|', '\\|')}\``
 
 const describePrecision = ({ precision, onlyNumbers }) =>
   precisions[precision] + (onlyNumbers ? ', where it is a number' : '')

@@ -7,22 +7,25 @@ export function operationParts({ operations, aliases, others, headings }, page) 
   if (missing.length)
     throw new Stop(`web/docs/operations.md lacks ${missing.map(({ name }) => name).join(', ')}.`)
   const groups = headings.map((heading) =>
-    group(
+    writeGroup(
       heading,
       operations.filter((operation) => operation.heading === heading),
     ),
   )
-  return { operations: groups.join('\n'), aliases: `From glsl-autodiff: ${sentence(aliases)}.` }
+  return {
+    operations: groups.join('\n'),
+    aliases: `From glsl-autodiff: ${describeAliases(aliases)}.`,
+  }
 }
 
-function group(heading, operations) {
+function writeGroup(heading, operations) {
   const isByComponent = ({ kinds }) => kinds.every((kind) => kind === 'number or vector')
   const columns = [
     ['function', (operation) => code(functionForm(operation))],
     ['method', (operation) => code(methodForm(operation))],
     ['what it is', ({ meaning }) => meaning],
   ]
-  if (!operations.every(isByComponent)) columns.push(['operands → result', types])
+  if (!operations.every(isByComponent)) columns.push(['operands → result', typesOf])
   if (operations.some(({ missingIn }) => missingIn.length))
     columns.push(['lowered in', ({ missingIn }) => languages(missingIn)])
   return `## ${heading}\n\n${table(columns, operations)}\n${notes[heading] ?? ''}`
@@ -38,18 +41,18 @@ const table = (columns, rows) =>
     .join('\n')
 
 const code = (text) => `\`${text}\``
-const more = ({ isChained }) => (isChained ? ', …' : '')
+const furtherOperands = ({ isChained }) => (isChained ? ', …' : '')
 
 function functionForm(operation) {
-  return `glsl.${operation.name}(${operation.operands.join(', ')}${more(operation)})`
+  return `glsl.${operation.name}(${operation.operands.join(', ')}${furtherOperands(operation)})`
 }
 
 function methodForm(operation) {
   const [receiver, ...others] = operation.operands
-  return `${receiver}.${operation.name}(${others.join(', ')}${more(operation)})`
+  return `${receiver}.${operation.name}(${others.join(', ')}${furtherOperands(operation)})`
 }
 
-function types({ kinds, result }) {
+function typesOf({ kinds, result }) {
   return `${kinds.join(', ')} → ${result}`
 }
 
@@ -70,11 +73,13 @@ Derivatives can be differentiated again: \`height.derivative(millis).derivative(
 `,
 }
 
-/** `a` and `b` are `c`, `d` is `e`, … */
-function sentence(aliases) {
-  const originals = [...new Set(aliases.map(({ of }) => of))]
+/** Returns "`a` and `b` are `c`, `d` is `e`, …", where `c` and `e` are the originals of the aliases. */
+function describeAliases(aliases) {
+  const originals = [...new Set(aliases.map(({ original }) => original))]
   const texts = originals.map((original) => {
-    const names = aliases.filter(({ of }) => of === original).map(({ name }) => code(name))
+    const names = aliases
+      .filter((alias) => alias.original === original)
+      .map(({ name }) => code(name))
     return `${names.join(' and ')} ${names.length > 1 ? 'are' : 'is'} ${code(original)}`
   })
   return texts.join(', ')

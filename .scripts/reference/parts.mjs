@@ -3,8 +3,8 @@ import { readFileSync } from 'node:fs'
 import { path } from '../lib/files.mjs'
 import { Stop } from '../lib/terminal.mjs'
 
-/** Returns the text of a page with these parts, an object of Markdown by name, formatted. */
-export async function pageWith(file, parts) {
+/** Replaces the generated parts of a page and formats it; returns the new text. `parts` maps the name of a part → its Markdown. */
+export async function replaceParts(file, parts) {
   let text = readFileSync(path(file), 'utf8')
   for (const [name, part] of Object.entries(parts)) {
     const pattern = RegExp(`(<!-- ${name} -->\\n)[^]*?(<!-- end of ${name} -->)`)
@@ -15,7 +15,7 @@ export async function pageWith(file, parts) {
   return formatAs(file, text)
 }
 
-/** Formats text as Prettier formats that file. */
+/** Formats text with Prettier, as the content of `file`. */
 export async function formatAs(file, text) {
   const { format, resolveConfig } = await import('prettier')
   return format(text, { ...(await resolveConfig(path(file))), filepath: path(file) })

@@ -1,31 +1,33 @@
 // The sections of web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, with formulas, plots and code.
 import { Stop } from '../lib/terminal.mjs'
 import { noiseFormulas } from './noise-formulas.mjs'
-import { lineText } from './plots.mjs'
+import { plotAndCode } from './plots.mjs'
 import { vectorFormulas } from './vector-formulas.mjs'
 
-/** Products that the table of operations lists under `mult` of numbers. */
+/** Products of matrices and vectors. The table of operations has them only as `mult` of numbers. */
 const products = {
   'mult(A, B)': 'The product of two matrices.',
   'mult(A, v)': 'A matrix times a column.',
   'mult(v, A)': 'A row times a matrix.',
 }
 
-/** Operations that are derivatives. They have no formula to differentiate: they are derived again instead. */
+/**
+ * Operations that are derivatives. Those without a row in vector-formulas.mjs have no formula; a sentence describes their own derivatives.
+ */
 const derivatives = {
   derivative: {
-    says: '`derivative(f, t)` is `∂f/∂t`. Its own derivative is the second one, `∂²f/∂t²`.',
+    text: '`derivative(f, t)` is `∂f/∂t`. Its own derivative is the second one, `∂²f/∂t²`.',
     plot: ['x.sin().derivative(x)', -3, 3],
     line: `const height = position.y().mult(3).sin()
 return glsl.vec3(height.derivative(position.y()).mult(0.1), 0, 0)`,
   },
   gradient: {
-    says: '`gradient(f, p)` is `(∂f/∂p₁, ∂f/∂p₂, …)`. Its own derivative is `H dp`, where H has `∂²f/∂pᵢ∂pⱼ` in row i and column j.',
+    text: '`gradient(f, p)` is `(∂f/∂p₁, ∂f/∂p₂, …)`. Its own derivative is `H dp`, where H has `∂²f/∂pᵢ∂pⱼ` in row i and column j.',
     line: `const height = position.mult(2).sin().dot(position)
 return height.gradient(position).mult(0.1)`,
   },
   jacobian: {
-    says: '`jacobian(f, p)` has `∂fᵢ/∂pⱼ` in row i and column j. Its own derivative has the second ones.',
+    text: '`jacobian(f, p)` has `∂fᵢ/∂pⱼ` in row i and column j. Its own derivative has the second ones.',
     line: `const turned = glsl.rotateY(position.y()).mult(position)
 return turned.jacobian(position).column(1).mult(0.3)`,
   },
@@ -43,36 +45,36 @@ return bump.adjustTangent(glsl.vec3(1, 0, 0), facing, position).mult(0.3)`,
 const code = (text) => `\`${text}\``
 const sentence = (text) => (/[.!]$/.test(text) ? text : `${text}.`)
 
-/** The formula of an operation and that of its derivative. */
+/** Returns a sentence with the formula of an operation and that of its derivative. */
 function formulaText({ form, value, derivative, where = {} }) {
-  const isRead = (name) => RegExp(`(?<![A-Za-z])${name}(?![A-Za-z])`, 'u').test(derivative)
+  const isUsed = (name) => RegExp(`(?<![A-Za-z])${name}(?![A-Za-z])`, 'u').test(derivative)
   const parts = Object.entries(where).map(([name, text]) => code(`${name} = ${text}`))
-  if (isRead('w') && !where.w) parts.push('w is the value')
-  // Puts several definitions on their own lines, because on a phone each takes several lines.
+  if (isUsed('w') && !where.w) parts.push('w is the value')
+  // Several definitions become a paragraph of their own, because on a phone each takes several lines.
   const between = parts.length > 1 ? '\n\n' : ' '
-  const named = parts.length ? `,${between}where ${parts.join(', ')}` : ''
-  return `${code(form)} is ${code(value)}.${between}Derivative: ${code(derivative)}${named}.`
+  const definitions = parts.length ? `,${between}where ${parts.join(', ')}` : ''
+  return `${code(form)} is ${code(value)}.${between}Derivative: ${code(derivative)}${definitions}.`
 }
 
 function vectorSection(title, meaning) {
   const formula = vectorFormulas[title]
-  const { kink, call, from = -3, to = 3 } = formula
-  const says = [sentence(meaning), kink].filter(Boolean).join(' ')
-  return `### ${title}\n\n${says}\n\n${formulaText(formula)}\n\n${lineText(call, from, to)}`
+  const { remark, call, from = -3, to = 3 } = formula
+  const text = [sentence(meaning), remark].filter(Boolean).join(' ')
+  return `### ${title}\n\n${text}\n\n${formulaText(formula)}\n\n${plotAndCode(call, from, to)}`
 }
 
 function derivativeSection({ name, meaning }) {
   const { plot, line } = derivatives[name]
   const formula = vectorFormulas[name]
-  const says = formula ? `${formulaText(formula)} ${formula.kink}` : derivatives[name].says
-  const shown = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
+  const text = formula ? `${formulaText(formula)} ${formula.remark}` : derivatives[name].text
+  const plotComment = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
   return `### ${name}
 
 ${sentence(meaning)}
 
-${says}
+${text}
 
-${shown}<!-- prettier-ignore -->
+${plotComment}<!-- prettier-ignore -->
 \`\`\`js
 createWarp(({ glsl, position${line.includes('normal,') ? ', normal' : ''} }) => {
 ${line.replaceAll(/^/gm, '  ')}
@@ -82,9 +84,9 @@ ${line.replaceAll(/^/gm, '  ')}
 }
 
 function noiseSection(name) {
-  const { value, derivative, letters, kink, call, from = 0, to = 6 } = noiseFormulas[name]
-  const says = `${code(`${name}(p)`)} is ${code(value)}. Derivative: ${code(derivative)}. ${letters}.`
-  return `### ${name}\n\n${[says, kink].filter(Boolean).join(' ')}\n\n${lineText(call, from, to)}`
+  const { value, derivative, symbols, remark, call, from = 0, to = 6 } = noiseFormulas[name]
+  const text = `${code(`${name}(p)`)} is ${code(value)}. Derivative: ${code(derivative)}. ${symbols}.`
+  return `### ${name}\n\n${[text, remark].filter(Boolean).join(' ')}\n\n${plotAndCode(call, from, to)}`
 }
 
 /** Throws if a name has no row in the table of that file. */
@@ -95,19 +97,21 @@ function checkRows(file, table, names) {
 }
 
 export function vectorPlotParts({ operations, noises }) {
-  const ofGroup = (heading) => operations.filter((operation) => operation.heading === heading)
+  const operationsOf = (heading) => operations.filter((operation) => operation.heading === heading)
   const namesOf = (list) => list.map(({ name }) => name)
-  const onVectors = [...ofGroup('Vectors'), ...ofGroup('Matrices')]
+  const onVectors = [...operationsOf('Vectors'), ...operationsOf('Matrices')]
   checkRows('vector-formulas.mjs', vectorFormulas, namesOf(onVectors))
-  checkRows('plots-vectors.mjs', derivatives, namesOf(ofGroup('Derivatives')))
+  checkRows('plots-vectors.mjs', derivatives, namesOf(operationsOf('Derivatives')))
   checkRows('noise-formulas.mjs', noiseFormulas, namesOf(noises))
   const sections = (heading) =>
-    ofGroup(heading).map(({ name, meaning }) => vectorSection(name, meaning))
-  const more = Object.entries(products).map(([title, meaning]) => vectorSection(title, meaning))
+    operationsOf(heading).map(({ name, meaning }) => vectorSection(name, meaning))
+  const productSections = Object.entries(products).map(([title, meaning]) =>
+    vectorSection(title, meaning),
+  )
   return {
     vectors: sections('Vectors').join('\n'),
-    matrices: [...sections('Matrices'), ...more].join('\n'),
-    derivatives: ofGroup('Derivatives').map(derivativeSection).join('\n'),
+    matrices: [...sections('Matrices'), ...productSections].join('\n'),
+    derivatives: operationsOf('Derivatives').map(derivativeSection).join('\n'),
     noise: noises.map(({ name }) => noiseSection(name)).join('\n'),
   }
 }

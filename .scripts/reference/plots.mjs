@@ -6,8 +6,8 @@ import { formulas } from './formulas.mjs'
 const isNumeric = ({ kinds, result }) =>
   [...kinds, result].every((kind) => kind === 'number or vector')
 
-/** The plot of a call, and a warp by it. */
-export const lineText = (call, from, to) => `<!-- plot ${call} from ${from} to ${to} -->
+/** Returns Markdown for the plot of a call, and code of a warp that uses the call. */
+export const plotAndCode = (call, from, to) => `<!-- plot ${call} from ${from} to ${to} -->
 
 <!-- prettier-ignore -->
 \`\`\`js
@@ -34,19 +34,19 @@ function formulaText({ value, by, where = {} }, operands) {
 const titleOf = ({ name, operands }) =>
   name === 'atan' && operands.length > 1 ? 'atan(y, x)' : name
 
-function section(operation) {
+function writeSection(operation) {
   const { name, operands, meaning } = operation
   const title = titleOf(operation)
   const formula = formulas[title]
   const [call, from = -3, to = 3] = formula.plot ?? [`x.${name}()`]
-  const sentences = [/[.!]$/.test(meaning) ? meaning : `${meaning}.`, formula.kink ?? '']
+  const sentences = [/[.!]$/.test(meaning) ? meaning : `${meaning}.`, formula.remark ?? '']
   return `### ${title}
 
 ${sentences.join(' ').trim()}
 
 ${formulaText(formula, operands)}
 
-${lineText(call, from, to)}`
+${plotAndCode(call, from, to)}`
 }
 
 /** Throws if an operation has no row in formulas.mjs, or an incomplete one. */
@@ -63,12 +63,12 @@ function checkFormulas(operations) {
 }
 
 export function plotParts({ operations, headings }) {
-  const shown = operations.filter(isNumeric)
-  checkFormulas(shown)
+  const numeric = operations.filter(isNumeric)
+  checkFormulas(numeric)
   const groups = headings
     .map((heading) => {
-      const own = shown.filter((operation) => operation.heading === heading)
-      return own.length && `## ${heading}\n\n${own.map(section).join('\n')}`
+      const inGroup = numeric.filter((operation) => operation.heading === heading)
+      return inGroup.length && `## ${heading}\n\n${inGroup.map(writeSection).join('\n')}`
     })
     .filter(Boolean)
   return { plots: groups.join('\n') }

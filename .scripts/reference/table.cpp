@@ -27,7 +27,7 @@
 namespace warpjet {
 namespace {
 
-std::string text(std::string_view characters) {
+std::string quote(std::string_view characters) {
   std::string quoted = "\"";
   for (const char c : characters) {
     if (c == '"' || c == '\\') quoted += '\\';
@@ -36,12 +36,12 @@ std::string text(std::string_view characters) {
   return quoted + '"';
 }
 
-std::string truth(bool value) { return value ? "true" : "false"; }
+std::string toBoolean(bool value) { return value ? "true" : "false"; }
 
 std::string object(std::initializer_list<std::pair<std::string_view, std::string>> fields) {
   std::string joined;
   for (const auto& [name, value] : fields)
-    joined += (joined.empty() ? "" : ", ") + text(name) + ": " + value;
+    joined += (joined.empty() ? "" : ", ") + quote(name) + ": " + value;
   return "{" + joined + "}";
 }
 
@@ -53,31 +53,31 @@ std::string array(const List& items, Item item) {
 }
 
 std::string typeName(ops::Type type) {
-  return text(type == ops::Type::Bool ? "bool" : type == ops::Type::Int ? "int" : "float");
+  return quote(type == ops::Type::Bool ? "bool" : type == ops::Type::Int ? "int" : "float");
 }
 
-// The languages that lack a row, and so have it lowered to others.
+// Lists the languages that lack this operation: there it is lowered to others.
 std::string missingIn(Op op) {
   std::vector<std::string_view> names;
   for (const Dialect* dialect : dialects()) {
     if (ops::spelling(op, dialect->language).isMissing()) names.push_back(dialect->name);
   }
-  return array(names, text);
+  return array(names, quote);
 }
 
 std::string row(const ops::Title& title, Op op) {
   const ops::Declaration& info = ops::declaration(op);
   const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
   return object(
-      {{"name", text(title.name)},
-       {"operands", text(title.operands)},
-       {"meaning", text(title.meaning)},
+      {{"name", quote(title.name)},
+       {"operands", quote(title.operands)},
+       {"meaning", quote(title.meaning)},
        {"types", array(types, typeName)},
        {"result", typeName(info.signature.result)},
        {"missingIn", missingIn(op)},
-       {"isChained", truth(info.traits.has(ops::Trait::Chained))},
-       {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
-       {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::GlslOnly))}});
+       {"isChained", toBoolean(info.traits.has(ops::Trait::Chained))},
+       {"takesMatrices", toBoolean(info.traits.has(ops::Trait::OnMatrices))},
+       {"isHidden", toBoolean(detail::isHidden(info) || info.traits.has(ops::Trait::GlslOnly))}});
 }
 
 std::string rows() {
@@ -89,33 +89,33 @@ std::string identity(const patterns::Identity& each) {
   constexpr std::string_view precisions[] = {"bits", "value", "rounding"};
   const auto precision = static_cast<std::size_t>(each.keeps.precision);
   const std::string condition = each.hasCondition() ? patterns::text(each.when) : "";
-  return object({{"operation", text(ops::declaration(each.from.root().op()).name)},
-                 {"from", text(patterns::text(each.from))},
-                 {"to", text(patterns::text(each.to))},
-                 {"when", text(condition)},
-                 {"precision", text(precisions[precision])},
-                 {"onlyNumbers", truth(each.keeps.onlyNumbers)}});
+  return object({{"operation", quote(ops::declaration(each.from.root().op()).name)},
+                 {"from", quote(patterns::text(each.from))},
+                 {"to", quote(patterns::text(each.to))},
+                 {"when", quote(condition)},
+                 {"precision", quote(precisions[precision])},
+                 {"onlyNumbers", toBoolean(each.keeps.onlyNumbers)}});
 }
 
 std::string composition(const Composition& each) {
-  return object({{"name", text(each.title.name)},
-                 {"operands", text(each.title.operands)},
-                 {"meaning", text(each.title.meaning)},
-                 {"kinds", text(each.operands)},
-                 {"result", text(std::string{static_cast<char>(each.result)})},
-                 {"isListed", truth(each.isListed)}});
+  return object({{"name", quote(each.title.name)},
+                 {"operands", quote(each.title.operands)},
+                 {"meaning", quote(each.title.meaning)},
+                 {"kinds", quote(each.operands)},
+                 {"result", quote(std::string{static_cast<char>(each.result)})},
+                 {"isListed", toBoolean(each.isListed)}});
 }
 
 std::string alias(const detail::Alias& each) {
-  return object({{"name", text(each.name)}, {"of", text(each.of)}});
+  return object({{"name", quote(each.name)}, {"original", quote(each.of)}});
 }
 
 std::string heading(const Heading& each) {
-  return object({{"text", text(each.text)}, {"first", text(each.first)}});
+  return object({{"text", quote(each.text)}, {"first", quote(each.first)}});
 }
 
 std::string language(const Dialect* each) {
-  return object({{"name", text(each->name)}, {"source", text(each->sourceKey)}});
+  return object({{"name", quote(each->name)}, {"source", quote(each->sourceKey)}});
 }
 
 std::string_view useName(NoiseUse use) {
@@ -124,7 +124,7 @@ std::string_view useName(NoiseUse use) {
 }
 
 std::string noise(const NoiseRow& each) {
-  return object({{"name", text(each.name)}, {"use", text(useName(each.use))}});
+  return object({{"name", quote(each.name)}, {"use", quote(useName(each.use))}});
 }
 
 template <class Element>
@@ -140,7 +140,7 @@ std::string meshArrays() {
   std::apply(
       [&](const auto&... each) {
         ((joined += (joined.empty() ? "" : ",\n") +
-                    object({{"name", text(each.name)}, {"kind", text(kindOf(each.of(job)))}})),
+                    object({{"name", quote(each.name)}, {"kind", quote(kindOf(each.of(job)))}})),
          ...);
       },
       jobArrays);
@@ -151,11 +151,11 @@ std::string warpResults() {
   std::vector<std::string_view> names(movedResults.begin(), movedResults.end());
   names.push_back(orientationResult);
   names.insert(names.end(), orientedResults.begin(), orientedResults.end());
-  return array(names, text);
+  return array(names, quote);
 }
 
 std::string other(const Operation& each) {
-  return object({{"name", text(each.name)}, {"isConstructor", truth(each.isConstructor())}});
+  return object({{"name", quote(each.name)}, {"isConstructor", toBoolean(each.isConstructor())}});
 }
 
 }  // namespace
@@ -172,13 +172,13 @@ int main() {
                        {"headings", array(headings, heading)},
                        {"languages", array(dialects(), language)},
                        {"noises", array(noises, noise)},
-                       {"filters", array(filterNames, text)},
-                       {"wraps", array(wrapNames, text)},
+                       {"filters", array(filterNames, quote)},
+                       {"wraps", array(wrapNames, quote)},
                        {"maxSeed", std::to_string(maxSeed)},
                        {"maxOctaves", std::to_string(maxOctaves)},
                        {"failed", std::to_string(Builder::failed)},
                        {"needsPartials", std::to_string(Builder::needsPartials)},
-                       {"warpOperands", array(warpOperands, text)},
+                       {"warpOperands", array(warpOperands, quote)},
                        {"warpResults", warpResults()},
                        {"variantCount", std::to_string(orientedResults.size())},
                        {"meshArrays", meshArrays()},

@@ -1,4 +1,4 @@
-// The tables of operations, as the C++ has them: what `npm run reference` writes from.
+// Reads the tables of operations from the C++. `npm run reference` generates types and docs from them.
 import { readFileSync } from 'node:fs'
 import { cmakeBuild } from '../lib/cmake.mjs'
 import { path } from '../lib/files.mjs'
@@ -52,26 +52,26 @@ export async function readTable() {
 }
 
 /**
- * { operations, aliases, others, headings }, and what numbered.mjs reads. An operation is { name, operands, kinds, result, meaning, isChained,
- * takesMatrices, missingIn, heading }; the one of two operands behind `atan` has that name too. `others` make and take
- * apart vectors and matrices.
+ * Returns { operations, aliases, others, headings }, and the fields that enumerations.mjs reads. An operation is { name, operands, kinds,
+ * result, meaning, isChained, takesMatrices, missingIn, heading }; `atan2` has the name `atan`, too. `others` are functions that compose
+ * vectors and matrices or take them apart.
  */
-export function arrange({ rows, compositions, aliases, others, headings, ...numbered }) {
+export function arrange({ rows, compositions, aliases, others, headings, ...enumerations }) {
   const operations = [
     ...rows.filter(isCallable).map(fromRow),
     ...compositions.filter(({ isListed }) => isListed).map(fromComposition),
   ]
-  const left = new Map(headings.map(({ text, first }) => [first, text]))
+  const unusedHeadings = new Map(headings.map(({ text, first }) => [first, text]))
   let heading
   for (const operation of operations) {
-    heading = left.get(operation.name) ?? heading
-    left.delete(operation.name)
+    heading = unusedHeadings.get(operation.name) ?? heading
+    unusedHeadings.delete(operation.name)
     Object.assign(operation, { heading, operands: operation.operands.split(', ') })
   }
-  if (left.size || !operations[0].heading)
+  if (unusedHeadings.size || !operations[0].heading)
     throw new Stop('The headings in src/builder/operations.hpp do not fit the tables.')
   return {
-    ...numbered,
+    ...enumerations,
     operations,
     aliases,
     others,

@@ -5,8 +5,10 @@ import { path } from '../lib/files.mjs'
 
 // Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
 
-/** The signatures of `mult` for a number as receiver and for the builder's function. A vector times square matrices is a vector. */
-const product = [
+/**
+ * The signatures of `mult` as a method of a number and as a function of the builder. A vector times square matrices is a vector.
+ */
+const productSignatures = [
   '(...numbers: Operand[]): Scalar',
   '<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value',
   '(...factors: (Vec2 | Mat2 | Operand)[]): Vec2',
@@ -19,40 +21,45 @@ const product = [
   '<Left extends AnyMatrix, Columns extends Size>(left: Left, right: Shape<Columns, ColumnsOf<Left>>): MatrixOf<Columns, RowsOf<Left>>',
 ]
 
-const quotient = [
+const quotientSignatures = [
   '(...numbers: Operand[]): Scalar',
   '<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value',
 ]
 
 /** The signatures of operations that the general rules do not cover, by receiver. */
-const special = {
+const specialSignatures = {
   mult: {
-    scalar: product,
+    scalar: productSignatures,
     vector: ['(...factors: (Self | SquareBeside<Self> | Operand)[]): Self'],
     matrix: [
       '(...factors: (IfSquare<Self> | Operand)[]): Self',
       '(...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]): VectorOf<RowsOf<Self>>',
       '<Columns extends Size>(matrix: Shape<Columns, ColumnsOf<Self>>): MatrixOf<Columns, RowsOf<Self>>',
     ],
-    function: product,
+    function: productSignatures,
   },
   div: {
     // Nothing can be divided by a matrix.
-    scalar: quotient,
+    scalar: quotientSignatures,
     matrix: ['(...divisors: Operand[]): Self'],
     function: [
-      ...quotient,
+      ...quotientSignatures,
       '<Value extends AnyMatrix>(matrix: Value, ...divisors: Operand[]): Value',
     ],
   },
 }
 
-/** Methods of vectors that also accept a vector as separate numbers, like p5.Vector's → the number of operands after these. */
+/**
+ * Methods of vectors that also accept a vector as separate numbers, like p5.Vector's. Maps each → the number of operands after the vector.
+ */
 const operandsAfterVector = { mod: 0, dot: 0, cross: 0, dist: 0, distance: 0, mix: 1 }
 
-/** Returns one signature, not two: TypeScript allows a method call on a union of vectors only if the method has no overloads. */
-function withNumbers(operation, self) {
-  const [signature] = method(self)(operation)
+/**
+ * Returns the signature for a vector or separate numbers. It is one, because TypeScript allows a call on a union of vectors only without
+ * overloads.
+ */
+function vectorOrNumbersSignature(operation, self) {
+  const [signature] = methodSignatures(self)(operation)
   const after = operandsAfterVector[operation.name]
   if (after === undefined) return [signature]
   const numbers = `x: Operand, y: Operand, ...${after ? 'others' : 'zw'}: Operand[]`
@@ -63,67 +70,66 @@ function withNumbers(operation, self) {
 const receivers = [
   {
     head: 'AnyMethods<Self>',
-    about: 'Of numbers, vectors and matrices.',
-    has: ({ kinds }) => kinds[0] === 'any',
-    signaturesOf: method('Self'),
+    description: 'Of numbers, vectors and matrices.',
+    contains: ({ kinds }) => kinds[0] === 'any',
+    signaturesOf: methodSignatures('Self'),
   },
   {
     head: 'ComponentMethods<Self> extends AnyMethods<Self>',
-    about: 'Of numbers and vectors, by component.',
-    has: ({ kinds, isOptional }) => isComponentwise(kinds) && kinds.length === 1 && !isOptional,
-    signaturesOf: method('Self'),
+    description: 'Of numbers and vectors, by component.',
+    contains: ({ kinds, isOptional }) =>
+      isComponentwise(kinds) && kinds.length === 1 && !isOptional,
+    signaturesOf: methodSignatures('Self'),
   },
   {
     head: 'ScalarMethods extends ComponentMethods<Scalar>',
-    about: 'Of numbers. A vector beside a number gives a vector.',
-    has: ({ kinds, isOptional }) =>
+    description: 'Of numbers. A vector beside a number gives a vector.',
+    contains: ({ kinds, isOptional }) =>
       kinds[0] === 'number' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
     signaturesOf: (operation) =>
-      special[operation.base]?.scalar ??
-      (isComponentwise(operation.kinds) ? byComponent(operation, 1) : method('Scalar')(operation)),
+      specialSignatures[operation.base]?.scalar ??
+      (isComponentwise(operation.kinds)
+        ? componentwiseSignatures(operation, 1)
+        : methodSignatures('Scalar')(operation)),
   },
   {
     head: 'VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self>',
-    about: 'Of vectors. A number beside a vector counts for each component.',
-    has: ({ kinds, isOptional }) =>
+    description: 'Of vectors. A number beside a vector counts for each component.',
+    contains: ({ kinds, isOptional }) =>
       kinds[0] === 'vector' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
-    signaturesOf: (operation) => special[operation.base]?.vector ?? withNumbers(operation, 'Self'),
+    signaturesOf: (operation) =>
+      specialSignatures[operation.base]?.vector ?? vectorOrNumbersSignature(operation, 'Self'),
   },
   {
     head: 'Vec3Methods',
-    has: ({ kinds }) => kinds[0] === 'vec3',
-    signaturesOf: (operation) => withNumbers(operation, 'Vec3'),
+    contains: ({ kinds }) => kinds[0] === 'vec3',
+    signaturesOf: (operation) => vectorOrNumbersSignature(operation, 'Vec3'),
   },
   {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
-    has: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
-    signaturesOf: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),
+    contains: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
+    signaturesOf: (operation) =>
+      specialSignatures[operation.base]?.matrix ?? methodSignatures('Self')(operation),
   },
   {
     head: 'SquareMethods<Self>',
-    about: 'Of matrices of as many rows as columns.',
-    has: ({ kinds }) => kinds[0] === 'square matrix',
-    signaturesOf: method('Self'),
+    description: 'Of matrices of as many rows as columns.',
+    contains: ({ kinds }) => kinds[0] === 'square matrix',
+    signaturesOf: methodSignatures('Self'),
   },
 ]
 
 const isComponentwise = (kinds) => kinds.every((kind) => kind === 'number or vector')
 
-/** The text of the file, not yet formatted. */
+/** Returns the source of the file, not yet formatted. */
 export function typesText({ operations, aliases }) {
-  const known = byName(operations)
-  const named = [...known, ...aliases.map((alias) => another(alias, known))]
+  const merged = mergeByName(operations)
+  const all = [...merged, ...aliases.map((alias) => resolveAlias(alias, merged))]
   const interfaces = [
-    ...receivers.map(({ head, about, has, signaturesOf }) =>
-      interfaceText(head, about, named.filter(has), signaturesOf, methodComment),
+    ...receivers.map(({ head, description, contains, signaturesOf }) =>
+      interfaceText(head, description, all.filter(contains), signaturesOf, methodComment),
     ),
-    interfaceText(
-      'Functions',
-      'Of the builder `glsl`.',
-      named,
-      functionSignatures,
-      functionComment,
-    ),
+    interfaceText('Functions', 'Of the builder `glsl`.', all, functionSignatures, functionComment),
   ]
   return `// Written by \`npm run reference\` from the tables of operations: src/ops/declarations.hpp, src/ops/documentation.hpp and
 // src/builder/compositions.hpp. Everything else is in types.ts.
@@ -144,41 +150,45 @@ function listUsed(texts, file) {
 }
 
 /** Merges operations of the same name into one with optional operands. */
-function byName(operations) {
-  const found = new Map()
+function mergeByName(operations) {
+  const merged = new Map()
   for (const operation of operations) {
-    const forms = [...(found.get(operation.name)?.forms ?? []), operation]
+    const forms = [...(merged.get(operation.name)?.forms ?? []), operation]
     const isOptional = forms.length > 1
-    found.set(operation.name, { ...operation, base: operation.name, forms, isOptional })
+    merged.set(operation.name, { ...operation, base: operation.name, forms, isOptional })
   }
-  return [...found.values()]
+  return [...merged.values()]
 }
 
-function another({ name, of }, operations) {
-  const operation = operations.find((operation) => operation.name === of)
-  return { ...operation, name, forms: [{ ...operation, meaning: `Another name of \`${of}\`.` }] }
+function resolveAlias({ name, original }, operations) {
+  const operation = operations.find((operation) => operation.name === original)
+  return {
+    ...operation,
+    name,
+    forms: [{ ...operation, meaning: `Another name of \`${original}\`.` }],
+  }
 }
 
-function interfaceText(head, about, operations, signaturesOf, commentOf) {
+function interfaceText(head, description, operations, signaturesOf, commentOf) {
   const members = operations.flatMap((operation) =>
     signaturesOf(operation).map(
       (signature) => `${commentOf(operation)}${operation.name}${signature}\n`,
     ),
   )
-  return `${about ? comment(about) : ''}export interface ${head} {\n${members.join('')}}\n`
+  return `${description ? comment(description) : ''}export interface ${head} {\n${members.join('')}}\n`
 }
 
 /** Returns the comment of a method. If the meaning names the receiver, the comment begins with a call that shows it. */
 function methodComment({ forms }) {
   const texts = forms.map(({ name, operands: [receiver, ...others], meaning, isChained }) => {
     if (!RegExp(`(?<![\\w'])${receiver}\\b`).test(meaning)) return meaning
-    const given = isChained ? [...others, '…'] : others
-    return `\`${receiver}.${name}(${given.join(', ')})\`: ${meaning}`
+    const parameters = isChained ? [...others, '…'] : others
+    return `\`${receiver}.${name}(${parameters.join(', ')})\`: ${meaning}`
   })
   return comment(texts.join(' '))
 }
 
-/** Returns the comment of a function of the builder. Several forms begin with their calls. */
+/** Returns the comment of a function of the builder. If it has several forms, each begins with its call. */
 function functionComment({ forms }) {
   if (forms.length === 1) return comment(forms[0].meaning)
   const texts = forms.map(
@@ -197,20 +207,20 @@ function comment(text, width = 96) {
   return `/**\n${lines.map((line) => ` *${line}\n`).join('')} */\n`
 }
 
-const question = ({ isOptional }, i) => (isOptional && i > 0 ? '?' : '')
+const optionalMark = ({ isOptional }, i) => (isOptional && i > 0 ? '?' : '')
 
 /**
  * Returns the signatures of a componentwise operation, for the operands from index `first`: numbers give a number; otherwise the result is a
  * vector, or a matrix if the operation takes them, of the size of the operands.
  */
-function byComponent(operation, first) {
+function componentwiseSignatures(operation, first) {
   const { operands, isChained, takesMatrices } = operation
   const listOf = (type) =>
     isChained
       ? `...operands: (${type})[]`
       : operands
           .slice(first)
-          .map((name, i) => `${name}${question(operation, first + i)}: ${type}`)
+          .map((name, i) => `${name}${optionalMark(operation, first + i)}: ${type}`)
           .join(', ')
   const wide = takesMatrices ? 'Expression' : 'Scalar | Vector'
   return [
@@ -220,7 +230,7 @@ function byComponent(operation, first) {
 }
 
 /** Returns a function that writes the signature of a method of the type `self`. */
-function method(self) {
+function methodSignatures(self) {
   const types = {
     number: 'Operand',
     vector: self,
@@ -239,7 +249,7 @@ function method(self) {
     const generic = kinds.includes('vector of inputs') ? '<Inputs extends Vector>' : ''
     const others = operands
       .slice(1)
-      .map((name, i) => `${name}${question(operation, i + 1)}: ${types[kinds[i + 1]]}`)
+      .map((name, i) => `${name}${optionalMark(operation, i + 1)}: ${types[kinds[i + 1]]}`)
     const list = isChained ? `...others: (${types[kinds[0]]})[]` : others.join(', ')
     return [`${generic}(${list}): ${resultType(operation, self)}`]
   }
@@ -247,8 +257,8 @@ function method(self) {
 
 function functionSignatures(operation) {
   const { operands, kinds, base } = operation
-  if (special[base]?.function) return special[base].function
-  if (isComponentwise(kinds)) return byComponent(operation, 0)
+  if (specialSignatures[base]?.function) return specialSignatures[base].function
+  if (isComponentwise(kinds)) return componentwiseSignatures(operation, 0)
   const generics = {
     vector: ['Value', 'Vector'],
     'square matrix': ['Value', 'Mat2 | Mat3 | Mat4'],
@@ -264,17 +274,18 @@ function functionSignatures(operation) {
     'vec3 of inputs': 'Vec3',
   }
   const isFixed = ['number', 'vec3', 'mat3'].includes(operation.result)
-  const isNamed = (kind) => !isFixed || kinds.filter((other) => other === kind).length > 1
-  const typeOf = (kind) => generics[kind]?.[isNamed(kind) ? 0 : 1] ?? types[kind]
+  const needsTypeParameter = (kind) =>
+    !isFixed || kinds.filter((other) => other === kind).length > 1
+  const typeOf = (kind) => generics[kind]?.[needsTypeParameter(kind) ? 0 : 1] ?? types[kind]
   const bounds = Object.entries(generics)
-    .filter(([kind]) => kinds.includes(kind) && isNamed(kind))
+    .filter(([kind]) => kinds.includes(kind) && needsTypeParameter(kind))
     .map(([, generic]) => generic.join(' extends '))
   const list = operands.map((name, i) => `${name}: ${typeOf(kinds[i])}`).join(', ')
   const start = bounds.length ? `<${bounds.join(', ')}>` : ''
   return [`${start}(${list}): ${resultType(operation, 'Value')}`]
 }
 
-/** Returns the type of the result, if the widest operand is a `self`. */
+/** Returns the type of the result if the widest operand has the type `self`. */
 function resultType({ kinds, result }, self) {
   if (result === 'number') return 'Scalar'
   if (result === 'vec3') return 'Vec3'

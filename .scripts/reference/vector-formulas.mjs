@@ -1,12 +1,12 @@
 // The formulas of operations on vectors and matrices and of their derivatives, in the notation of textbooks, for `web/docs/plots-vectors.md`.
-// tests/core/vector-formulas.test.js parses the same text, compares each derivative with differences of its value, and both with
-// warpjet. `da` is the differential of `a`.
+// tests/core/vector-formulas.test.js parses these formulas, compares each derivative with finite differences of its value, and
+// compares values and derivatives with those of warpjet. `da` is the differential of `a`.
 
 const normalizeDerivative = 'da / |a| − a (a · da) / |a|³'
 const distance = {
   value: '|a − b|',
   derivative: '(a − b) · (da − db) / |a − b|',
-  kink: 'Where a = b, the derivative is 0.',
+  remark: 'Where a = b, the derivative is 0.',
 }
 
 /** Makes the formulas of a rotation of v by φ about `axis`. */
@@ -20,8 +20,8 @@ const rotation = (name, axis, value) => ({
 /**
  * Maps each title → its formulas:
  * - `form`: the operation, with a letter for each operand.
- * - `value`, and `derivative`, in which w is the value. `where` defines parts of both.
- * - `kink`: what warpjet returns as derivative where the function is not differentiable, and other remarks.
+ * - `value` and `derivative`. In `derivative`, `w` is the value. `where` defines terms of either.
+ * - `remark`: what warpjet returns as derivative where the function is not differentiable, and other remarks.
  * - `call`, `from` and `to`: the expression that is plotted, and the range of x.
  */
 export const vectorFormulas = {
@@ -53,7 +53,7 @@ export const vectorFormulas = {
     form: 'normalize(a)',
     value: 'a / |a|',
     derivative: normalizeDerivative,
-    kink: 'Where a = 0, value and derivative are 0.',
+    remark: 'Where a = 0, value and derivative are 0.',
     call: 'glsl.vec2(x, 1).normalize().x()',
   },
   scale: {
@@ -78,7 +78,7 @@ export const vectorFormulas = {
       dc: 'dn · i + n · di',
       dk: '2 η² c dc − 2 η (1 − c²) dη',
     },
-    kink: 'Where k = 0, the derivative of √k counts as 0.',
+    remark: 'Where k = 0, the derivative of √k counts as 0.',
     call: 'glsl.vec2(x.sin(), x.cos().neg()).refract(glsl.vec2(0, 1), 1.4).x()',
     from: -1.5,
     to: 1.5,
@@ -87,7 +87,7 @@ export const vectorFormulas = {
     form: 'faceforward(n, i, r)',
     value: 'r · i < 0 ? n : −n',
     derivative: 'r · i < 0 ? dn : −dn',
-    kink: 'Where r · i = 0, it is −n, and its derivative −dn.',
+    remark: 'Where r · i = 0, it is −n, and its derivative −dn.',
     call: 'glsl.vec2(0, 1).faceforward(glsl.vec2(x, -1), glsl.vec2(1, 0)).y()',
   },
   transpose: {
@@ -100,14 +100,15 @@ export const vectorFormulas = {
     form: 'determinant(A)',
     value: 'det(A)',
     derivative: 'det(A) tr(A⁻¹ dA)',
-    kink: 'For a mat2 it is `A₁₁ A₂₂ − A₁₂ A₂₁`, for larger matrices a sum of such products. It has no kinks: where det(A) = 0, the derivative is the limit of the formula.',
+    remark:
+      'For a mat2 it is `A₁₁ A₂₂ − A₁₂ A₂₁`, for larger matrices a sum of such products. It has no kinks: where det(A) = 0, the derivative is the limit of the formula.',
     call: 'glsl.mat2(x, 1, 2, x).determinant()',
   },
   inverse: {
     form: 'inverse(A)',
     value: 'A⁻¹',
     derivative: '−A⁻¹ dA A⁻¹',
-    kink: 'There its derivative is infinite or NaN, too.',
+    remark: 'Where det(A) = 0, the derivative is infinite or NaN, too.',
     call: 'glsl.mat2(x, 1, -1, x).inverse().column(0).x()',
   },
   rotateX: {
@@ -127,7 +128,7 @@ export const vectorFormulas = {
     value: 'c v + s (u × v) + (1 − c) (u · v) u',
     derivative: 'rotate(a, φ) dv + dφ (u × w) + s (du × v) + (1 − c) ((du · v) u + (u · v) du)',
     where: { u: 'a / |a|', c: 'cos(φ)', s: 'sin(φ)', du: normalizeDerivative },
-    kink: 'Where a = 0, u and du count as 0: the result is c v.',
+    remark: 'Where a = 0, u and du count as 0: the result is c v.',
     call: 'glsl.rotate(glsl.vec3(1, 1, 1), x).mult(glsl.vec3(1, 0, 0)).y()',
   },
   'mult(A, B)': {
@@ -156,7 +157,7 @@ export const vectorFormulas = {
       w: 'det(F) F⁻ᵀ n',
       dw: 'tr(F⁻¹ dF) w − F⁻ᵀ dFᵀ w + det(F) F⁻ᵀ dn',
     },
-    kink: 'F is `1 + ∂f/∂p`. Where w = 0, value and derivative are 0.',
+    remark: 'F is `1 + ∂f/∂p`. Where w = 0, value and derivative are 0.',
   },
   adjustTangent: {
     form: 'adjustTangent(f, t, n, p)',
@@ -167,6 +168,6 @@ export const vectorFormulas = {
       m: 'dF t + F dt',
       du: 'm − dn (n · (F t)) − n (dn · (F t) + n · m)',
     },
-    kink: 'F is `1 + ∂f/∂p`. Where u = 0, value and derivative are 0.',
+    remark: 'F is `1 + ∂f/∂p`. Where u = 0, value and derivative are 0.',
   },
 }

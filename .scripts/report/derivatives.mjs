@@ -1,4 +1,4 @@
-// Measures every operation on the CPU and on three GPU pipelines, as the tests do.
+// Measures the errors of every operation on the CPU and on three GPU pipelines, in the same way as the tests.
 import { measure as measureOperation } from '../../tests/operations/measure.js'
 import { programOf, runOnCpu } from '../../tests/operations/program.js'
 import { cases } from '../../tests/operations/reference.js'
@@ -8,7 +8,7 @@ import { markdownTable } from '../reference/parts.mjs'
 
 const dialects = ['CPU', 'glsl300', 'glsl100', 'wgsl']
 
-const short = (error) => (error ? error.toExponential(0) : '0')
+const format = (error) => (error ? error.toExponential(0) : '0')
 const unique = (texts) => [...new Set(texts)].join('; ')
 
 export async function measure() {
@@ -16,7 +16,7 @@ export async function measure() {
   const rows = []
   for (const name of new Set(cases.map(({ group }) => group))) {
     const group = cases.filter((operation) => operation.group === name)
-    rows.push(await rowOf(name, group, pipelines))
+    rows.push(await measureRow(name, group, pipelines))
     say(rows.at(-1).join('  '))
   }
   await pipelines.close()
@@ -28,7 +28,7 @@ export async function measure() {
     ),
     bounds: markdownTable(
       ['value', 'derivative', 'reason'],
-      bounds.map(({ value, derivative, because }) => [short(value), short(derivative), because]),
+      bounds.map(({ value, derivative, because }) => [format(value), format(derivative), because]),
     ),
   }
 }
@@ -41,7 +41,7 @@ function measureIn(dialect, operation, pipelines) {
   )
 }
 
-async function rowOf(name, group, pipelines) {
+async function measureRow(name, group, pipelines) {
   const cells = [`\`${name}\``]
   let measured
   for (const dialect of dialects) {
@@ -49,10 +49,10 @@ async function rowOf(name, group, pipelines) {
     for (const operation of group)
       if (dialect !== 'CPU' || !operation.inShaders)
         measured.push(await measureIn(dialect, operation, pipelines))
-    const worst = (kind) => short(Math.max(...measured.map((found) => found[kind].error)))
-    cells.push(measured.length ? `${worst('value')}, ${worst('derivative')}` : '–')
+    const maxError = (kind) => format(Math.max(...measured.map((result) => result[kind].error)))
+    cells.push(measured.length ? `${maxError('value')}, ${maxError('derivative')}` : '–')
   }
-  const sum = (kind) => measured.reduce((total, found) => total + found[kind], 0)
+  const sum = (kind) => measured.reduce((total, result) => total + result[kind], 0)
   const kinks = unique(group.flatMap((operation) => operation.kinks ?? []))
   return [
     ...cells,

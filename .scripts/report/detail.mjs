@@ -1,4 +1,4 @@
-// Measures how near the triangles of `detail` are to the warped surface, in pixels, and how many there are.
+// Measures the distance of the triangles of `detail` from the warped surface, in pixels, and their number.
 import * as THREE from 'three'
 import { createDetail } from '../../dist/detail.js'
 import { quantile, screenErrors } from '../../tests/support/screen-error.js'
@@ -7,21 +7,21 @@ import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 import {
   chooseTriangles,
-  findUniform,
+  countUniformPieces,
   galleryWarps,
   meshes,
+  robustMax,
   scale,
   viewFrom,
-  worstOf,
 } from './detail/cases.mjs'
 import { measurePops } from './detail/pops.mjs'
 
 const cameras = 200
-/** All triangles are measured for the first 10 cameras of each case, and a random choice of 1,000 for the others. */
-const complete = 10
-const chosen = 1000
-/** The uniform mesh of the same error is searched for 3 cameras of each case. */
-const compared = 3
+/** All triangles are measured for the first 10 cameras of each case, and 1,000 random ones for the others. */
+const completeCameras = 10
+const maxTriangles = 1000
+/** The uniform mesh of the same error is determined for the first 3 cameras of each case. */
+const comparedCameras = 3
 
 /** Makes a view of the mesh from a random direction, as near as 2 and as far as 4.6 times its size. */
 function randomView(random, size) {
@@ -36,7 +36,7 @@ function measureCase(warp, mesh, sizes, uniforms) {
   const scaled = scale(mesh, sizes)
   const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms }).positions
   const detail = createDetail(scaled, warp)
-  const all = []
+  const allErrors = []
   const triangles = []
   const ratios = []
   for (let i = 0; i < cameras; i++) {
@@ -48,18 +48,18 @@ function measureCase(warp, mesh, sizes, uniforms) {
       normals: normals.slice(),
       indices: indices.slice(),
     }
-    const max = i < complete ? Infinity : chosen
+    const max = i < completeCameras ? Infinity : maxTriangles
     const errors = screenErrors(divided, warpPositions, view, chooseTriangles(random, divided, max))
-    for (const error of errors) all.push(error)
+    for (const error of errors) allErrors.push(error)
     triangles.push(indices.length / 3)
-    if (i >= compared) continue
-    const pieces = findUniform(scaled, warpPositions, view, worstOf(errors), random)
+    if (i >= comparedCameras) continue
+    const pieces = countUniformPieces(scaled, warpPositions, view, robustMax(errors), random)
     ratios.push(indices.length / scaled.indices.length / pieces ** 2)
   }
   detail.dispose()
   return {
-    nearly: quantile(all, 0.999),
-    max: quantile(all, 1),
+    quantile999: quantile(allErrors, 0.999),
+    max: quantile(allErrors, 1),
     triangles: quantile(triangles, 0.5),
     ratio: quantile(ratios, 0.5),
     ratios,
@@ -68,40 +68,40 @@ function measureCase(warp, mesh, sizes, uniforms) {
 
 const names = Object.keys(meshes)
 
-function popSummary(all) {
+function describePops(all) {
   const sum = (key) => all.reduce((total, each) => total + each[key], 0)
   const max = (key) => Math.max(...all.map((each) => each[key])).toFixed(2)
-  return `In ${sum('changes')} changes of the division, 99.9% of the points move by no more than ${max('nearly pop')} pixels. In ${sum('pops')} of them a point moves by more than a pixel, the farthest by ${max('pop')}.`
+  return `In ${sum('changes')} changes of the division, 99.9% of the points move by no more than ${max('pop999')} pixels. In ${sum('pops')} of these changes, a point moves by more than a pixel, the farthest by ${max('pop')}.`
 }
 
 export async function measure() {
-  const found = {}
+  const results = {}
   for (const { name, warp, sizes, uniforms } of await galleryWarps()) {
-    found[name] = names.map((mesh) => ({
+    results[name] = names.map((mesh) => ({
       ...measureCase(warp, meshes[mesh], sizes, uniforms),
       ...measurePops(warp, meshes[mesh], sizes, uniforms),
     }))
-    say(`${name}: ${found[name].map(({ nearly }) => nearly.toFixed(2)).join(' ')}`)
+    say(`${name}: ${results[name].map(({ quantile999 }) => quantile999.toFixed(2)).join(' ')}`)
   }
-  const all = Object.values(found).flat()
+  const all = Object.values(results).flat()
   const ratios = all.flatMap((each) => each.ratios)
   const count = (isTrue) => `${all.filter(isTrue).length} of ${all.length}`
   const table = (key, digits) =>
     markdownTable(
       ['warp', ...names],
-      Object.entries(found).map(([name, cells]) => [
+      Object.entries(results).map(([name, cells]) => [
         `\`${name}\``,
         ...cells.map((each) => each[key].toFixed(digits)),
       ]),
       true,
     )
   return {
-    summary: `99.9% of the points are within a pixel in ${count(({ nearly }) => nearly <= 1)} cases, and all are within 1.5 pixels in ${count(({ max }) => max <= 1.5)}. In the median there are ${quantile(ratios, 0.5).toFixed(2)} times as many triangles as in the uniform mesh of the same error, and at most ${Math.max(...ratios).toFixed(2)} times as many.`,
-    'nearly all': table('nearly', 2),
+    summary: `99.9% of the points are within a pixel in ${count(({ quantile999 }) => quantile999 <= 1)} cases, and all are within 1.5 pixels in ${count(({ max }) => max <= 1.5)}. In the median there are ${quantile(ratios, 0.5).toFixed(2)} times as many triangles as in the uniform mesh of the same error, and at most ${Math.max(...ratios).toFixed(2)} times as many.`,
+    'nearly all': table('quantile999', 2),
     max: table('max', 2),
     triangles: table('triangles', 0),
     ratios: table('ratio', 2),
     pops: table('pop', 2),
-    'pop summary': popSummary(all),
+    'pop summary': describePops(all),
   }
 }

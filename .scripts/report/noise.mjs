@@ -12,7 +12,7 @@ const gap = 6
 /** Cells along the side of a tile. */
 const cells = 6
 
-/** Evaluates a noise at many points at once, through a warp whose height is the noise → { values, slopes }. */
+/** Evaluates a noise at many points at once, through a warp that moves points by the noise; returns { values, slopes }. */
 function sample(kind, dimensions, points) {
   const value = ({ glsl, position }) => {
     const p = [position.x(), position.xy(), position][dimensions - 1]
@@ -43,7 +43,7 @@ const pixels = Float32Array.from({ length: 3 * tile * tile }, (_, i) => {
 })
 
 /** Draws values above and slopes below, one column per kind, in gray. */
-function picture() {
+function drawPicture() {
   const width = kinds.length * (tile + gap) - gap
   const height = 2 * tile + gap
   const bytes = new Uint8Array(width * height).fill(255)
@@ -61,24 +61,28 @@ function picture() {
   return png(width, height, (x, y) => Array(3).fill(bytes[y * width + x]))
 }
 
-/** Returns the range of 100,000 values, that of the middle nine tenths, and the root of the mean square of their slopes. */
-function figures(kind, dimensions) {
+/** Returns the range of 100,000 values, the range of the middle nine tenths of them, and the root mean square of the slopes. */
+function measureFigures(kind, dimensions) {
   let state = 1
   const random = () => (state = (state * 16807) % 2147483647) / 2147483647
   const count = 100_000
   const points = Float32Array.from({ length: 3 * count }, () => 4091 * (random() - 0.5))
   const { values, slopes } = sample(kind, dimensions, points)
   const sorted = [...values].sort((a, b) => a - b)
-  const at = (share) => sorted[Math.floor(share * (count - 1))].toFixed(2)
+  const quantile = (fraction) => sorted[Math.floor(fraction * (count - 1))].toFixed(2)
   const slope = Math.sqrt(slopes.reduce((sum, x) => sum + x * x, 0) / count).toFixed(2)
-  return [`${at(0)} to ${at(1)}`, `${at(0.05)} to ${at(0.95)}`, slope]
+  return [`${quantile(0)} to ${quantile(1)}`, `${quantile(0.05)} to ${quantile(0.95)}`, slope]
 }
 
 export function measure() {
-  writeFileSync(path('web/docs/noise.png'), picture())
+  writeFileSync(path('web/docs/noise.png'), drawPicture())
   const rows = kinds.flatMap((kind) =>
-    [2, 3].map((dimensions) => [`\`${kind}\``, `${dimensions}D`, ...figures(kind, dimensions)]),
+    [2, 3].map((dimensions) => [
+      `\`${kind}\``,
+      `${dimensions}D`,
+      ...measureFigures(kind, dimensions),
+    ]),
   )
-  const head = ['noise', 'of', 'least to largest found', 'nine tenths of all', 'typical slope']
+  const head = ['noise', 'dimensions', 'min to max', 'middle nine tenths', 'typical slope']
   return { figures: markdownTable(head, rows) }
 }

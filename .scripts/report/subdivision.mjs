@@ -10,15 +10,15 @@ import { markdownTable } from '../reference/parts.mjs'
 
 const levels = [1, 2, 3, 4, 5, 6]
 /** The main table shows the first level whose error is at most this fraction of the mesh's length. */
-const near = 0.005
-/** The number of tolerances that are tried per halving, from large to small. */
-const triesAHalving = 4
+const maxRelativeError = 0.005
+/** Tolerances are tried from large to small, this many per halving. */
+const triesPerHalving = 4
 /** Tolerances for a cube of 180 units that noise moves by up to 20. */
 const tolerances = [1, 0.5, 0.25]
 /** The number of samples along the mesh. */
 const samples = 64
 
-// The sizes are those of the gallery's models. Twists and the spoon are at the moment at which they bend farthest.
+// The sizes are those of the gallery's models. The inputs of twists and the spoon are those of the moment at which they bend most.
 const cases = {
   'airplane-twist': ['box', box([100, 34, 98]), { millis: 1885 }],
   'bunny-twist': ['icosahedron', icosahedron(100), { millis: 1414 }],
@@ -36,18 +36,18 @@ const cases = {
 }
 
 export async function measure() {
-  const found = []
+  const results = []
   for (const { name, warp } of await sketchWarps()) {
     if (!cases[name]) continue
-    found.push(measureWarp(name, compileWarp(warp, { normals: false })))
+    results.push(measureWarp(name, compileWarp(warp, { normals: false })))
     say(
-      `${name}: ${found
+      `${name}: ${results
         .at(-1)
-        .rows.map(({ ratio }) => short(ratio))
+        .rows.map(({ ratio }) => format(ratio))
         .join(' ')}`,
     )
   }
-  const bending = found.filter(({ chosen }) => chosen.adaptive)
+  const bending = results.filter(({ chosen }) => chosen.adaptive)
   const reached = bending.filter(({ chosen }) => chosen.ratio <= 1 / 3)
   const list = reached.map(({ name }) => `\`${name}\``).join(', ')
   return {
@@ -62,7 +62,7 @@ export async function measure() {
         'its error',
         'ratio',
       ],
-      found.map(({ name, shape, triangles, chosen }) => [
+      results.map(({ name, shape, triangles, chosen }) => [
         `\`${name}\``,
         `${shape}, ${triangles}`,
         ...cells(chosen),
@@ -71,19 +71,19 @@ export async function measure() {
     ),
     'all levels': markdownTable(
       ['warp', ...levels],
-      found.map(({ name, rows }) => [`\`${name}\``, ...rows.map(({ ratio }) => short(ratio))]),
+      results.map(({ name, rows }) => [`\`${name}\``, ...rows.map(({ ratio }) => format(ratio))]),
       true,
     ),
     nearness: markdownTable(
       ['noise', ...tolerances.map((tolerance) => `tolerance ${tolerance}`)],
-      nearness(),
+      measureNoiseErrors(),
       true,
     ),
   }
 }
 
-/** Returns a row per kind of noise: its name, and the errors as shares of the tolerances. */
-function nearness() {
+/** Returns a row per kind of noise: its name, and the errors as fractions of the tolerances. */
+function measureNoiseErrors() {
   const errorOf = (warp, tolerance) => {
     const fine = subdivide(cube, { warp, tolerance, angle: Infinity })
     return deviation(fine, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
@@ -94,7 +94,7 @@ function nearness() {
   ])
 }
 
-/** Returns a row per level: the uniform mesh, and the smallest adaptive mesh with no larger error. */
+/** Returns a row per level: the uniform mesh, and the smallest adaptive mesh whose error is not larger. */
 function measureWarp(name, warp) {
   const [shape, mesh, uniforms] = cases[name]
   const length = 2 * mesh.positions.reduce((max, x) => Math.max(max, Math.abs(x)), 0)
@@ -103,14 +103,14 @@ function measureWarp(name, warp) {
     error: deviation(fine, warp, uniforms, length / samples),
   })
   // If the warp does not bend the mesh, the error is only the rounding of float32.
-  const isNothing = (error) => error < 1e-6 * length
+  const isRounding = (error) => error < 1e-6 * length
 
   const uniform = levels.map((level) => measureMesh(subdivide(mesh, { levels: level })))
   const adaptive = []
-  if (!isNothing(uniform[0].error)) {
+  if (!isRounding(uniform[0].error)) {
     const last = uniform.at(-1)
     const options = { warp, uniforms, angle: Infinity }
-    for (let tolerance = 4 * uniform[0].error; ; tolerance *= 2 ** (-1 / triesAHalving)) {
+    for (let tolerance = 4 * uniform[0].error; ; tolerance *= 2 ** (-1 / triesPerHalving)) {
       adaptive.push(measureMesh(subdivide(mesh, { ...options, tolerance })))
       const { error, triangles } = adaptive.at(-1)
       if (error <= last.error || triangles > 2 * last.triangles) break
@@ -122,20 +122,20 @@ function measureWarp(name, warp) {
       .sort((a, b) => a.triangles - b.triangles)
     return { uniform: row, adaptive: best, ratio: best && best.triangles / row.triangles }
   })
-  const chosen = rows.find((row) => row.uniform.error <= near * length) ?? rows.at(-1)
+  const chosen = rows.find((row) => row.uniform.error <= maxRelativeError * length) ?? rows.at(-1)
   return { name, shape, triangles: mesh.indices.length / 3, rows, chosen }
 }
 
-function short(number) {
+function format(number) {
   return number === undefined ? '–' : String(Number(number.toPrecision(2)))
 }
 
 function cells({ uniform, adaptive, ratio }) {
   return [
     uniform.triangles,
-    short(uniform.error),
+    format(uniform.error),
     adaptive?.triangles ?? '–',
-    short(adaptive?.error),
-    short(ratio),
+    format(adaptive?.error),
+    format(ratio),
   ]
 }

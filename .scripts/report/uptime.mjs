@@ -1,14 +1,18 @@
 // Measures the precision of the gallery's warps after a week of uptime, with and without precomputing numbers once per frame.
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import { openPipeline } from '../../tests/support/browser/transform-feedback.js'
-import { afterAWeek, isMeasured } from '../../tests/support/browser/uptime.js'
+import { isMeasured, measureAfterAWeek } from '../../tests/support/browser/uptime.js'
 import { warps } from '../../tests/warps/index.js'
 import { markdownTable } from '../reference/parts.mjs'
 
-const size = (value) => (value === 0 ? '0' : value.toExponential(0))
-const degrees = (value) => (value < 0.0001 ? '0' : value.toFixed(value < 0.1 ? 4 : 1))
-const share = (value) => `${(100 * value).toFixed(value < 0.1 ? 1 : 0)} %`
-const cells = ({ then, step }) => [size(then.position), degrees(then.angle), share(step)]
+const formatSize = (value) => (value === 0 ? '0' : value.toExponential(0))
+const formatDegrees = (value) => (value < 0.0001 ? '0' : value.toFixed(value < 0.1 ? 4 : 1))
+const formatPercent = (value) => `${(100 * value).toFixed(value < 0.1 ? 1 : 0)} %`
+const cells = ({ then, step }) => [
+  formatSize(then.position),
+  formatDegrees(then.angle),
+  formatPercent(step),
+]
 const columns = ['positions', 'normals (°)', '16 ms']
 
 export async function measure() {
@@ -16,10 +20,10 @@ export async function measure() {
   const gpu = await openPipeline(browser)
   const rows = []
   for (const warp of warps.filter(isMeasured)) {
-    const before = await afterAWeek(gpu, warp, {})
-    const now = await afterAWeek(gpu, warp, { perFrame: true })
-    const start = [size(now.start.position), degrees(now.start.angle)]
-    rows.push([`\`${warp.name}\``, ...start, ...cells(before), ...cells(now)])
+    const without = await measureAfterAWeek(gpu, warp, {})
+    const withPerFrame = await measureAfterAWeek(gpu, warp, { perFrame: true })
+    const start = [formatSize(withPerFrame.start.position), formatDegrees(withPerFrame.start.angle)]
+    rows.push([`\`${warp.name}\``, ...start, ...cells(without), ...cells(withPerFrame)])
   }
   await browser.close()
   const head = ['at start: positions', 'normals (°)', 'after a week, before: positions']

@@ -1,13 +1,13 @@
 // Bumps along the normal of a ring. Left: lit as if the normal were constant around
-// each vertex. Right: addSurfaceVariation provides its variation, and the light is
-// correct.
+// each vertex. Right: addSurfaceVariation provides how the normal varies over the
+// surface, and the light is correct.
 // Needs p5 2: p5 1.11 has no vertex properties.
 let ring, rough, exact
 
 async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // WEBGPU shows the farther half of these depths.
+  // On WEBGPU, only the farther half of this range of depths is visible.
   ortho(-320, 320, -240, 240, -2000, 2000)
 
   const bumps = ({ normal, position, millis }) => {

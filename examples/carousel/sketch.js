@@ -4,7 +4,7 @@ let cloth, wind
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // A front and a back, each with its own normals. p5 1.11 would store the current fill in the geometry.
+  // A front and a back, each with its own normals. clearColors() removes the current fill, which p5 1.11 stores.
   cloth = buildGeometry(() => {
     for (const side of [0, PI]) {
       push()

@@ -5,7 +5,7 @@ let coarse, fine, twist
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // p5 1.11 would store the current fill in the geometry.
+  // clearColors() removes the current fill, which p5 1.11 stores in the geometry.
   coarse = denseCube(180, 2).clearColors()
   fine = denseCube(180, 40).clearColors()
 
@@ -51,7 +51,7 @@ function denseCube(size, detail) {
       translate(0, 0, size / 2)
       plane(size, size, detail, detail)
       pop()
-      // One rotation per side brings each one to the front.
+      // A rotation after each side brings the next one to the front.
       if (side % 2) rotateY(HALF_PI)
       else rotateX(HALF_PI)
     }

@@ -10,7 +10,7 @@ async function setup() {
   const font = await loadFont('fredoka.woff')
   textFont(font)
   textAlign(CENTER)
-  // p5 1.11 would store the current fill in the geometry.
+  // clearColors() removes the current fill, which p5 1.11 stores in the geometry.
   bar = makeBar(42, 150).clearColors()
 
   const { add, bend, blend, chain, inSpace, mask, twist } = warpjet

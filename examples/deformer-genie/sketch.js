@@ -1,5 +1,5 @@
 // A window goes into the Dock: it narrows into a funnel and slides
-// down it.
+// down that funnel.
 let pane, genie
 
 function setup() {

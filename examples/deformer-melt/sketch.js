@@ -1,4 +1,4 @@
-// Sinks to the ground and spreads there.
+// A bunny sinks to the ground and spreads there.
 let bunny, melt
 
 async function setup() {

@@ -1,4 +1,5 @@
-// A sphere grows bumps along its normals, which change over time.
+// Noise moves points along their normals: a sphere grows bumps that
+// change over time.
 // Needs p5 2: p5 1.11 has no vertex properties.
 let ball, noise
 

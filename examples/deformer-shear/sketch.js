@@ -1,4 +1,4 @@
-// Points move sideways, further the higher they are: upright
+// The higher a point is, the further it moves sideways: upright
 // letters become italic.
 // Needs p5 2: p5 1.11 has no textToModel().
 let word, shear

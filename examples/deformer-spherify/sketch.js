@@ -1,4 +1,4 @@
-// Blends into a sphere around a center.
+// A box blends into a sphere around a center.
 let spherify
 
 function setup() {

@@ -1,5 +1,5 @@
-// The shape gets longer along an axis and thinner across it by as
-// much as keeps the volume.
+// The shape gets longer along an axis and thinner across it, so
+// that its volume stays the same.
 let bunny, stretch
 
 async function setup() {

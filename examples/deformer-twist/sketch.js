@@ -1,5 +1,5 @@
-// Slices rotate about an axis, further the further they are along
-// it.
+// Slices rotate about an axis: the further along the axis a slice
+// is, the further it rotates.
 let hand, twist
 
 async function setup() {

@@ -61,7 +61,7 @@ const inGLSL = (heights, waterCode) => [
   }`,
 ]
 
-// Draws the same on WEBGPU.
+// Writes the same shaders in WGSL, for WEBGPU.
 const inWGSL = (heights, waterCode) => [
   `struct Uniforms {
     uModelViewMatrix: mat4x4f,

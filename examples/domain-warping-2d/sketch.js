@@ -11,9 +11,9 @@ function warpedNoise({ vec2, fbm }, p, level) {
       .add(0.5)
   if (level === 0) return f(p, 0, 0)
   const q = vec2(f(p, 0, 0), f(p, 5.2, 1.3))
-  const at = p.add(q.mult(4))
-  if (level === 1) return f(at, 0, 0)
-  const r = vec2(f(at, 1.7, 9.2), f(at, 8.3, 2.8))
+  const moved = p.add(q.mult(4))
+  if (level === 1) return f(moved, 0, 0)
+  const r = vec2(f(moved, 1.7, 9.2), f(moved, 8.3, 2.8))
   return f(p.add(r.mult(4)), 0, 0)
 }
 

@@ -14,17 +14,17 @@ const relief =
         .mult(0.5)
         .add(0.5)
     const p = position.mult(0.5).add(millis.div(30000))
-    let at = p
+    let moved = p
     if (level > 0) {
       const q = vec3(f(p, 0, 0, 0), f(p, 5.2, 1.3, 2.8), f(p, 1.7, 9.2, 4.1))
-      at = p.add(q.mult(4))
+      moved = p.add(q.mult(4))
     }
     if (level > 1) {
-      const r = vec3(f(at, 1.7, 9.2, 0), f(at, 8.3, 2.8, 5.1), f(at, 3.9, 6.4, 2.2))
-      at = p.add(r.mult(4))
+      const r = vec3(f(moved, 1.7, 9.2, 0), f(moved, 8.3, 2.8, 5.1), f(moved, 3.9, 6.4, 2.2))
+      moved = p.add(r.mult(4))
     }
     // p5's sphere has radius 1 in its own space, so that position is also the normal.
-    return position.mult(f(at, 0, 0, 0).sub(0.5).mult(0.9))
+    return position.mult(f(moved, 0, 0, 0).sub(0.5).mult(0.9))
   }
 
 function setup() {

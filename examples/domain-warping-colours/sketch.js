@@ -1,6 +1,6 @@
-// Shows intermediate values of the same warp as colours: f = fbm(p + 4r) mixes the first
-// two colours, the length of q mixes in a third, and r.y a fourth. The offsets depend on
-// time, so that the layers drift through each other.
+// Shows the intermediate vectors q and r of a domain warp as colours: its value, fbm(p + 4r),
+// mixes the first two colours, the length of q mixes in a third, and r.y a fourth. The noise
+// for q and r drifts with time, so that the layers drift through each other.
 // After Inigo Quilez, Domain warping, 2002.
 let picture
 
@@ -8,14 +8,14 @@ function colours(glsl) {
   const { vec2, vec3, smoothstep } = glsl
   const p = glsl.vec2Param('inputs.texCoord').mult(vec2(2.8, 2.1))
   const time = glsl.param('time')
-  const f = (at, x, y) =>
+  const f = (point, x, y) =>
     glsl
-      .fbm(at.add(vec2(x, y)))
+      .fbm(point.add(vec2(x, y)))
       .mult(0.5)
       .add(0.5)
   const q = vec2(f(p, 0, time.mult(0.05)), f(p, 5.2, 1.3))
-  const at = p.add(q.mult(4))
-  const r = vec2(f(at, time.mult(0.09).add(1.7), 9.2), f(at, 8.3, time.mult(-0.07).add(2.8)))
+  const moved = p.add(q.mult(4))
+  const r = vec2(f(moved, time.mult(0.09).add(1.7), 9.2), f(moved, 8.3, time.mult(-0.07).add(2.8)))
   const value = f(p.add(r.mult(4)), 0, 0)
 
   const night = vec3(0.05, 0.05, 0.13)

@@ -1,5 +1,5 @@
 // A domain warp as a relief: its height is fbm(p + 4r), and its exact gradient, through all
-// three levels, gives the normal for p5's lights. The mouse moves one of them.
+// three levels, gives the normal for p5's lights. The mouse moves one light.
 // After Inigo Quilez, Domain warping, 2002.
 let relief
 
@@ -7,14 +7,14 @@ function surface(glsl) {
   const { vec2, vec3, smoothstep } = glsl
   const [uv, size] = [glsl.vec2Param('inputs.texCoord'), vec2(2, 1.5)]
   const [p, time] = [uv.mult(size), glsl.param('time')]
-  const f = (at, x, y) =>
+  const f = (point, x, y) =>
     glsl
-      .fbm(at.add(vec2(x, y)), { octaves: 3 })
+      .fbm(point.add(vec2(x, y)), { octaves: 3 })
       .mult(0.5)
       .add(0.5)
   const q = vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
-  const at = p.add(q.mult(4))
-  const r = vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
+  const moved = p.add(q.mult(4))
+  const r = vec2(f(moved, time.mult(0.06).add(1.7), 9.2), f(moved, 8.3, 2.8))
   const value = f(p.add(r.mult(4)), 0, 0)
   const bronze = vec3(0.2, 0.06, 0.06).mix(vec3(0.95, 0.5, 0.22), smoothstep(0.3, 0.7, value))
   const shade = bronze.mix(vec3(0.1, 0.3, 0.36), smoothstep(0.5, 0.75, r.y()))

@@ -1,4 +1,4 @@
-// The sea with Gerstner waves, as in many shaders: each moves the water in circles,
+// The sea with Gerstner waves, as in many shaders: each wave moves the water in circles,
 // so that crests are sharp and troughs are wide. The source computes how the water
 // moves, without any normals.
 const { glslOffset } = warpjet

@@ -1,4 +1,5 @@
-// Marbled paper: every pixel looks up the paint at a point displaced by noise, twice.
+// Marbled paper: every pixel looks up the paint at a point that is displaced by noise,
+// which is itself displaced by noise.
 // The paint is a p5.Graphics, mirrored beyond its edges.
 // After Inigo Quilez, Domain warping, 2002.
 let paint, paper
@@ -12,7 +13,7 @@ function marble(glsl) {
     )
   const q = drift(uv.mult(2), 0, 5.2)
   const r = drift(uv.mult(2).add(q), 1.7, 9.2)
-  // The image passed to texture().
+  // uSampler is the image that draw() passes to texture().
   const color = glsl.texture('uSampler', uv.add(r.mult(0.45)), {
     filter: 'bicubic',
     wrap: 'mirror',

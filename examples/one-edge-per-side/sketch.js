@@ -1,6 +1,6 @@
 // Figure 6 with one edge per side: a cube of 12 triangles, four times under one
-// twist. Below, `detail` divides it for the screen; on the right, each pixel
-// computes its own normal.
+// twist. Below, `detail` divides it as finely as the picture needs; on the right,
+// each pixel computes its own normal.
 let warps
 
 function setup() {

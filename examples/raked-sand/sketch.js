@@ -51,7 +51,7 @@ function draw() {
   }
 }
 
-/** Draws straight furrows and rings around each stone, with grey values of a cosine. */
+/** Draws straight furrows, and rings around each stone; the grey across a furrow follows a cosine. */
 function rakeAround(stones) {
   const grey = (distance) => 128 + 110 * cos((distance * TWO_PI) / 10)
   for (let y = 0; y < 120; y++) {

@@ -1,6 +1,6 @@
-// A distance field, ray-marched in a fragment shader. Light needs its gradient.
-// Left: from four more evaluations, the common way. Right: from one function that
-// warpjet generated from the source, with value and gradient.
+// A distance field, ray-marched in a fragment shader. Light needs the field's gradient.
+// Left: from four more evaluations, the common way. Right: from one evaluation of a
+// function that warpjet generates from the source, which returns value and gradient.
 const { compile, differentiate } = warpjet
 
 const field = `
@@ -71,7 +71,7 @@ const inGLSL = {
     ),
 }
 
-// Does the same on WEBGPU, in a hook of p5. warpjet also writes the field in WGSL.
+// On WEBGPU, a hook of p5 does the same. warpjet translates the field into WGSL.
 const inWGSL = {
   target: 'wgsl',
   fourTimes: `fn slope(p: vec3f) -> vec3f {
@@ -117,7 +117,7 @@ function draw() {
 const means = []
 const average = (time, i) => (means[i] = lerp(means[i] ?? time, time, 0.1))
 
-// Measures the GPU's time: in WEBGL, reading a pixel waits for the GPU.
+// Only WEBGL can be timed: there, reading a pixel waits for the GPU.
 const isTimed = () => 'readPixels' in drawingContext
 
 function panel(x, march) {

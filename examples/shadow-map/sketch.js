@@ -1,5 +1,5 @@
 // A shadow map, which p5 lacks. First the warped shape is drawn as seen from the light into a
-// p5.Framebuffer that stores depths; then it is lit, and dark where something is nearer to the light.
+// p5.Framebuffer that stores depths; then it is drawn with lights, but darker where something is nearer to the light.
 // Needs p5 2: p5 1.11 has other cameras for framebuffers.
 let nearest, eye, far, lit, farTower, litTower
 
@@ -8,7 +8,7 @@ function setup() {
   camera(-645, -465, 495, 0, -60, 0)
   nearest = createFramebuffer({ width: 1024, height: 1024, density: 1, format: HALF_FLOAT })
   eye = nearest.createCamera()
-  // WEBGPU shows the farther half of these depths.
+  // On WEBGPU, only the farther half of this range of depths is visible.
   eye.ortho(-350, 350, -350, 350, -2000, 2000)
   eye.camera(360, -800, 480, 0, 0, 0, 0, 1, 0)
   far = baseColorShader().modify(() => {
@@ -27,9 +27,9 @@ function setup() {
       return inputs
     })
     getFinalColor((color) => {
-      const at = [dot(world, [0.8, 0, -0.6]), dot(world, [0.48, 0.6, 0.64])]
+      const seenFromLight = [dot(world, [0.8, 0, -0.6]), dot(world, [0.48, 0.6, 0.64])]
       const nearness = 1000 + dot(world, [0.36, -0.8, 0.48])
-      const shade = nearness < getTexture(depths, at / 700 + 0.5).r - 12 ? 0.5 : 1
+      const shade = nearness < getTexture(depths, seenFromLight / 700 + 0.5).r - 12 ? 0.5 : 1
       return [color.rgb * shade, color.a]
     })
   })

@@ -5,7 +5,7 @@ let cube, warp
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // p5 1.11 would store the current fill in the geometry.
+  // clearColors() removes the current fill, which p5 1.11 stores in the geometry.
   cube = denseCube(200, 40).clearColors()
 
   warp = createWarp(({ glsl, position, millis }) => {
@@ -39,7 +39,7 @@ function denseCube(size, detail) {
       translate(0, 0, size / 2)
       plane(size, size, detail, detail)
       pop()
-      // One rotation per side brings each one to the front.
+      // A rotation after each side brings the next one to the front.
       if (side % 2) rotateY(HALF_PI)
       else rotateX(HALF_PI)
     }

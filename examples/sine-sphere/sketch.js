@@ -16,8 +16,8 @@ function setup() {
   noStroke()
   warp = createWarp(sines)
 
-  // b and c use the same code without normals, written into hooks of p5: in GLSL, and
-  // on WEBGPU in WGSL, where y points down.
+  // b and c use the same code without normals, written into hooks of p5: in GLSL, or on
+  // WEBGPU in WGSL, where the y of derivatives points down.
   const { target, time, seen, begin, facet } = webglVersion === WEBGL2 ? inGLSL : inWGSL
   const { code } = warpjet.compileWarp(sines, {
     target,

@@ -1,7 +1,7 @@
 // The article's method for normals (left) and the exact one (right). The older method
 // rotates the plane of x and y until it touches the surface, moves two neighbours
 // in it, and takes the plane through the moved points. The axis of that rotation is
-// z × normal. In front, the cube's normal is z: no axis, and no light.
+// z × normal. On the front of the cube, the normal is z: there is no axis, and no light.
 // Needs p5 2: hooks of p5 1.11 have other names.
 let cube, exact, byNeighbours
 
@@ -18,7 +18,7 @@ function tangentPlane(glsl) {
   const [x, y, z] = [normal.x(), normal.y(), normal.z()]
   const across = glsl.vec3(y.mult(-1), x, 0)
   const axis = across.div(across.length())
-  // The x and y axes after that rotation, by Rodrigues' formula.
+  // The x and y axes after the rotation about `axis`, by Rodrigues' formula.
   const turn = z.mult(-1).add(1)
   const u = glsl.vec3(z, 0, x.mult(-1)).add(axis.mult(axis.x()).mult(turn))
   const v = glsl.vec3(0, z, y.mult(-1)).add(axis.mult(axis.y()).mult(turn))
@@ -85,7 +85,7 @@ function denseCube(size, detail) {
       translate(0, 0, size / 2)
       plane(size, size, detail, detail)
       pop()
-      // One rotation per side brings each one to the front.
+      // A rotation after each side brings the next one to the front.
       if (side % 2) rotateY(HALF_PI)
       else rotateX(HALF_PI)
     }

@@ -19,11 +19,11 @@ const controls = new OrbitControls(camera, renderer.domElement)
 controls.enableDamping = true
 controls.maxDistance = 7
 
-// A jointed figure: each bone has a length and capsules around it, whose ends are weighted to the bones that meet there.
+// A jointed figure: around each bone is a capsule. At a joint, its vertices are weighted to both bones that meet there.
 const bones = {}
 const geometries = []
 const order = []
-function limb(name, parent, [x, y, z], length, radius) {
+function addLimb(name, parent, [x, y, z], length, radius) {
   const bone = new THREE.Bone()
   bone.position.set(x, y, z)
   bones[parent]?.add(bone)
@@ -31,31 +31,31 @@ function limb(name, parent, [x, y, z], length, radius) {
   order.push(bone)
   const geometry = new THREE.CapsuleGeometry(radius, Math.abs(length), 8, 20, 8)
   geometry.translate(0, length / 2, 0)
-  const [own, before] = [order.length - 1, Math.max(order.indexOf(bones[parent]), 0)]
+  const [boneIndex, parentIndex] = [order.length - 1, Math.max(order.indexOf(bones[parent]), 0)]
   const { position } = geometry.attributes
   const [indices, weights] = [[], []]
   for (let i = 0; i < position.count; i++) {
-    // The knee is at the end of the thigh.
+    // From 0 before the joint with the parent to 1 beyond it.
     const along = THREE.MathUtils.smoothstep(position.getY(i) * Math.sign(length), -radius, radius)
-    indices.push(own, before, 0, 0)
+    indices.push(boneIndex, parentIndex, 0, 0)
     weights.push(0.5 + 0.5 * along, 0.5 - 0.5 * along, 0, 0)
   }
   geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(indices, 4))
   geometry.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights, 4))
   geometries.push([geometry, bone])
 }
-limb('hips', undefined, [0, 0.98, 0], 0.14, 0.15)
-limb('chest', 'hips', [0, 0.2, 0], 0.28, 0.18)
-limb('head', 'chest', [0, 0.52, 0], 0.08, 0.125)
+addLimb('hips', undefined, [0, 0.98, 0], 0.14, 0.15)
+addLimb('chest', 'hips', [0, 0.2, 0], 0.28, 0.18)
+addLimb('head', 'chest', [0, 0.52, 0], 0.08, 0.125)
 for (const [side, x] of [
   ['left', 1],
   ['right', -1],
 ]) {
-  limb(`${side} thigh`, 'hips', [0.1 * x, -0.02, 0], -0.42, 0.09)
-  limb(`${side} shin`, `${side} thigh`, [0, -0.46, 0], -0.4, 0.07)
-  limb(`${side} foot`, `${side} shin`, [0, -0.42, 0.05], -0.02, 0.075)
-  limb(`${side} arm`, 'chest', [0.25 * x, 0.3, 0], -0.27, 0.06)
-  limb(`${side} hand`, `${side} arm`, [0, -0.31, 0], -0.27, 0.05)
+  addLimb(`${side} thigh`, 'hips', [0.1 * x, -0.02, 0], -0.42, 0.09)
+  addLimb(`${side} shin`, `${side} thigh`, [0, -0.46, 0], -0.4, 0.07)
+  addLimb(`${side} foot`, `${side} shin`, [0, -0.42, 0.05], -0.02, 0.075)
+  addLimb(`${side} arm`, 'chest', [0.25 * x, 0.3, 0], -0.27, 0.06)
+  addLimb(`${side} hand`, `${side} arm`, [0, -0.31, 0], -0.27, 0.05)
 }
 bones.hips.updateMatrixWorld(true)
 for (const [geometry, bone] of geometries) geometry.applyMatrix4(bone.matrixWorld)
@@ -88,7 +88,7 @@ function walk(seconds) {
 
 // A corridor of 60 m under the evening sky: a floor of tiles, walls and arches.
 const [length, width, height, wallHeight] = [60, 2.6, 2.8, 1.5]
-function tiles() {
+function makeTiles() {
   const data = new Uint8Array(4 * 4)
   for (let i = 0; i < 4; i++)
     data.set(i === 1 || i === 2 ? [70, 58, 48, 255] : [150, 132, 110, 255], 4 * i)
@@ -101,19 +101,19 @@ function tiles() {
   return map
 }
 const corridor = new THREE.Group()
-function plane(wide, material, place) {
-  const made = new THREE.Mesh(new THREE.PlaneGeometry(wide, length, 8, 240), material)
-  place(made)
-  made.receiveShadow = true
-  corridor.add(made)
+function addPlane(planeWidth, material, place) {
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(planeWidth, length, 8, 240), material)
+  place(mesh)
+  mesh.receiveShadow = true
+  corridor.add(mesh)
 }
 const wall = new THREE.MeshStandardMaterial({ color: '#8d6f5a', roughness: 0.9 })
-const floor = new THREE.MeshStandardMaterial({ map: tiles(), roughness: 0.4 })
-plane(width, floor, (made) => made.rotateX(-Math.PI / 2))
+const floor = new THREE.MeshStandardMaterial({ map: makeTiles(), roughness: 0.4 })
+addPlane(width, floor, (mesh) => mesh.rotateX(-Math.PI / 2))
 for (const side of [-1, 1])
-  plane(wallHeight, wall, (made) => {
-    made.rotation.set(Math.PI / 2, (-side * Math.PI) / 2, 0)
-    made.position.set((side * width) / 2, wallHeight / 2, 0)
+  addPlane(wallHeight, wall, (mesh) => {
+    mesh.rotation.set(Math.PI / 2, (-side * Math.PI) / 2, 0)
+    mesh.position.set((side * width) / 2, wallHeight / 2, 0)
   })
 const arch = new THREE.TorusGeometry(width / 2, 0.11, 12, 40, Math.PI).translate(
   0,
@@ -135,9 +135,9 @@ for (let i = 0; i < count; i++) {
       matrix.makeTranslation((side - 0.5) * width, (height - width / 2) / 2, z),
     )
 }
-for (const made of [arches, posts]) {
-  made.castShadow = made.receiveShadow = true
-  corridor.add(made)
+for (const mesh of [arches, posts]) {
+  mesh.castShadow = mesh.receiveShadow = true
+  corridor.add(mesh)
 }
 
 // Bends everything along a circle in world space: a figure that walks straight ahead follows the bend.
@@ -160,14 +160,14 @@ const warped = warp(
   {
     space: 'world',
     uniforms: {
-      // Never 0, which would be a circle of infinite radius.
+      // Never 0, the curvature of a circle of infinite radius.
       curve: () => Math.max(0.002, 0.075 * settings.bend),
       roll: () => settings.roll,
     },
   },
 )
 
-// A lamp follows the figure, whose warped position its bounds give.
+// A lamp follows the figure. The figure's bounds give its warped position.
 const lamp = new THREE.PointLight('#ffdca8', 22, 16)
 lamp.castShadow = true
 lamp.shadow.mapSize.set(512, 512)
@@ -175,7 +175,7 @@ lamp.shadow.normalBias = 0.04
 scene.add(lamp, new THREE.HemisphereLight('#b8c4ff', '#40281c', 0.7))
 const here = new THREE.Vector3()
 const before = new THREE.Vector3()
-const middle = () => here.copy(figure.boundingSphere.center).applyMatrix4(figure.matrixWorld)
+const findFigure = () => here.copy(figure.boundingSphere.center).applyMatrix4(figure.matrixWorld)
 
 const panel = new GUI({ title: 'Corridor' })
 if (innerWidth < 480) panel.close()
@@ -193,23 +193,23 @@ function resize() {
 addEventListener('resize', resize)
 resize()
 
-let [way, last] = [0, 0]
-function forward(time) {
-  way += (Math.min(time - last, 100) / 1000) * settings.steps
+let [steps, last] = [0, 0]
+function moveForward(time) {
+  steps += (Math.min(time - last, 100) / 1000) * settings.steps
   last = time
-  walk(way)
-  figure.position.z = ((way * 1.35 + 12) % 24) - 12
+  walk(steps)
+  figure.position.z = ((steps * 1.35 + 12) % 24) - 12
   scene.updateMatrixWorld()
-  middle()
+  findFigure()
 }
-forward(0)
+moveForward(0)
 camera.position.copy(here).add(new THREE.Vector3(-0.7, 0.5, -3.2))
 controls.target.copy(here)
 before.copy(here)
 
 renderer.setAnimationLoop((time) => {
-  forward(time)
-  // The camera follows and keeps the direction that the mouse has set.
+  moveForward(time)
+  // The camera follows the figure, in the direction that the mouse has set.
   camera.position.add(here).sub(before)
   controls.target.copy(here)
   before.copy(here)

@@ -43,10 +43,10 @@ const rod = new THREE.CylinderGeometry(0.09, 0.09, 2.6, 24).translate(0, 1.3, 0)
 for (let i = 0; i < 11; i++) {
   const material = new THREE.MeshStandardMaterial({ roughness: 0.4 })
   material.color.setHSL(i / 11, 0.85, 0.4)
-  const made = new THREE.Mesh(rod, material)
-  made.position.set(0.42 * (i - 5), 0, -1.6 - 0.3 * (i % 2))
-  made.castShadow = made.receiveShadow = true
-  scene.add(made)
+  const mesh = new THREE.Mesh(rod, material)
+  mesh.position.set(0.42 * (i - 5), 0, -1.6 - 0.3 * (i % 2))
+  mesh.castShadow = mesh.receiveShadow = true
+  scene.add(mesh)
 }
 
 // Makes the normal map of hammered glass: dents on a slightly irregular grid.
@@ -56,7 +56,8 @@ function makeDents(size = 256, cells = 16) {
     (i % cells) + 0.2 + 0.6 * Math.random(),
     Math.floor(i / cells) + 0.2 + 0.6 * Math.random(),
   ])
-  const apart = (a, b) => Math.min(Math.abs(a - b), cells - Math.abs(a - b))
+  // The map repeats, so distances are taken across its border, too.
+  const distance = (a, b) => Math.min(Math.abs(a - b), cells - Math.abs(a - b))
   for (let y = 0; y < size; y++)
     for (let x = 0; x < size; x++) {
       const [u, v] = [(x / size) * cells, (y / size) * cells]
@@ -65,17 +66,17 @@ function makeDents(size = 256, cells = 16) {
         for (let i = -1; i <= 1; i++) {
           const column = (Math.floor(u) + i + cells) % cells
           const [a, b] = dents[((Math.floor(v) + j + cells) % cells) * cells + column]
-          nearest = Math.min(nearest, Math.hypot(apart(a, u), apart(b, v)))
+          nearest = Math.min(nearest, Math.hypot(distance(a, u), distance(b, v)))
         }
       heights[y * size + x] = nearest * nearest
     }
-  const at = (x, y) => heights[((y + size) % size) * size + ((x + size) % size)]
+  const heightAt = (x, y) => heights[((y + size) % size) * size + ((x + size) % size)]
   const data = new Uint8Array(4 * size * size)
   for (let y = 0; y < size; y++)
     for (let x = 0; x < size; x++) {
       const normal = new THREE.Vector3(
-        at(x - 1, y) - at(x + 1, y),
-        at(x, y - 1) - at(x, y + 1),
+        heightAt(x - 1, y) - heightAt(x + 1, y),
+        heightAt(x, y - 1) - heightAt(x, y + 1),
         0.25,
       )
       const [r, g, b] = normal.normalize().toArray()
@@ -90,7 +91,7 @@ function makeDents(size = 256, cells = 16) {
   return map
 }
 
-// A vase with tangents. The warp transforms them with the normals, so the dents stay dents.
+// A vase with tangents. The warp transforms the tangents with the normals, so the dents stay dents.
 const profile = [
   [0.001, 0.02],
   [0.5, 0.02],

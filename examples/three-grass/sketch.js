@@ -39,9 +39,9 @@ scene.add(ground)
 // Ten thousand blades, each with its own position, height and colour.
 const blade = new THREE.ConeGeometry(0.025, 1, 5, 8).translate(0, 0.5, 0).scale(1, 1, 0.4)
 // The blades are darker near the ground, which little light reaches.
-const { position: place } = blade.attributes
-const shade = Float32Array.from({ length: 3 * place.count }, (_, i) => {
-  return 0.25 + 0.9 * place.getY(Math.floor(i / 3))
+const { position: points } = blade.attributes
+const shade = Float32Array.from({ length: 3 * points.count }, (_, i) => {
+  return 0.25 + 0.9 * points.getY(Math.floor(i / 3))
 })
 blade.setAttribute('color', new THREE.BufferAttribute(shade, 3))
 const count = 10_000
@@ -50,22 +50,22 @@ const grass = new THREE.InstancedMesh(
   new THREE.MeshStandardMaterial({ roughness: 0.6, vertexColors: true }),
   count,
 )
-const one = new THREE.Object3D()
+const transform = new THREE.Object3D()
 const color = new THREE.Color()
 for (let i = 0; i < count; i++) {
   const [angle, radius] = [i * 2.39996, 5.5 * Math.sqrt(i / count)]
-  one.position.set(radius * Math.cos(angle), 0, radius * Math.sin(angle))
-  one.rotation.y = 7 * Math.random()
-  one.scale.set(1, 0.5 + 0.5 * Math.random(), 1)
-  one.updateMatrix()
-  grass.setMatrixAt(i, one.matrix)
+  transform.position.set(radius * Math.cos(angle), 0, radius * Math.sin(angle))
+  transform.rotation.y = 7 * Math.random()
+  transform.scale.set(1, 0.5 + 0.5 * Math.random(), 1)
+  transform.updateMatrix()
+  grass.setMatrixAt(i, transform.matrix)
   grass.setColorAt(i, color.setHSL(0.17 + 0.09 * Math.random(), 0.6, 0.3 + 0.14 * Math.random()))
 }
 grass.castShadow = grass.receiveShadow = true
 scene.add(grass)
 
-// The warp is in world space, where the wind has one direction for all blades: gusts are noise that drifts over the
-// field, and each blade bends more towards its tip.
+// The warp is in world space, where the wind has the same direction for all blades. Gusts are noise that drifts over the
+// field, and each blade bends more the nearer a point is to its tip.
 const settings = { wind: 0.9, gusts: 0.45, direction: 0.6 }
 const warped = warp(
   grass,

@@ -26,7 +26,7 @@ moon.position.set(-3, 4, 1)
 scene.add(moon, new THREE.HemisphereLight('#3a4a80', '#120a06', 0.6))
 
 // Four hundred lanterns in each of 25 tiles.
-const [tiles, across, gap] = [5, 20, 0.75]
+const [tiles, perSide, gap] = [5, 20, 0.75]
 const paper = new THREE.LatheGeometry(
   [
     [0.001, 0],
@@ -55,11 +55,11 @@ glow.onBeforeCompile = (shader) => {
 const field = new THREE.Group()
 const [matrix, color] = [new THREE.Matrix4(), new THREE.Color()]
 for (let tile = 0; tile < tiles * tiles; tile++) {
-  const lanterns = new THREE.InstancedMesh(paper, glow, across * across)
+  const lanterns = new THREE.InstancedMesh(paper, glow, perSide * perSide)
   const [i, j] = [tile % tiles, Math.floor(tile / tiles)]
-  for (let k = 0; k < across * across; k++) {
-    const x = (i - tiles / 2) * across + (k % across) + 0.3 * Math.random()
-    const z = (j - tiles / 2) * across + Math.floor(k / across) + 0.3 * Math.random()
+  for (let k = 0; k < perSide * perSide; k++) {
+    const x = (i - tiles / 2) * perSide + (k % perSide) + 0.3 * Math.random()
+    const z = (j - tiles / 2) * perSide + Math.floor(k / perSide) + 0.3 * Math.random()
     matrix.makeScale(1, 0.7 + 0.6 * Math.random(), 1).setPosition(gap * x, 0, gap * z)
     lanterns.setMatrixAt(k, matrix)
     lanterns.setColorAt(k, color.setHSL(0.02 + 0.1 * Math.random(), 0.9, 0.5))
@@ -68,7 +68,7 @@ for (let tile = 0; tile < tiles * tiles; tile++) {
 }
 scene.add(field)
 
-// One warp in world space for all of them: a slow swell, and a ripple that runs outwards from the middle.
+// One warp in world space for all lanterns: a slow swell, and a ripple that runs outwards from the middle.
 const settings = { swell: 0.8, ripple: 0.25, turn: true, drawn: 0 }
 const warped = warp(
   field,
@@ -92,7 +92,7 @@ above.lookAt(0, 0, 0)
 const helper = new THREE.CameraHelper(camera)
 helper.visible = false
 scene.add(helper)
-const [frustum, both] = [new THREE.Frustum(), new THREE.Matrix4()]
+const [frustum, viewProjection] = [new THREE.Frustum(), new THREE.Matrix4()]
 
 const panel = new GUI({ title: 'Lanterns' })
 if (innerWidth < 480) panel.close()
@@ -111,13 +111,13 @@ function resize() {
 addEventListener('resize', resize)
 resize()
 
-function draw(seen, x, y, width, height, background) {
+function draw(viewer, x, y, width, height, background) {
   renderer.setViewport(x, y, width, height)
   renderer.setScissor(x, y, width, height)
   renderer.setScissorTest(true)
   renderer.setClearColor(background)
   renderer.clear()
-  renderer.render(scene, seen)
+  renderer.render(scene, viewer)
 }
 
 renderer.setAnimationLoop((time) => {
@@ -128,7 +128,7 @@ renderer.setAnimationLoop((time) => {
 
   // three.js culls each tile by its warped bounds; the same test shows which tiles were drawn.
   frustum.setFromProjectionMatrix(
-    both.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
+    viewProjection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
   )
   settings.drawn = 0
   for (const tile of field.children) {

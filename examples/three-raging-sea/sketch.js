@@ -17,7 +17,7 @@ import {
 import * as THREE from 'three/webgpu'
 import { exactNormals } from 'warpjet/three/webgpu'
 
-// Nodes work on WebGPU in the same way; every browser has WebGL 2.
+// Nodes work in the same way on WebGPU, but more browsers have WebGL 2.
 const renderer = new THREE.WebGPURenderer({ antialias: true, forceWebGL: true })
 renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
 renderer.toneMapping = THREE.ACESFilmicToneMapping
@@ -44,8 +44,8 @@ const elevation = Fn(([place]) => {
     .mul(height)
     .toVar()
   Loop({ type: 'float', start: float(1), end: float(3), condition: '<=' }, ({ i }) => {
-    const at = vec3(place.xz.add(2).mul(2).mul(i), time.mul(0.3))
-    raised.subAssign(mx_noise_float(at).mul(smallHeight).div(i).abs())
+    const point = vec3(place.xz.add(2).mul(2).mul(i), time.mul(0.3))
+    raised.subAssign(mx_noise_float(point).mul(smallHeight).div(i).abs())
   })
   return raised
 })

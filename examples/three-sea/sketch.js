@@ -12,7 +12,7 @@ renderer.toneMapping = THREE.ACESFilmicToneMapping
 document.body.append(renderer.domElement)
 
 const scene = new THREE.Scene()
-// Matches the haze below.
+// The colour of the haze in `sky`.
 scene.fog = new THREE.Fog('#ced5d8', 14, 34)
 const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100)
 camera.position.set(6, 3.2, 8)
@@ -87,7 +87,7 @@ const uniforms = { height: () => settings.height, speed: () => settings.speed }
 const warped = warp(sea, swell, { uniforms })
 
 // Evaluates the same sea on the CPU, for the foam and the boat.
-const known = compileWarp(swell, { uniforms })
+const seaOnCPU = compileWarp(swell, { uniforms })
 const { position, normal } = sea.geometry.attributes
 const calm = { positions: position.array, normals: normal.array }
 
@@ -98,10 +98,10 @@ const colors = new THREE.Float32BufferAttribute(new Float32Array(3 * position.co
 sea.geometry.setAttribute('color', colors)
 const color = new THREE.Color()
 function breakWaves(millis, seconds) {
-  const { mask } = known.foldover(calm, { uniforms: { millis } })
-  const left = Math.exp(-seconds / Math.max(settings.foam, 0.01))
+  const { mask } = seaOnCPU.foldover(calm, { uniforms: { millis } })
+  const remaining = Math.exp(-seconds / Math.max(settings.foam, 0.01))
   for (let i = 0; i < foam.length; i++) {
-    foam[i] = mask[i] || foam[i] * left
+    foam[i] = mask[i] || foam[i] * remaining
     color.lerpColors(water, white, foam[i]).toArray(colors.array, 3 * i)
   }
   colors.needsUpdate = true
@@ -131,19 +131,19 @@ for (const [geometry, material, y] of [
 }
 scene.add(boat)
 
-// Finds the point of the calm sea that is now below the boat. The waves do not depend on the height, so the point that
-// moves to height 0 here started as far below 0 as the water is above it.
+// Finds the point of the calm sea whose water is now below the boat, starting from the previous one. The waves do not
+// depend on the height, so the point that moves to height 0 here started as far below 0 as the water is now above 0.
 let near
 const up = new THREE.Vector3(0, 1, 0)
 const course = new THREE.Quaternion()
 function ride(millis) {
   const angle = millis / 9000
   const [x, z] = [3 * Math.cos(angle), 3 * Math.sin(angle)]
-  const found = known.inverseAt([x, 0, z], { near, uniforms: { millis } })
-  if (!found) return
-  near = found.position
+  const result = seaOnCPU.inverseAt([x, 0, z], { near, uniforms: { millis } })
+  if (!result) return
+  near = result.position
   boat.position.set(x, -near[1], z)
-  const { normal } = known.evaluateAt([near[0], 0, near[2]], {
+  const { normal } = seaOnCPU.evaluateAt([near[0], 0, near[2]], {
     normal: [0, 1, 0],
     uniforms: { millis },
   })

@@ -45,14 +45,15 @@ terrain.castShadow = terrain.receiveShadow = true
 scene.add(terrain)
 const warped = warp(terrain, mountains, { uniforms })
 
-// Snow covers high places and meadows low ones, but neither covers steep slopes, which are found by evaluating the warp on the CPU.
-const known = compileWarp(mountains, { uniforms })
+// Snow covers high places and meadows low ones, but steep slopes are rock. Heights and slopes come from evaluating the
+// warp on the CPU.
+const terrainOnCPU = compileWarp(mountains, { uniforms })
 const { position, normal } = terrain.geometry.attributes
 const colors = new THREE.BufferAttribute(new Float32Array(3 * position.count), 3)
 terrain.geometry.setAttribute('color', colors)
 const [rock, meadow, snow] = ['#6d5f52', '#5d6e38', '#f6f9ff'].map((hex) => new THREE.Color(hex))
 function paint() {
-  const { positions, normals } = known.evaluate({
+  const { positions, normals } = terrainOnCPU.evaluate({
     positions: position.array,
     normals: normal.array,
   })
@@ -71,7 +72,7 @@ function paint() {
 }
 paint()
 
-// A flag marks the point under the pointer, upright on the slope; a click plants it.
+// A flag marks the point under the pointer, perpendicular to the slope; a click plants a flag.
 const flag = new THREE.Group()
 const pole = new THREE.Mesh(
   new THREE.CylinderGeometry(0.02, 0.02, 0.8, 12).translate(0, 0.4, 0),
@@ -88,7 +89,7 @@ scene.add(flag)
 
 const raycaster = new THREE.Raycaster()
 const up = new THREE.Vector3(0, 1, 0)
-function point({ clientX, clientY }) {
+function moveFlag({ clientX, clientY }) {
   const { left, top, width, height } = renderer.domElement.getBoundingClientRect()
   const place = new THREE.Vector2((clientX - left) / width, (clientY - top) / height)
   raycaster.setFromCamera(place.multiplyScalar(2).subScalar(1).multiply({ x: 1, y: -1 }), camera)
@@ -97,12 +98,12 @@ function point({ clientX, clientY }) {
   flag.position.copy(hit.point)
   flag.quaternion.setFromUnitVectors(up, hit.normal)
 }
-renderer.domElement.addEventListener('pointermove', point)
+renderer.domElement.addEventListener('pointermove', moveFlag)
 renderer.domElement.addEventListener('click', (event) => {
-  point(event)
+  moveFlag(event)
   scene.add(flag.clone())
 })
-const middle = () => point({ clientX: innerWidth / 2, clientY: innerHeight / 2 })
+const moveFlagToMiddle = () => moveFlag({ clientX: innerWidth / 2, clientY: innerHeight / 2 })
 
 const panel = new GUI({ title: 'Terrain' })
 if (innerWidth < 480) panel.close()
@@ -120,7 +121,7 @@ function resize() {
 addEventListener('resize', resize)
 resize()
 camera.updateMatrixWorld()
-middle()
+moveFlagToMiddle()
 
 renderer.setAnimationLoop((time) => {
   warped.update(time)

@@ -24,7 +24,7 @@ const quickBudget = 20_000
 export interface SurfacePhases {
   /** The numbers per vertex of each phase. */
   readonly sizes: readonly number[]
-  /** How far each phase may move between samples. */
+  /** The distance that each phase may move between samples. */
   readonly steps: readonly number[]
   /** The numbers per vertex of all phases. */
   readonly size: number

@@ -70,7 +70,7 @@ const minPiecesAcross = 8
 /** Cutting ends after this many passes: each can split an edge into 32. */
 const maxPasses = 4
 
-/** Those of a warp without waves and noises. */
+/** The phases of a warp without waves and noises. */
 const noPhases: SurfacePhases = { sizes: [], steps: [], size: 0, evaluate: () => undefined }
 
 /** Warps with fewer operations take less time for all samples than it takes to choose some. */
@@ -83,7 +83,7 @@ export class DetailedMesh {
   private held: Held | undefined
   private samples: Vertices = { positions: new Float32Array() }
   private inSpace = new Float32Array()
-  /** The samples in the space of the offset, and what the warp reads with them, for which the vertices are warped now. */
+  /** The samples in the space of the offset, and the values for which the vertices are warped now. */
   private placed = this.samples
   private given: DrawValues = {}
   /** The number of samples, of the first ones, that are warped whether views show them or not. */

@@ -1,4 +1,4 @@
-// Tests 'warpjet/babylon' in a page: a warp with a linear offset draws the same picture as the same motion with a matrix of Babylon.js.
+// Tests 'warpjet/babylon' in a page: a warp with a linear offset draws the same picture as Babylon.js with the matrix of the same motion.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { bundledPage } from '../support/browser/bundled-page.js'
@@ -8,7 +8,8 @@ let opened
 before(async () => (opened = await bundledPage('babylon/page-motion.js', { hasWebGPU: true })))
 after(() => opened.close())
 
-const draw = (...what) => opened.page.evaluate((what) => draw(...what), what)
+const draw = (...args) => opened.page.evaluate((args) => draw(...args), args)
+/** Returns the new console messages, without Babylon.js's greeting. */
 const takeMessages = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
 for (const backend of ['webgl', 'webgpu'])
@@ -36,15 +37,15 @@ for (const backend of ['webgl', 'webgpu'])
       })
 
     for (const kind of ['Standard', 'PBR'])
-      test(`${kind}Material under a mirroring motion looks like the mesh moved by a matrix, on both sides`, async () => {
+      test(`${kind}Material under a motion that mirrors looks like the mesh moved by a matrix, on both sides`, async () => {
         const still = await draw(backend, kind, 'mirror nothing')
         const expected = await draw(backend, kind, 'mirrored')
         assert.ok(countDiffering(still, expected) > 300)
-        for (const how of ['constant', 'uniform', 'constant, at pixel', 'uniform, at pixel'])
+        for (const variant of ['constant', 'uniform', 'constant, at pixel', 'uniform, at pixel'])
           assert.equal(
-            countDiffering(await draw(backend, kind, `mirroring, ${how}`), expected),
+            countDiffering(await draw(backend, kind, `mirroring, ${variant}`), expected),
             0,
-            how,
+            variant,
           )
         assert.equal(countDiffering(await draw(backend, kind, 'mirroring, switched off'), still), 0)
         assert.deepEqual(takeMessages(), [])
@@ -58,7 +59,7 @@ for (const backend of ['webgl', 'webgpu'])
         await draw(backend, 'Standard', 'wave by rounded phase'),
         expected,
       )
-      assert.ok(rounded > 30, `${rounded} pixels differ where the phase is a float32`)
+      assert.ok(rounded > 30, `${rounded} pixels differ if the phase is rounded to float32`)
       assert.deepEqual(takeMessages(), [])
     })
 

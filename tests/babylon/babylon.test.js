@@ -13,7 +13,7 @@ after(() => engine.dispose())
 
 const warpWith = (offset) => new BabylonWarp(new StandardMaterial('warped', scene), offset)
 
-test('a mesh without normals is warped as if they were 0, of the same type', () => {
+test('without normals, the shader declares a zero normal of the right type', () => {
   const code = warpWith(({ position }) => position).getCustomCode('vertex')
   assert.match(
     code.CUSTOM_VERTEX_UPDATE_NORMAL,
@@ -21,7 +21,7 @@ test('a mesh without normals is warped as if they were 0, of the same type', () 
   )
 })
 
-test('a ShaderMaterial of a page with warps may be asked without a mesh whether it is ready', () => {
+test('isReady() of a ShaderMaterial works without a mesh on a page with warps', () => {
   warpWith(({ position }) => position)
   const material = new ShaderMaterial('other', scene, {
     vertexSource: 'void main() { gl_Position = vec4(0.0); }',

@@ -1,11 +1,12 @@
-// Tests 'warpjet/babylon' in all passes of Babylon.js, in copies of materials, and along normals: the picture equals the same motion
-// without a warp.
+// Tests 'warpjet/babylon' in all passes of Babylon.js, with copies of materials, and with a warp along normals: pictures must equal those
+// of
+// the same motion without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { bundledPage } from '../support/browser/bundled-page.js'
 
-/** Pixels that may differ by more than 12 of 255 in a channel. */
-const allowed = 5
+/** The number of pixels that may differ by more than 12 of 255 in a channel. */
+const maxDiffering = 5
 
 let opened
 before(async () => (opened = await bundledPage('babylon/page-passes.js', { hasWebGPU: true })))
@@ -15,7 +16,7 @@ const takeMessages = () => opened.messages.splice(0).filter((text) => !text.star
 
 function assertSame({ differing, moved }, minMoved = 200) {
   assert.deepEqual(takeMessages(), [])
-  assert.ok(differing <= allowed, `${differing} pixels differ from the motion by Babylon.js`)
+  assert.ok(differing <= maxDiffering, `${differing} pixels differ from the motion by Babylon.js`)
   assert.ok(moved > minMoved, `${moved} pixels are moved`)
 }
 
@@ -26,7 +27,7 @@ for (const backend of ['webgl', 'webgpu'])
     test('each pass shows the warped mesh', async (t) => {
       for (const [kind, pass, variant] of await opened.page.evaluate(() => rows))
         await t.test(`${pass}, ${variant}`, async () => {
-          // One point in 9 is picked.
+          // Only one pixel in 9 is picked.
           const minMoved = pass === 'picking' ? 30 : 200
           assertSame(await evaluate((args) => compare(...args), kind, pass, variant), minMoved)
         })
@@ -37,7 +38,7 @@ for (const backend of ['webgl', 'webgpu'])
         test(`a ${kind}Material copied by ${how} has its own warp`, async () =>
           assertSame(await evaluate((args) => compareCopy(...args), kind, how)))
 
-      test(`a ${kind}Material has exact normals if it moves along the normals of a torus`, async () => {
+      test(`a ${kind}Material that moves a torus along its normals has exact normals`, async () => {
         assertSame(await evaluate((args) => torus(...args), kind, true))
         const { differing } = await evaluate((args) => torus(...args), kind, false)
         assert.ok(differing > 100, `${differing} pixels differ without surface variation`)

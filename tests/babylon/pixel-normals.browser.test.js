@@ -1,4 +1,6 @@
-// Normals at pixels in Babylon.js: the normal that a material lights, in floats, against the exact one at the rest place of each pixel.
+// Normals at pixels in Babylon.js: compares the normal that a material uses for light, drawn in floats, with the exact one, which is
+// computed
+// from the unwarped position of each pixel.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { bundledPage } from '../support/browser/bundled-page.js'
@@ -7,6 +9,7 @@ import { jacobian } from '../support/browser/oracle.js'
 import { anglesOf, exactNormals, pixelWarps } from '../support/browser/pixel-normals.js'
 
 const size = 160
+/** The max error of a normal, in degrees. */
 const bound = 0.1
 
 let opened
@@ -27,72 +30,77 @@ const shapes = {
   torus: ['simplex', 'twist'],
 }
 
-const rest = ['restPosition', 'restNormal', 'restUv']
+/** Values of unwarped vertices. */
+const restValues = ['restPosition', 'restNormal', 'restUv']
 
 async function draw(backend, what) {
-  const answer = await opened.page.evaluate(
+  const result = await opened.page.evaluate(
     ([b, w]) => window.draw(b, w),
     [backend, { size, ...what }],
   )
   const pictures = Object.fromEntries(
-    Object.entries(answer.pictures).map(([name, text]) => [
+    Object.entries(result.pictures).map(([name, base64]) => [
       name,
-      new Float32Array(new Uint8Array(Buffer.from(text, 'base64')).buffer),
+      new Float32Array(new Uint8Array(Buffer.from(base64, 'base64')).buffer),
     ]),
   )
-  return { ...answer, pictures }
+  return { ...result, pictures }
 }
 
-/** Converts a matrix of Babylon.js, whose vectors are rows. */
+/** Converts a matrix of Babylon.js, which multiplies row vectors, to one that multiplies column vectors. */
 const fromBabylon = (numbers) =>
   [0, 1, 2, 3].map((row) => [0, 1, 2, 3].map((column) => numbers[4 * column + row]))
 
-const turnDirection = (matrix, d) => matrix.slice(0, 3).map((row) => m.dot(row, d))
+const transformDirection = (matrix, d) => matrix.slice(0, 3).map((row) => m.dot(row, d))
 
-const inThrees = (list) =>
+const groupByThree = (list) =>
   Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3))
 
-/** Returns { median, max, count, share } for a shape: angles between shown and exact normals, in the space of the world. */
+/** Compares drawn and exact normals in world space → the angles { median, max } in degrees, the `count` of pixels and their `share`. */
 async function compare(backend, what) {
   const { pictures, world, toClip, mesh, normals } = await draw(backend, {
-    shows: ['normal', ...rest],
+    shows: ['normal', ...restValues],
     withMesh: true,
     ...what,
   })
   const toWorld = fromBabylon(world)
   const clip = m.product(fromBabylon(toClip), toWorld)
   const toScreen = (p) => {
-    const [x, y, z] = m.movePoint(clip, p)
+    const [x, y, z] = m.transformPoint(clip, p)
     return [(size * (x + 1)) / 2, (size * (1 - y)) / 2, z]
   }
   const described = {
-    vertices: inThrees(mesh.positions),
-    normals: inThrees(mesh.normals),
+    vertices: groupByThree(mesh.positions),
+    normals: groupByThree(mesh.normals),
     uvs: mesh.uvs,
-    faces: inThrees(mesh.indices),
+    faces: groupByThree(mesh.indices),
     gradients: mesh.gradients,
   }
   const { exact, share } = exactNormals(what.warp, described, {
     toScreen,
-    restAt: (pixel) => rest.flatMap((each) => at(pictures[each], pixel)),
+    restAt: (pixel) => restValues.flatMap((name) => at(pictures[name], pixel)),
     width: size,
     height: size,
   })
   const inWorld = exact.map(({ pixel, normal }) => ({
     pixel,
-    normal: m.turnNormal(toWorld, normal),
+    normal: m.transformNormal(toWorld, normal),
   }))
   return { ...anglesOf(inWorld, (pixel) => at(pictures.normal, pixel)), share, normals }
 }
 
 function assertExact(name, { max, count, share }) {
-  assert.ok(count > 500 && share > 0.97, `${name}: ${count} pixels, ${share} of all`)
+  assert.ok(
+    count > 500 && share > 0.97,
+    `${name}: ${count} pixels compared, ${share} of the sample`,
+  )
   assert.ok(max < bound, `${name}: ${max} degrees off`)
 }
 
+/** Returns the numbers of a pixel. */
 const at = (picture, pixel, count = 3) => [...picture.subarray(4 * pixel, 4 * pixel + count)]
 
-/** Returns the pixels that a mesh covers. */
+/** Returns the indices of the pixels that a mesh covers. */
 const coveredIn = (picture) => [...picture.keys()].filter((i) => picture[4 * i + 3] > 0)
 
 /** Counts pixels whose colours or normals differ. */
@@ -125,7 +133,7 @@ for (const backend of ['webgl', 'webgpu'])
       assert.deepEqual(takeMessages(), [])
     })
 
-    test('thin instances, bones, and meshes that mirror, with uneven scale', async () => {
+    test('thin instances, bones and mirrored meshes, with uneven scales', async () => {
       for (const how of ['thin instance', 'bone', 'mirrored']) {
         const shape = how === 'bone' ? 'sphere with a bone' : 'sphere'
         const what = { kind: 'Standard', shape, warp: 'simplex', normals: 'pixel', how }
@@ -140,14 +148,14 @@ for (const backend of ['webgl', 'webgpu'])
       assertExact('facets', await compare(backend, what))
     })
 
-    test('normals of vertices are off in between', async () => {
+    test('interpolated normals of vertices are off by degrees', async () => {
       const what = { kind: 'Standard', shape: 'sphere', warp: 'simplex', normals: 'vertex' }
       const { median, normals } = await compare(backend, what)
       assert.equal(normals, 'vertex')
       assert.ok(median > 2, `${median} degrees off`)
     })
 
-    test("by default, the warp's own choice", async () => {
+    test('by default, the warp selects the stage', async () => {
       for (const [warp, stage] of [
         ['simplex', 'pixel'],
         ['still', 'vertex'],
@@ -158,27 +166,27 @@ for (const backend of ['webgl', 'webgpu'])
     })
 
     for (const kind of ['Standard', 'PBR'])
-      test(`${kind}Material: maps lean on the exact tangent`, async () => {
+      test(`${kind}Material: a normal map uses the exact tangent`, async () => {
         const what = { kind, shape: 'plane with tangents', warp: 'waves', bump: true }
-        const shows = ['normal', 'color', ...rest]
+        const shows = ['normal', 'color', ...restValues]
         const { pictures, world } = await draw(backend, { ...what, normals: 'pixel', shows })
         const toWorld = fromBabylon(world)
         const [x, y, z] = await opened.page.evaluate(() => leaning.map((byte) => byte / 127.5 - 1))
         const covered = coveredIn(pictures.color).filter((_, i) => i % 23 === 0)
         assert.ok(covered.length > 200)
         const exact = covered.map((pixel) => {
-          const place = at(pictures.restPosition, pixel)
+          const restPosition = at(pictures.restPosition, pixel)
           const { waves } = pixelWarps
-          const columns = jacobian((p) => m.add(p, waves.at(p)), place, 1e-4)
-          const tangent = m.normalize(turnDirection(toWorld, columns[0]))
+          const columns = jacobian((p) => m.add(p, waves.at(p)), restPosition, 1e-4)
+          const tangent = m.normalize(transformDirection(toWorld, columns[0]))
           // Babylon.js's plane looks along -z, and v grows along y.
           const n = m.cross(columns[0], columns[1]).map((each) => -each)
-          const normal = m.turnNormal(toWorld, n)
-          const across = m.cross(normal, tangent)
+          const normal = m.transformNormal(toWorld, n)
+          const bitangent = m.cross(normal, tangent)
           return {
             pixel,
             normal: m.normalize(
-              [0, 1, 2].map((i) => x * tangent[i] + y * across[i] + z * normal[i]),
+              [0, 1, 2].map((i) => x * tangent[i] + y * bitangent[i] + z * normal[i]),
             ),
           }
         })
@@ -219,7 +227,7 @@ for (const backend of ['webgl', 'webgpu'])
       assert.deepEqual(takeMessages(), [])
     })
 
-    test('warps that mirror, of both sides, and uniforms of all kinds: as at vertices', async () => {
+    test('warps that mirror, of two-sided materials: the same as with normals at vertices', async () => {
       for (const kind of ['Standard', 'PBR'])
         for (const warp of ['mirror', 'mirror by uniforms', 'still']) {
           const what = { kind, shape: 'plane', warp, twoSided: true, shows: ['color', 'normal'] }
@@ -237,7 +245,7 @@ for (const backend of ['webgl', 'webgpu'])
       assert.deepEqual(takeMessages(), [])
     })
 
-    test('diffuse light of the surroundings, which Babylon.js computes at vertices', async () => {
+    test('diffuse light of an environment, which Babylon.js computes at vertices, uses the normals of pixels', async () => {
       const what = { kind: 'PBR', shape: 'sphere', warp: 'simplex', normals: 'pixel' }
       const shows = ['color']
       const [shown, expected] = [
@@ -254,8 +262,8 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(countDiffering(pictures.color, expected.pictures.color) > 500)
     })
 
-    test('a material that cannot: normals at vertices, and a message if pixels are asked for', async () => {
-      const ask = (normals, why) =>
+    test("a material that cannot have normals at pixels has them at vertices, with a message if the option is 'pixel'", async () => {
+      const stagesOf = (normals, why) =>
         opened.page.evaluate((given) => fallBack(...given), [backend, normals, why])
       for (const [why, message] of [
         ['varyings', /'pixel': it passes 5 vectors to pixels, of which this engine has \d left\.$/],
@@ -264,14 +272,14 @@ for (const backend of ['webgl', 'webgpu'])
           /'pixel': its fragment shader does not compute the normal as Babylon.js does\.$/,
         ],
       ]) {
-        assert.deepEqual(await ask('auto', why), ['pixel', 'vertex'])
+        assert.deepEqual(await stagesOf('auto', why), ['pixel', 'vertex'])
         assert.deepEqual(takeMessages(), [])
-        assert.deepEqual(await ask('pixel', why), ['pixel', 'vertex'])
-        const [said, ...others] = takeMessages()
-        assert.match(said, message)
+        assert.deepEqual(await stagesOf('pixel', why), ['pixel', 'vertex'])
+        const [warning, ...others] = takeMessages()
+        assert.match(warning, message)
         assert.deepEqual(others, [])
       }
-      assert.deepEqual(await ask('pixel'), ['pixel', 'pixel'])
+      assert.deepEqual(await stagesOf('pixel'), ['pixel', 'pixel'])
       assert.deepEqual(takeMessages(), [])
     })
   })
@@ -284,16 +292,16 @@ for (const backend of ['webgl', 'webgl without uniform buffers', 'webgpu'])
       warp: 'wave by uniforms',
       normals: 'pixel',
     }
-    const { pictures, world } = await draw(backend, { ...what, shows: ['normal', ...rest] })
-    // As the page sets them: a height of 0.2, a red of 0.5, 100 milliseconds, and an image that is 1.
+    const { pictures, world } = await draw(backend, { ...what, shows: ['normal', ...restValues] })
+    // The page sets a height of 0.2, a red of 0.5, 100 milliseconds, and an image whose red is 1.
     const offset = ([x, y]) => [0.1 * Math.sin(7 * y + 0.2), 0.1 * Math.sin(6 * x), 0]
     const exact = coveredIn(pictures.normal)
       .filter((_, i) => i % 23 === 0)
       .map((pixel) => {
-        const place = at(pictures.restPosition, pixel)
-        const columns = jacobian((p) => m.add(p, offset(p)), place, 1e-4)
+        const restPosition = at(pictures.restPosition, pixel)
+        const columns = jacobian((p) => m.add(p, offset(p)), restPosition, 1e-4)
         const n = m.cross(columns[0], columns[1]).map((each) => -each)
-        return { pixel, normal: m.turnNormal(fromBabylon(world), n) }
+        return { pixel, normal: m.transformNormal(fromBabylon(world), n) }
       })
     const { max, count } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
     assert.ok(count > 200 && max < bound, `${max} degrees off at ${count} pixels`)

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { loadMesh } from '../../dist/mesh.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
-import { few, isLinear, many, timeOf } from '../support/linear-time.js'
+import { assertLinear, few, many, timeOf } from '../support/linear-time.js'
 
 const sumOf = (glsl, count, operand) => {
   let sum = glsl.param('first')
@@ -13,13 +13,14 @@ const sumOf = (glsl, count, operand) => {
 const compileSum = (operand) => (count) =>
   compile((glsl) => ({ y: sumOf(glsl, count, (i) => operand(glsl, i)) }))
 
-test('parameters take linear time', () => isLinear(compileSum((glsl, i) => glsl.param(`p${i}`))))
+test('parameters take linear time', () =>
+  assertLinear(compileSum((glsl, i) => glsl.param(`p${i}`))))
 
 test('parameters named like temporaries take linear time', () =>
-  isLinear(compileSum((glsl, i) => glsl.param(`t${i}`))))
+  assertLinear(compileSum((glsl, i) => glsl.param(`t${i}`))))
 
 test('results take linear time', () =>
-  isLinear((count) =>
+  assertLinear((count) =>
     compile((glsl) => {
       const x = glsl.param('x')
       return Object.fromEntries(Array.from({ length: count }, (_, i) => [`r${i}`, x.add(i).sin()]))
@@ -28,13 +29,13 @@ test('results take linear time', () =>
 
 test('functions take linear time', () => {
   const source = (i) => `float f${i}(float x) { return x; }`
-  return isLinear(
+  return assertLinear(
     compileSum((glsl, i) => glsl.fn({ name: `f${i}`, arity: 1, source: source(i) })(i)),
   )
 })
 
 test('derivatives with respect to parameters take linear time', () =>
-  isLinear(
+  assertLinear(
     compileSum((glsl, i) => {
       const p = glsl.param(`p${i}`)
       return glsl.derivative(p.sin().mult(p), p)
@@ -51,11 +52,11 @@ test('uniforms take linear time, also on the CPU', async () => {
   const uniforms = (count) =>
     Object.fromEntries(Array.from({ length: count }, (_, i) => [`u${i}`, i / count]))
   const make = (count) => compileWarp(offset(count), { uniforms: uniforms(count) })
-  await isLinear(make)
+  await assertLinear(make)
   const warps = new Map([few, many].map((count) => [count, make(count)]))
   const evaluate = (count) =>
     warps.get(count).evaluateAt([0, 0, 0], { uniforms: { ...uniforms(count), first: 0 } })
-  await isLinear(evaluate)
+  await assertLinear(evaluate)
 })
 
 /** Makes a .gltf of `count` nodes, each with its own mesh, accessor and view: 340 bytes of JSON per node. */
@@ -88,7 +89,7 @@ function gltfOf(count) {
 
 test('reading the JSON of a glTF takes linear time', async () => {
   const files = new Map([few, many].map((count) => [count, gltfOf(count)]))
-  await isLinear((count) => loadMesh(files.get(count)))
+  await assertLinear((count) => loadMesh(files.get(count)))
   // Relative to the time that the engine takes to parse the JSON, whatever the computer: 18 times, and 45 times before.
   const bytes = files.get(many)
   const text = new TextDecoder().decode(bytes)

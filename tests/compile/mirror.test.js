@@ -7,7 +7,7 @@ import { chain, inflate, stretch, twist } from 'warpjet/deformers'
 import { glslOffset } from 'warpjet/glsl'
 import { bakeWarp } from 'warpjet/mesh'
 import { warp as warpObject } from 'warpjet/three'
-import { byUniform, cross, isOutside, mirror, round, to } from '../support/mirrors.js'
+import { assertOutside, byUniform, cross, mirror, round, to } from '../support/mirrors.js'
 
 const mirrors = {
   'a mirror': mirror,
@@ -45,9 +45,9 @@ const mirrors = {
 describe('the outer side stays outside', () => {
   for (const [name, offset] of Object.entries(mirrors))
     test(name, () => {
-      isOutside(round, 'before')
+      assertOutside(round, 'before')
       for (const perFrame of [false, true])
-        isOutside(bakeWarp(round, compileWarp(offset, { perFrame })), name)
+        assertOutside(bakeWarp(round, compileWarp(offset, { perFrame })), name)
     })
 
   test('the normal at (1, 0, 0) of a sphere is (-1, 0, 0)', () => {
@@ -106,9 +106,9 @@ describe('uniforms decide whether a warp mirrors', () => {
       test(`${name}${perFrame ? ', once a frame' : ''}`, () => {
         const warp = compileWarp(offset, { uniforms, perFrame })
         for (const size of [1, 0.8, -0.8, -1, -1.5])
-          isOutside(bakeWarp(round, warp, { uniforms: { scale: size } }), `${size}`)
+          assertOutside(bakeWarp(round, warp, { uniforms: { scale: size } }), `${size}`)
         // The current value of the option applies.
-        isOutside(bakeWarp(round, warp), 'as declared')
+        assertOutside(bakeWarp(round, warp), 'as declared')
       })
 
   test('the time can decide it, too', () => {
@@ -119,7 +119,7 @@ describe('uniforms decide whether a warp mirrors', () => {
       { perFrame: true },
     )
     for (const millis of [0, 500, 2700, 3100, 6283])
-      isOutside(bakeWarp(round, warp, { uniforms: { millis } }), `${millis}`)
+      assertOutside(bakeWarp(round, warp, { uniforms: { millis } }), `${millis}`)
   })
 
   test('the deformer stretch mirrors if it is pulled through itself', () => {
@@ -127,7 +127,7 @@ describe('uniforms decide whether a warp mirrors', () => {
       uniforms: { by: 0 },
     })
     for (const by of [0.5, -0.5, -2])
-      isOutside(bakeWarp(round, warp, { uniforms: { by } }), `${by}`)
+      assertOutside(bakeWarp(round, warp, { uniforms: { by } }), `${by}`)
   })
 
   test('normals of a collapsed surface are zero', () => {
@@ -205,7 +205,7 @@ describe('offsets that depend on the normal and on uv', () => {
     test(`a mirror inflated along the normal is right${surfaceVariation ? ', with surface variation' : ''}`, () => {
       const warp = compileWarp(grown, { surfaceVariation })
       const baked = bakeWarp(round, warp)
-      isOutside(baked, 'baked')
+      assertOutside(baked, 'baked')
     })
 })
 

@@ -5,7 +5,7 @@ import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 import { openPipeline } from '../support/browser/transform-feedback.js'
-import { afterAWeek, isMeasured } from '../support/browser/uptime.js'
+import { isMeasured, measureAfterAWeek } from '../support/browser/uptime.js'
 import { warps } from '../warps/index.js'
 
 const { browsers, server } = await openHosts(p5HostsInThisRun)
@@ -20,7 +20,7 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
     .filter(({ name }) => everyday.includes(name) || isRun('every warp after a week of uptime'))
   for (const warp of shown)
     test(warp.name, async () => {
-      const { start, then, step } = await afterAWeek(gpu, warp, { perFrame: true })
+      const { start, then, step } = await measureAfterAWeek(gpu, warp, { perFrame: true })
       // About as accurate as at the start. The largest errors are now at other vertices, up to 1.8 and 2.5 times as large.
       const [positions, angles] = [then.position / start.position, then.angle / start.angle]
       assert.ok(!(positions > 2), `positions are ${positions} times as far off as at the start`)
@@ -34,7 +34,7 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
     })
 
   test('float32 is not accurate after a week without them', async () => {
-    const { then, step } = await afterAWeek(
+    const { then, step } = await measureAfterAWeek(
       gpu,
       warps.find(({ name }) => name === 'sine-sphere'),
       {},

@@ -19,13 +19,13 @@ import {
   columnMajor,
   cross,
   dot,
-  movePoint,
   add as plus,
   product,
   rotation,
   scaling,
+  transformNormal,
+  transformPoint,
   translation,
-  turnNormal,
 } from '../support/browser/matrix.js'
 import {
   agree,
@@ -69,7 +69,10 @@ function backward(matrix, v) {
 const inside = (matrix, oracle) => (p, inputs) =>
   backward(
     matrix,
-    oracle(movePoint(matrix, p), { ...inputs, normal: turnNormal(matrix, inputs.normal) }),
+    oracle(transformPoint(matrix, p), {
+      ...inputs,
+      normal: transformNormal(matrix, inputs.normal),
+    }),
   )
 
 describe('inSpace', () => {
@@ -111,8 +114,8 @@ describe('inSpace', () => {
       for (const vertex of vertices) {
         const p = vertex.position
         const before = waved[1](p, vertex)
-        const normal = turnNormal(matrix, normalAfter(waved[1], p, vertex))
-        const place = movePoint(matrix, plus(p, before))
+        const normal = transformNormal(matrix, normalAfter(waved[1], p, vertex))
+        const place = transformPoint(matrix, plus(p, before))
         const within = twisted[1](place, vertex)
         const turned = normalAfter(twisted[1], place, { ...vertex, normal })
         const expected = plus(before, backward(matrix, plus(within, times(turned, 8))))

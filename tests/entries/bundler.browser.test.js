@@ -1,4 +1,4 @@
-// Tests a project with a bundler: imports 'warpjet/p5' and p5 from 'p5', builds with Vite, and runs on both versions of p5.
+// Tests a project with a bundler: its code imports 'p5' and 'warpjet/p5', is built with Vite, and runs on both versions of p5.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'

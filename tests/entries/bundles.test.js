@@ -1,4 +1,4 @@
-// The contents of the files in dist, and of bundles of them.
+// Tests the contents of the files in dist, and of bundles of them.
 import assert from 'node:assert/strict'
 import {
   copyFileSync,
@@ -18,7 +18,7 @@ const root = fileURLToPath(new URL('../../', import.meta.url))
 const read = (file) => readFileSync(`${root}${file}`, 'utf8')
 const { version, license } = JSON.parse(read('package.json'))
 
-/** The beginning of each inlined wasm, which identifies a file that contains it. */
+/** Maps the name of a wasm module → the beginning of its inlined text, by which `modulesIn` recognizes it. */
 const wasm = Object.fromEntries(
   ['core', 'evaluation', 'mesh', 'glsl'].map((name) => {
     const [, text] = /export default "([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
@@ -27,7 +27,8 @@ const wasm = Object.fromEntries(
   }),
 )
 
-const inside = (text) => Object.keys(wasm).filter((name) => text.includes(wasm[name]))
+/** Returns the names of the wasm modules that a file contains. */
+const modulesIn = (text) => Object.keys(wasm).filter((name) => text.includes(wasm[name]))
 
 const files = ['dist', 'dist/shared'].flatMap((folder) =>
   readdirSync(`${root}${folder}`)
@@ -35,7 +36,7 @@ const files = ['dist', 'dist/shared'].flatMap((folder) =>
     .map((name) => `${folder}/${name}`),
 )
 
-test('names of files do not change between releases', () => {
+test('names of shared files do not change between releases', () => {
   const shared = [
     'basics',
     'compiler',
@@ -100,13 +101,13 @@ test('warpjet.min.js and mesh.min.js need no other file', async () => {
 })
 
 describe('an entry loads only the files that it needs', () => {
-  /** Finds all files that `file` imports statically. */
-  function closure(file, known = new Set()) {
-    if (known.has(file)) return known
-    known.add(file)
+  /** Returns `file` and all files that it imports statically. */
+  function closure(file, files = new Set()) {
+    if (files.has(file)) return files
+    files.add(file)
     for (const [, name] of read(file).matchAll(/^(?:import|export)[^;]*?"(\.[^"]+)";/gm))
-      closure(new URL(name, `file:///${file}`).pathname.slice(1), known)
-    return known
+      closure(new URL(name, `file:///${file}`).pathname.slice(1), files)
+    return files
   }
 
   for (const [entry, expected] of Object.entries({
@@ -132,11 +133,11 @@ describe('an entry loads only the files that it needs', () => {
   }))
     test(`${entry}.js: ${expected.join(' and ') || 'no wasm'}`, () => {
       const text = [...closure(`dist/${entry}.js`)].map(read).join('\n')
-      assert.deepEqual(inside(text), expected)
+      assert.deepEqual(modulesIn(text), expected)
     })
 })
 
-/** Bundles `code` with Rolldown, and returns the file. */
+/** Bundles `code` with Rolldown → the path of the bundle. */
 async function bundle(name, code, platform) {
   const folder = `${root}.build/bundles`
   mkdirSync(folder, { recursive: true })
@@ -171,12 +172,12 @@ test("a bundle of 'warpjet/p5' for Node does not contain p5", async () => {
 
 test('a bundle of warpjet/text cannot evaluate warps, and the message names the entry that can', async () => {
   const file = await bundle('text', "export { compileWarp } from 'warpjet/text'", 'browser')
-  assert.deepEqual(inside(readFileSync(file, 'utf8')), ['core'])
+  assert.deepEqual(modulesIn(readFileSync(file, 'utf8')), ['core'])
   const { compileWarp } = await import(pathToFileURL(file))
-  const { compileWarp: whole } = await import('warpjet')
+  const { compileWarp: completeCompileWarp } = await import('warpjet')
   const twist = ({ glsl, position }) => position.mult(glsl.val(2).sin())
   const warp = compileWarp(twist)
-  assert.equal(warp.code, whole(twist).code)
+  assert.equal(warp.code, completeCompileWarp(twist).code)
   for (const method of ['evaluate', 'evaluateAt', 'bounds', 'foldover'])
     assert.throws(() => warp[method]({ positions: [] }), {
       name: 'WarpError',
@@ -186,15 +187,16 @@ test('a bundle of warpjet/text cannot evaluate warps, and the message names the 
     })
 })
 
-test('a bundle that only warps in three.js has no front end of GLSL', async () => {
+test('a bundle that only imports warp from warpjet/three has no GLSL front end', async () => {
   const file = await bundle('warp-in-three', "export { warp } from 'warpjet/three'", 'browser')
-  assert.deepEqual(inside(readFileSync(file, 'utf8')), ['core', 'evaluation'])
+  assert.deepEqual(modulesIn(readFileSync(file, 'utf8')), ['core', 'evaluation'])
 })
 
-test('warpjet contains no code of warpjet/three; prints the size of the latter', async () => {
-  const size = async (name, code) => {
+test('warpjet contains no code of warpjet/three; prints the size that the latter adds', async () => {
+  const measure = async (name, code) => {
     const text = readFileSync(await bundle(name, code, 'browser'), 'utf8')
-    // Without the inlined WebAssembly, which is in both: it makes the difference depend on where gzip's blocks end.
+    // Leaves out the inlined WebAssembly, which all of these bundles contain: with it, the difference would depend on where gzip's blocks
+    // end.
     const script = text
       .split('"')
       .filter((part) => part.length < 50_000)
@@ -202,7 +204,7 @@ test('warpjet contains no code of warpjet/three; prints the size of the latter',
     assert.ok(script.length < text.length - 300_000, `${script.length} of ${text.length}`)
     return { text, bytes: gzipSync(script, { level: 9 }).length }
   }
-  const alone = await size('alone', "export { compileWarp } from 'warpjet'")
+  const alone = await measure('alone', "export { compileWarp } from 'warpjet'")
   assert.doesNotMatch(alone.text, /onBeforeCompile|begin_vertex|"three/)
   // The code that loads models is a separate file, which addSurfaceVariation fetches.
   for (const [entry, names] of [
@@ -210,7 +212,7 @@ test('warpjet contains no code of warpjet/three; prints the size of the latter',
     ['three/webgpu', 'warp, warpMaterial, warpNode'],
   ]) {
     const code = `export { compileWarp } from 'warpjet'\nexport { ${names} } from 'warpjet/${entry}'`
-    const { bytes } = await size(entry.replace('/', '-'), code)
+    const { bytes } = await measure(entry.replace('/', '-'), code)
     console.log(`warpjet/${entry} adds ${bytes - alone.bytes} bytes, gzipped`)
   }
 })
@@ -218,11 +220,11 @@ test('warpjet contains no code of warpjet/three; prints the size of the latter',
 // Excludes the translator of operators, whose parser has import(…) in its messages.
 test('bundlers can resolve all imports', () => {
   for (const file of files.filter((name) => !/cli\.js$|min\.js$|translating\.js$/.test(name)))
-    for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
+    for (const [, specifier] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
       // Imports that bundlers must ignore are for Node only.
-      if (!asked.includes('/* webpackIgnore: true */'))
+      if (!specifier.includes('/* webpackIgnore: true */'))
         assert.match(
-          asked,
+          specifier,
           /^(["'])(\.\/(?:shared\/)?(?:compute-passes|surface-variation|with-mesh)\.js|https:.*)\1$/,
           file,
         )

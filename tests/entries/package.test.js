@@ -1,4 +1,4 @@
-// The contents of the package that `npm i warpjet` installs.
+// Tests the contents of the package that `npm i warpjet` installs.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { existsSync, readFileSync, readdirSync } from 'node:fs'
@@ -9,7 +9,7 @@ import { bundles, declared, sources } from '../../.scripts/lib/entries.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
-/** The files that npm would put into the package. */
+/** Returns the files that npm would put into the package. */
 function packedFiles() {
   const packed = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
     cwd: root,
@@ -50,10 +50,10 @@ test('files with side effects are files of the package and their sources', () =>
   const { sideEffects } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   for (const file of sideEffects) assert.ok(existsSync(`${root}${file}`), file)
   // Bundlers must keep the side effects of an entry.
-  const acts = (file) => /^[\w.]+\(/m.test(readFileSync(`${root}${file}`, 'utf8'))
-  const acting = sources.filter(acts)
-  assert.ok(acting.includes('js-bindings/glsl.ts'))
-  for (const file of acting) assert.ok(sideEffects.includes(`./${file}`), file)
+  const hasSideEffects = (file) => /^[\w.]+\(/m.test(readFileSync(`${root}${file}`, 'utf8'))
+  const sourcesWithEffects = sources.filter(hasSideEffects)
+  assert.ok(sourcesWithEffects.includes('js-bindings/glsl.ts'))
+  for (const file of sourcesWithEffects) assert.ok(sideEffects.includes(`./${file}`), file)
 })
 
 test('every entry loads in Node, without a DOM and without p5', async () => {
@@ -81,7 +81,7 @@ test('require loads every entry, in the versions of Node that package.json names
   assert.ok(entries.length > 10)
   for (const entry of entries.map((key) => key.slice(1)))
     assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
-  // The first version of each release line whose require loads ES modules.
+  // In these release lines, the first versions whose require loads ES modules.
   const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   assert.equal(engines.node, '^20.19.0 || >=22.12.0')
 })
@@ -91,11 +91,11 @@ test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
 })
 
-test('links and pictures of shipped pages work wherever they are shown', () => {
+test('links and pictures in shipped Markdown work on npm and on the CDN', () => {
   const { version, homepage } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const cdn = `https://cdn.jsdelivr.net/npm/warpjet@${version.replace(/\.\d+$/, '')}/`
   const paths = new Set(packedFiles().map(({ path }) => path))
-  /** Each page of the docs is generated from a shipped file. */
+  /** Tests whether the site has a page. Each page of the docs is generated from a shipped file. */
   const isOfSite = (page) =>
     ['', 'docs/', 'playground/'].includes(page) || paths.has(`web/${page.replace(/html$/, 'md')}`)
   const wrong = [...paths]
@@ -107,7 +107,7 @@ test('links and pictures of shipped pages work wherever they are shown', () => {
     })
     .filter(({ path, link }) => {
       if (link.startsWith('#')) return false
-      // npm shows only the README, so its relative links would be broken; the other pages are served with the files that they link to.
+      // npm shows only the README, so its links must be absolute. The CDN serves the other pages, with the files to which they link.
       const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
       const page = href.replace(/#.*/, '')
       if (page.startsWith(homepage)) return !isOfSite(page.slice(homepage.length))
@@ -129,13 +129,21 @@ test('package.json names the repository and the issue tracker for npm', () => {
 
 test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
-  // Libraries that the linker adds, and those that Vite bundles; .cmake/wasm.cmake selects the allocators.
-  const others = ['emscripten', 'embind', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
+  // Libraries that the linker adds, and libraries that Vite bundles. .cmake/wasm.cmake selects the allocators.
+  const linkedLibraries = [
+    'emscripten',
+    'embind',
+    'dlmalloc',
+    'musl',
+    'libc++',
+    'libc++abi',
+    'libunwind',
+  ]
   const bundled = ['acorn', 'magic-string', 'mikktspace', 'fast-png', 'iobuffer', 'fflate']
-  for (const name of [...others, 'compiler-rt', ...bundled])
+  for (const name of [...linkedLibraries, 'compiler-rt', ...bundled])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
-  const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
-  for (const [, name] of linked.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)
+  const cmake = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
+  for (const [, name] of cmake.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)
   const libraries = readdirSync(`${root}.build/wasm/include`)
   assert.ok(libraries.length > 0)
   for (const library of libraries) {

@@ -1,4 +1,4 @@
-// The shipped types in a project that has installed the package, in the oldest supported TypeScript and in the newest.
+// Tests the shipped types in a project that has installed the package, with the oldest supported TypeScript and with the newest.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import {
@@ -26,7 +26,7 @@ cpSync(`${root}tests/types/shipped`, project, { recursive: true })
 const modules = ['modules.ts']
 const sketches = ['p5-module.ts', 'p5-global.ts']
 
-/** Ignores errors in p5's own types. */
+/** Returns compiler options. For sketches, they ignore errors in p5's own types. */
 const optionsFor = (files, moduleResolution) => ({
   strict: true,
   noEmit: true,
@@ -62,24 +62,24 @@ for (const [compiler, files, moduleResolution] of [
     assert.equal(status, 0)
   })
 
-test('each entry has one file of types, and all share another one', () => {
+test('each entry has one file of types, and two more files are shared', () => {
   const { exports } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
-  const named = Object.values(exports).flatMap(({ types }) => types ?? [])
+  const declared = Object.values(exports).flatMap(({ types }) => types ?? [])
   assert.deepEqual(
     readdirSync(`${root}dist/types`).map((name) => `./dist/types/${name}`),
     [
       ...new Set([
-        ...named,
+        ...declared,
         './dist/types/shared.d.ts',
-        // These need the types of three.js.
+        // This file needs the types of three.js.
         './dist/types/three.shared.d.ts',
       ]),
     ].sort(),
   )
 })
 
-/** Returns the hint that an editor shows at each position of `code` that a # follows. */
-function hovers(code) {
+/** Returns the hints that an editor shows for the names in `code` that are followed by #. */
+function getHints(code) {
   const name = `${project}/hover.ts`
   const text = code.replaceAll('#', '')
   const { options } = ts.convertCompilerOptionsFromJson(optionsFor(modules, 'bundler'), project)
@@ -88,8 +88,8 @@ function hovers(code) {
     getScriptFileNames: () => [name],
     getScriptVersion: () => '1',
     getScriptSnapshot: (file) => {
-      const found = file === name ? text : ts.sys.readFile(file)
-      return found === undefined ? undefined : ts.ScriptSnapshot.fromString(found)
+      const content = file === name ? text : ts.sys.readFile(file)
+      return content === undefined ? undefined : ts.ScriptSnapshot.fromString(content)
     },
     getCurrentDirectory: () => project,
     getDefaultLibFileName: ts.getDefaultLibFilePath,
@@ -109,8 +109,8 @@ function hovers(code) {
   )
 }
 
-test('hints of an editor explain operations', () => {
-  const descriptions = hovers(`
+test('editors show a hint for each operation', () => {
+  const descriptions = getHints(`
     import { compileWarp } from 'warpjet'
     compileWarp(({ glsl, position, millis }) => {
       const x = millis.mix#(1, 0.5).div#(2).smoothstep#(0, position.x()).lt#(1).ifElse#(1, 0)
@@ -132,7 +132,7 @@ test('all members of expressions and of the builder have a hint', () => {
   const checker = program.getTypeChecker()
   const source = program.getSourceFile(`${root}dist/types/warpjet.d.ts`)
   const exported = checker.getExportsOfModule(checker.getSymbolAtLocation(source))
-  const silent = ['Scalar', 'Vec2', 'Vec3', 'Vec4', 'Mat2', 'Mat3', 'Mat4', 'Glsl'].flatMap(
+  const undocumented = ['Scalar', 'Vec2', 'Vec3', 'Vec4', 'Mat2', 'Mat3', 'Mat4', 'Glsl'].flatMap(
     (name) => {
       const symbol = exported.find((other) => other.name === name)
       const target = symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol
@@ -151,7 +151,7 @@ test('all members of expressions and of the builder have a hint', () => {
         .map((member) => `${name}.${member.name}`)
     },
   )
-  assert.deepEqual(silent, [])
+  assert.deepEqual(undocumented, [])
 })
 
 test('the types of the scripts declare the same names as the scripts', () => {

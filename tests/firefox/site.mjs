@@ -1,5 +1,6 @@
-// node tests/firefox/site.mjs [parts of paths]: opens every page of the built site in Firefox, with the size of a desktop and of a phone, and
-// reports console messages, pages that are too wide, and missing pictures. Run it by hand, after `npm run site`.
+// node tests/firefox/site.mjs [parts of paths]: opens the pages of the built site in Firefox, in the sizes of a desktop and of a phone, and
+// reports console messages, pages that are too wide, and missing pictures. By default, opens all pages. Run it by hand, after `npm run
+// site`.
 import { mkdirSync } from 'node:fs'
 import { preview } from 'vite'
 import { path, walk } from '../../.scripts/lib/files.mjs'
@@ -8,13 +9,15 @@ import { launchFirefox } from '../support/browser/two-browsers.js'
 const folder = '.build/site'
 const screenshots = path('.build/screenshots/firefox')
 const sizes = { desktop: { width: 1280, height: 900 }, phone: { width: 360, height: 740 } }
+/** Half the time limit for a page, in milliseconds. */
 const patience = 60_000
 
-/** Waits in the page until it has been drawn → the list of its problems. */
+/** Runs in the page: waits until it has been drawn → a list of its problems. */
 async function findProblems() {
-  const until = performance.now() + 60_000
+  const deadline = performance.now() + 60_000
   const wait = async (ready) => {
-    while (!ready() && performance.now() < until) await new Promise((go) => setTimeout(go, 100))
+    while (!ready() && performance.now() < deadline)
+      await new Promise((resolve) => setTimeout(resolve, 100))
     return ready()
   }
   const problems = []
@@ -26,25 +29,25 @@ async function findProblems() {
   if (find('.playground') && !(await wait(() => find('main').ariaBusy === 'false')))
     problems.push('The playground is busy')
   if (find('.playground .mistake')?.textContent) problems.push(find('.mistake').textContent)
-  // Waits for all requests: Firefox reports an error for those that leaving the page interrupts.
+  // Waits for all requests: if we left the page earlier, Firefox would report errors for interrupted ones.
   const countLoaded = () => performance.getEntriesByType('resource').length
   for (let before = -1; before !== countLoaded();) {
     before = countLoaded()
-    await new Promise((go) => setTimeout(go, 400))
+    await new Promise((resolve) => setTimeout(resolve, 400))
   }
   const { scrollWidth } = document.documentElement
   if (scrollWidth > innerWidth) problems.push(`The page is ${scrollWidth} pixels wide`)
   return problems
 }
 
-/** Recognizes the messages of a graphics driver without a GPU. */
-const isOfDriver = (text) => /WebGL warning|WEBGL_debug_renderer_info|GPU stall/.test(text)
+/** Tests for messages that the graphics driver prints if there is no GPU. */
+const isDriverMessage = (text) => /WebGL warning|WEBGL_debug_renderer_info|GPU stall/.test(text)
 
-const wanted = process.argv.slice(2)
+const filters = process.argv.slice(2)
 const pages = walk(folder, /\.html$/)
   .map((file) => file.slice(folder.length + 1))
   .filter((file) => !/^(?:examples|bench\/(?:driven|p5-sketch))/.test(file))
-  .filter((file) => !wanted.length || wanted.some((word) => file.includes(word)))
+  .filter((file) => !filters.length || filters.some((word) => file.includes(word)))
 mkdirSync(screenshots, { recursive: true })
 const server = await preview({
   configFile: path('web/vite.config.js'),
@@ -58,7 +61,7 @@ const firefox = await launchFirefox()
 const page = await firefox.newPage()
 let messages = []
 page.on('console', (message) => {
-  if (!isOfDriver(message.text())) messages.push(`${message.type()}: ${message.text()}`)
+  if (!isDriverMessage(message.text())) messages.push(`${message.type()}: ${message.text()}`)
 })
 page.on('pageerror', ({ message }) => messages.push(`uncaught: ${message}`))
 const problems = []
@@ -66,15 +69,15 @@ for (const [size, viewport] of Object.entries(sizes)) {
   await page.setViewport(viewport)
   for (const file of pages) {
     messages = []
-    const timeout = new Promise((give) =>
-      setTimeout(give, 2 * patience, ['The page does not respond']),
+    const timeout = new Promise((resolve) =>
+      setTimeout(resolve, 2 * patience, ['The page does not respond']),
     )
     const inspect = async () => {
       await page.goto(url + file, { timeout: 2 * patience })
       return page.evaluate(findProblems)
     }
     const found = [...(await Promise.race([inspect(), timeout])), ...messages]
-    for (const each of found) problems.push(`${size}, ${file}: ${each}`)
+    for (const problem of found) problems.push(`${size}, ${file}: ${problem}`)
     console.log(`${size} ${file} ${found.length ? found.join(' | ') : 'has no problems'}`)
     if (/^index|playground|units|gallery\/(?:lotus|three-sea)/.test(file)) {
       const name = `${size}-${file.replaceAll('/', '-')}.png`

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { differentiate, glslOffset } from 'warpjet/glsl'
-import { isLinear } from '../support/linear-time.js'
+import { assertLinear } from '../support/linear-time.js'
 
 const body = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${statements} }`
 const quietly = { surfaceVariation: false }
@@ -286,7 +286,7 @@ const long = {
 }
 for (const [name, make] of Object.entries(long))
   test(`the time for ${name} is proportional to their number`, () =>
-    isLinear((count) => glslOffset(make(count))))
+    assertLinear((count) => glslOffset(make(count))))
 
 test('functions that call each other twice, twenty levels deep, compile quickly', () => {
   const calls = (first, next, value) =>

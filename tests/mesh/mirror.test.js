@@ -5,7 +5,7 @@ import * as THREE from 'three'
 import { compileWarp } from 'warpjet'
 import { twist } from 'warpjet/deformers'
 import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
-import { isOutside, mirror, round, volumeOf } from '../support/mirrors.js'
+import { assertOutside, mirror, round, volumeOf } from '../support/mirrors.js'
 
 describe('bakes', () => {
   const warp = compileWarp(mirror)
@@ -18,7 +18,7 @@ describe('bakes', () => {
       )
     const soup = { positions: flat(round.positions, 3), normals: flat(round.normals, 3) }
     const baked = bakeWarp(soup, warp)
-    isOutside(baked, 'soup')
+    assertOutside(baked, 'soup')
     assert.equal(baked.positions.length, soup.positions.length)
     soup.positions.forEach((x, i) => assert.ok(baked.positions[i] === (i % 3 ? x : -x)))
     assert.deepEqual([...baked.indices.slice(0, 6)], [0, 2, 1, 3, 5, 4])
@@ -32,18 +32,18 @@ describe('bakes', () => {
 
   test('missing normals are computed first', () => {
     const { positions, indices } = round
-    isOutside(bakeWarp({ positions, indices }, warp), 'computed')
+    assertOutside(bakeWarp({ positions, indices }, warp), 'computed')
   })
 
   test('and the result survives export and loading', async () => {
     const mesh = await loadMesh(exportGLB(bakeWarp(round, warp)))
-    isOutside(mesh, 'from the file')
+    assertOutside(mesh, 'from the file')
   })
 
   test('and subdivides for the warp', () => {
     const finer = subdivide(round, { warp, tolerance: 0.002 })
     assert.ok(volumeOf(finer) > 0, 'the mesh before the warp')
-    isOutside(bakeWarp(finer, warp), 'subdivided')
+    assertOutside(bakeWarp(finer, warp), 'subdivided')
   })
 
   test('three.js geometries with groups and morph targets, indexed and not indexed', () => {
@@ -59,7 +59,7 @@ describe('bakes', () => {
         normals: baked.attributes.normal.array,
         indices: baked.index.array,
       }
-      isOutside(mesh, geometry.index ? 'indexed' : 'not indexed')
+      assertOutside(mesh, geometry.index ? 'indexed' : 'not indexed')
       const untouched = bakeWarp(geometry, compileWarp(twist({ angle: 1, length: 1 })))
       assert.deepEqual(untouched.index, geometry.index)
     }

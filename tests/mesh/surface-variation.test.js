@@ -5,7 +5,7 @@ import { describe, test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
 import { bakeWarp, subdivide, surfaceVariation } from 'warpjet/mesh'
 import { models } from '../../web/models/index.js'
-import { interpolating, subdivide as rounded } from '../../web/models/subdivide.js'
+import { interpolatePoints, subdivide as rounded } from '../../web/models/subdivide.js'
 import { angleBetween } from '../support/browser/oracle.js'
 import { movedNormal, surfaceMesh, surfaces } from '../support/surfaces.js'
 
@@ -137,7 +137,7 @@ test('tangents are transformed too', () => {
 // triangles. Where these fold over, as in the creases of the neck, the warped surface has no useful normal.
 describe('the bunny', () => {
   const { positions, indices } = models.bunny()
-  let model = interpolating({ points: triples(positions), triangles: triples(indices) })
+  let model = interpolatePoints({ points: triples(positions), triangles: triples(indices) })
   const levels = [model, ...[1, 2, 3].map(() => (model = rounded(model)))]
   const { points, triangles } = levels[3]
   const resting = areaNormals(points, triangles)

@@ -7,11 +7,12 @@ import { drawScenes, openHosts, p5HostsInThisRun, p5InThisRun } from '../support
 const size = 120
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 
-// Warps that end where their mesh ends, on antialiased canvases: the centers of some pixels there are outside of the mesh, where the offset
-// is undefined. On WEBGPU, nothing flashed in SwiftShader before borders were reflected.
+// Tests warps whose domain ends at the border of their mesh, on antialiased canvases: the centers of some pixels at the border are outside
+// of
+// the mesh, where the offset is undefined. Not on WEBGPU: SwiftShader showed no defects there, even before we reflected points at borders.
 /**
- * At the right edge of the plane, where x is 0.5, slopes are infinite or, for those that end 0.004 beyond, steep: the normal is nearly the
- * x axis there. It is nearly the z axis on the left and, without care, outside.
+ * At the right edge of the plane, where x is 0.5, slopes are infinite or, if the domain ends 0.004 beyond the edge, steep: the normal is
+ * nearly the x axis there. It is nearly the z axis on the left and, if undefined values are not handled, outside.
  */
 const offsets = {
   sqrt: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).sqrt().mult(2)),
@@ -23,31 +24,35 @@ const offsets = {
   acosh: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(1.5).sub(position.x()).acosh()),
   dome: ({ glsl, position }) =>
     glsl.vec3(0, 0, glsl.val(0.25).sub(position.x().mult(position.x())).sqrt().mult(2)),
-  // The value of the root is in the normal, too.
+  // Its normal also depends on the value of the root.
   slanted: ({ glsl, position }) =>
     glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).sqrt().mult(position.y().add(2))),
 }
 
-/** The places of pixels on the border, from -0.5 to 0.5 across and along the plane. */
+/** The rotation of the plane. */
 const [cosine, sine] = [Math.cos(0.3), Math.sin(0.3)]
+/** The pixels at the right border, with x and y from -0.5 to 0.5 across the plane. */
 const border = Array.from({ length: size * size }, (_, pixel) => {
   const [x, y] = [(pixel % size) + 0.5 - size / 2, Math.floor(pixel / size) + 0.5 - size / 2]
   return { pixel, x: (cosine * x + sine * y) / 60, y: (cosine * y - sine * x) / 60 }
 }).filter(({ x, y }) => Math.abs(x - 0.5) < 0.7 / 60 && Math.abs(y) < 0.45)
 
-/** Draws the plane with each offset, turned so that its edges cross pixels at all distances. The background has the color of the border. */
+/**
+ * Draws the plane with each offset, rotated so that its edges pass pixel centers at all distances. The background has the color of the
+ * border.
+ */
 function drawBorders(version, p5, attributes) {
   const draw = (name) => `background(249, 165, 128); warps.${name}(); noStroke()
     ${lookFromAfar(size)}
     rotateZ(0.3); scale(60); plane(1, 1, 40, 40)`
   const names = Object.keys(offsets)
-  const made = names.map(
+  const warps = names.map(
     (name) =>
       `warps.${name} = createWarp(${offsets[name]}, { shader: ${shaderOfNormals(version, 'WEBGL')}, normals: 'pixel' })`,
   )
   return drawScenes(browsers.WEBGL, server, [p5, '/dist/p5.warpjet.min.js'], {
     size,
-    setup: [`setAttributes({ ${attributes} })`, ...made].join('\n'),
+    setup: [`setAttributes({ ${attributes} })`, ...warps].join('\n'),
     scenes: Object.fromEntries(names.map((name) => [name, draw(name)])),
   })
 }
@@ -71,14 +76,14 @@ for (const [version, p5] of p5InThisRun)
     const images = await drawBorders(version, p5, 'antialias: true, version: 1')
     for (const [name, image] of Object.entries(images))
       for (const { x, y, color } of colorsOf(image)) {
-        // An average of colors of normals that face the eye, and of the background.
+        // Each color is an average of colors of normals that face the eye, and of the background.
         assert.ok(color[2] > 120, `${name} at ${x}, ${y}: ${color}`)
       }
   })
 
-// The normal of a surface that a warp collapses is the geometric normal of the triangle, on the side of the eye. In a parallel projection,
-// the direction from a position to the origin of view space may lead to the other side of a steep triangle.
-/** Leaves the four vertices of the plane where they are, with derivatives that press all surfaces into a point. */
+// The normal of a surface that a warp collapses is the geometric normal of the triangle that faces the eye. In a parallel projection, the
+// direction to the eye is z, whereas the direction to the origin of view space may be on the other side of a steep triangle.
+/** Does not move the four vertices of the plane; but its derivatives collapse any surface to a point. */
 const collapse = ({ position }) => position.mult(2).round().div(2).sub(position)
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
@@ -111,7 +116,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         },
       )
       for (const [name, { data }] of Object.entries(images)) {
-        // Without the edges, where colors are mixed with the background.
+        // Leaves out the edges, where antialiasing mixes colors with the background.
         const isSeen = (pixel) => data[4 * pixel] + data[4 * pixel + 1] + data[4 * pixel + 2] > 0
         const seen = [...Array(size * size).keys()].filter((pixel) =>
           [0, 1, -1, size, -size].every((step) => isSeen(pixel + step)),

@@ -1,12 +1,13 @@
-// exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with the
-// same warp by createWarp. Also tests the messages about unsupported hooks.
+// exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with that of the
+// same
+// warp by createWarp. Also tests messages about unsupported hooks.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
 
-const own = ['/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
+const addons = ['/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
 
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 
@@ -21,7 +22,7 @@ const image = `
     warps.image.pixels.set([128 + 120 * Math.sin((i % 32) * 0.39), 0, 0, 255], 4 * i)
   warps.image.updatePixels()`
 
-/** Maps a name to [the sketch's own shader, the same warp made with createWarp]. */
+/** Maps a name to [a shader of p5.strands, the arguments of createWarp for the same warp]. */
 const inStrands = {
   'along the normal': [
     strands(`getObjectInputs((inputs) => {
@@ -53,6 +54,7 @@ const inStrands = {
   ],
 }
 
+/** Such warps in hooks that read an image. */
 const inImages = {
   'with an image': [
     strands(`const heights = uniformTexture(() => warps.image)
@@ -64,13 +66,14 @@ const inImages = {
   ],
 }
 
-/** Heights by functions of p5.strands; the kinks of % are between vertices of the plane. */
+/** Maps a name to a height in p5.strands. The kinks of % and mod() are between vertices of the plane. */
 const heights = {
   'noise()': 'noise(x * 0.03, y * 0.03) * 25',
   '%': 'abs(((x + 101) % 30) - 15) + abs(((y + 102) % 50) - 25) * 0.5',
   'mod()': 'abs(mod(x + 101, 40) - 20) * (0.5 + y * 0.004)',
   'a condition and a loop': 'hillAt(x, y)',
 }
+/** Returns a shader of p5.strands that moves vertices in world space; `normal` is code that changes the normal. */
 const inWorld = (height, normal) => `baseMaterialShader().modify(() => {
   const slope = uniformFloat(() => 0.3)
   getWorldInputs((inputs) => {
@@ -95,6 +98,7 @@ const byDifferences = `
     let byY = (heightAt(x, y + 0.05) - heightAt(x, y - 0.05)) * 10
     inputs.normal = normalize(inputs.normal - [byX, byY, 0] * inputs.normal.z)`
 
+/** Such warps in hooks of p5 1.11. */
 const inOldHooks = {
   'along the normal': [
     `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {
@@ -118,7 +122,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     test('has the light of the same warp', async () => {
       const pairs = isOld ? inOldHooks : { ...inStrands, ...(!isWebGPU && inImages) }
       const entries = Object.entries(pairs)
-      const images = await drawScenes(browsers[renderer], server, [...scripts, ...own], {
+      const images = await drawScenes(browsers[renderer], server, [...scripts, ...addons], {
         renderer,
         // exactNormals computes normals at vertices.
         setup: `${image}
@@ -135,23 +139,23 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         ),
       })
       for (const [name] of entries)
-        for (const each of [name, `${name}, a ring`]) {
-          const right = images[`${each}, by hand`]
-          assert.ok(litPixels(right).length > 4000, each)
-          const differing = differingPixels(images[each], right, 3)
-          assert.ok(differing < 40, `${each}: ${differing} pixels differ`)
+        for (const title of [name, `${name}, a ring`]) {
+          const expected = images[`${title}, by hand`]
+          assert.ok(litPixels(expected).length > 4000, title)
+          const differing = differingPixels(images[title], expected, 3)
+          assert.ok(differing < 40, `${title}: ${differing} pixels differ`)
         }
       for (const [name] of entries)
         assert.ok(
           differingPixels(images[`${name}, plain`], images[`${name}, by hand`], 8) > 1000,
-          `${name}: wrong light would show`,
+          `${name}: wrong light would be detected`,
         )
     })
 
     if (!isOld)
-      test('has the light of normals by differences', async () => {
+      test('has the light of normals that the sketch computes by finite differences', async () => {
         const entries = Object.entries(heights)
-        const images = await drawScenes(browsers[renderer], server, [...scripts, ...own], {
+        const images = await drawScenes(browsers[renderer], server, [...scripts, ...addons], {
           renderer,
           setup: entries
             .map(
@@ -169,12 +173,12 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           ),
         })
         for (const [name] of entries) {
-          const right = images[`${name}, byHand`]
-          assert.ok(litPixels(right).length > 4000, name)
-          const differing = differingPixels(images[`${name}, own`], right, 4)
+          const expected = images[`${name}, byHand`]
+          assert.ok(litPixels(expected).length > 4000, name)
+          const differing = differingPixels(images[`${name}, own`], expected, 4)
           assert.ok(differing < 100, `${name}: ${differing} pixels differ`)
-          const wrong = differingPixels(images[`${name}, plain`], right, 8)
-          assert.ok(wrong > 3000, `${name}: wrong light would show, in ${wrong} pixels`)
+          const wrong = differingPixels(images[`${name}, plain`], expected, 8)
+          assert.ok(wrong > 3000, `${name}: wrong light would be detected in ${wrong} pixels`)
         }
       })
 
@@ -223,7 +227,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       const { page } = await runSketch(
         browsers[renderer],
         server,
-        [...scripts, ...own],
+        [...scripts, ...addons],
         `const warps = {}
         window.said = {}
         ${isWebGPU ? 'async ' : ''}function setup() {

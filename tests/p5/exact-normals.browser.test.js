@@ -8,11 +8,11 @@ const scripts = [p5Versions['2.x'], '/dist/p5.warpjet.min.js', '/dist/warpjet.gl
 
 const { browser, server } = await openHost()
 
-/** Maps a scene to its code. */
+/** Returns the code of a scene: a sphere with this shading. */
 const scene = (shading) =>
   `noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); ${shading}; fill('coral'); rotateX(0.4); sphere(60, 48, 32)`
 
-/** Defines createWarp with normals at vertices, where exactNormals computes them, too. */
+/** Code that defines atVertices(): createWarp() with normals at vertices, where exactNormals computes them. */
 const defineAtVertices = `window.atVertices = (offset, options) => createWarp(offset, { ...options, normals: 'vertex' });
 `
 
@@ -58,7 +58,7 @@ test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source ea
     },
   })
   assert.ok(litPixels(images.byHand).length > 5000)
-  assert.ok(differingPixels(images.plain, images.byHand, 8) > 2000, 'wrong light would show')
+  assert.ok(differingPixels(images.plain, images.byHand, 8) > 2000, 'wrong light would be detected')
   for (const name of ['hook', 'strands', 'text'])
     assert.ok(
       differingPixels(images[name], images.byHand, 2) < 20,
@@ -86,7 +86,10 @@ test('an integer uniform keeps all its bits, and p5 declares it as an integer', 
       still: scene('warps.still()'),
     },
   })
-  assert.ok(differingPixels(images.still, images.byHand, 8) > 500, 'what stands still would show')
+  assert.ok(
+    differingPixels(images.still, images.byHand, 8) > 500,
+    'a missing motion would be detected',
+  )
   assert.ok(differingPixels(images.whole, images.byHand, 2) < 20)
 })
 
@@ -138,7 +141,7 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
 
 test("p5.strands written as in p5's reference and tutorials looks like the same warp by createWarp", async () => {
   const strands = (base, moves) => `exactNormals(${base}().modify(() => { ${moves} }))`
-  // Each case as a strands sketch and as a warp.
+  // Maps a title to [a strands sketch, the same warp].
   const sketches = {
     'a flag in the wind, with millis()': [
       strands(
@@ -222,8 +225,8 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
 })
 
 test('p5 1.11: hooks in local and view space look like the same warp by createWarp', async () => {
-  const old = [p5Versions['1.11'], ...scripts.slice(1)]
-  const images = await drawScenes(browser, server, old, {
+  const oldScripts = [p5Versions['1.11'], ...scripts.slice(1)]
+  const images = await drawScenes(browser, server, oldScripts, {
     setup: `${defineAtVertices}
       warps.byHand = ${wave}
       warps.plain = baseMaterialShader().modify({
@@ -245,10 +248,10 @@ test('p5 1.11: hooks in local and view space look like the same warp by createWa
       const own = warps.plain.modify({ 'vec3 getLocalNormal': '(vec3 normal) { return normal.zyx; }' })
       const warn = console.warn
       console.warn = (message) => (window.warning = message)
-      window.isLeft = exactNormals(own) === own
+      window.isUnchanged = exactNormals(own) === own
       console.warn = warn
-      if (!window.isLeft || !/hook getLocalNormal of its own/.test(window.warning))
-        throw new Error('another warning: ' + window.warning)`,
+      if (!window.isUnchanged || !/hook getLocalNormal of its own/.test(window.warning))
+        throw new Error('unexpected warning: ' + window.warning)`,
     scenes: {
       byHand: scene('warps.byHand()'),
       plain: scene('shader(warps.plain)'),
@@ -260,13 +263,13 @@ test('p5 1.11: hooks in local and view space look like the same warp by createWa
   })
   assert.ok(litPixels(images.byHand).length > 5000)
   assert.ok(litPixels(images.both).length > 5000)
-  assert.ok(differingPixels(images.plain, images.byHand, 8) > 2000, 'wrong light would show')
-  assert.ok(differingPixels(images.both, images.byHand, 8) > 2000, 'both move')
-  for (const [name, wanted] of [
+  assert.ok(differingPixels(images.plain, images.byHand, 8) > 2000, 'wrong light would be detected')
+  assert.ok(differingPixels(images.both, images.byHand, 8) > 2000, 'both hooks move vertices')
+  for (const [name, expected] of [
     ['hook', 'byHand'],
     ['view', 'viewByHand'],
   ]) {
-    const differing = differingPixels(images[name], images[wanted], 2)
+    const differing = differingPixels(images[name], images[expected], 2)
     assert.ok(differing < 20, `${name}: ${differing} pixels differ`)
   }
 })
@@ -286,13 +289,13 @@ test('warns about unsupported hooks, and leaves the shader unchanged', async () 
       const colours = baseMaterialShader().modify({
         'Vertex getObjectInputs': '(Vertex inputs) { inputs.color = vec4(1.0); return inputs; }',
       })
-      window.isLeft = exactNormals(colours) === colours
+      window.isUnchanged = exactNormals(colours) === colours
       try { exactNormals({}) } catch (error) { window.message = error.message }
       window.done = true
     }`,
   )
   assert.equal(await page.evaluate('isSame'), true)
-  assert.equal(await page.evaluate('isLeft'), true)
+  assert.equal(await page.evaluate('isUnchanged'), true)
   assert.match(
     await page.evaluate('message'),
     /expected a shader of surfaces, such as .*, got an empty object/,

@@ -1,4 +1,4 @@
-// Warped geometry: warps that are called while p5 builds a geometry, compared with a computation by hand, and subdivide.
+// Warps that are called while p5 builds a geometry, compared with a computation by hand; and subdivide().
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -8,7 +8,7 @@ import { setup } from './scenes/build.js'
 
 for (const { name, isV1, isWebGPU, canvas, run, open } of await openP5Hosts())
   describe(name, () => {
-    /** A sketch that runs `code` in setup, which may set `result`. */
+    /** Returns a sketch that runs `code` in setup(); `code` may set `result`. */
     const sketch = (code) => `const warps = {}
       async function setup() {
         ${canvas(100, 100)}
@@ -40,30 +40,33 @@ for (const { name, isV1, isWebGPU, canvas, run, open } of await openP5Hosts())
       const [c, s] = [Math.cos(0.5), Math.sin(0.5)]
       const count = plain[0].length - 3
       assert.ok(count > 90)
-      const turn = ([x, y, z]) => [c * x - s * y, s * x + c * y, z]
-      const back = ([x, y, z]) => [c * x + s * y, c * y - s * x, z]
-      const near = (actual, expected, far, what) =>
+      const rotate = ([x, y, z]) => [c * x - s * y, s * x + c * y, z]
+      const rotateBack = ([x, y, z]) => [c * x + s * y, c * y - s * x, z]
+      const assertNear = (actual, expected, tolerance, what) =>
         actual.forEach((value, k) =>
-          assert.ok(Math.abs(value - expected[k]) < far, `${what}: ${actual} for ${expected}`),
+          assert.ok(
+            Math.abs(value - expected[k]) < tolerance,
+            `${what}: expected ${expected}, got ${actual}`,
+          ),
         )
       const unit = (v) => v.map((x) => x / Math.hypot(...v))
       for (let i = 0; i < count; i++) {
         const [p, n] = [plain[0][i], plain[1][i]]
-        // The gradients of the sphere of size 1.
-        const [x, y, z] = back([p[0] - 10, p[1], p[2]]).map((value) => value / 60)
-        const [a, b, d] = back(n)
-        const moved = turn([60 * x, 60 * (y + 0.2 * Math.sin(5 * x)), 60 * z])
-        near(wave[0][i], [moved[0] + 10, moved[1], moved[2]], 1e-3, 'place')
-        const normal = turn([a - Math.cos(5 * x) * b, b, d])
-        near(unit(wave[1][i]), unit(normal), 1e-4, 'normal')
-        // This shape is in the sketch's own pixels.
-        near(
+        // Position and normal on p5's sphere of radius 1.
+        const [x, y, z] = rotateBack([p[0] - 10, p[1], p[2]]).map((value) => value / 60)
+        const [a, b, d] = rotateBack(n)
+        const moved = rotate([60 * x, 60 * (y + 0.2 * Math.sin(5 * x)), 60 * z])
+        assertNear(wave[0][i], [moved[0] + 10, moved[1], moved[2]], 1e-3, 'place')
+        const normal = rotate([a - Math.cos(5 * x) * b, b, d])
+        assertNear(unit(wave[1][i]), unit(normal), 1e-4, 'normal')
+        // `sway` moves points in world space, in pixels.
+        assertNear(
           sway[0][i],
           [p[0] + 20 * Math.sin(0.05 * p[1]), p[1], p[2]],
           1e-3,
           'place in the world',
         )
-        near(
+        assertNear(
           unit(sway[1][i]),
           unit([n[0], n[1] - Math.cos(0.05 * p[1]) * n[0], n[2]]),
           1e-4,
@@ -105,7 +108,7 @@ for (const { name, isV1, isWebGPU, canvas, run, open } of await openP5Hosts())
           glsl.vec3(position.y.div(20).add(millis.mult(0)).sin().mult(uniforms.deep).mult(width).div(50), 0, 0), { uniforms: { deep: () => deep } })
         const countFor = async (uniforms) => (await subdivide(shape, { warp: wave, tolerance: 0.5, uniforms })).faces.length
         window.byWarp = [await countFor(), await countFor({ deep: 0 }), (deep = 0, await countFor()), await countFor({ deep: 10 })]
-        window.isWhole = dense.vertices.length === dense.vertexNormals.length && 2 * dense.vertices.length === dense.uvs.length
+        window.isComplete = dense.vertices.length === dense.vertexNormals.length && 2 * dense.vertices.length === dense.uvs.length
         window.dense = dense
         window.done = true
       }
@@ -120,7 +123,7 @@ for (const { name, isV1, isWebGPU, canvas, run, open } of await openP5Hosts())
       const [given, coarse, dense] = await page.evaluate('counts')
       assert.equal(given, 12)
       assert.ok(12 < coarse && coarse < dense, `${coarse}, ${dense}`)
-      assert.equal(await page.evaluate('isWhole'), true)
+      assert.equal(await page.evaluate('isComplete'), true)
       assert.deepEqual(await page.evaluate('byWarp'), [dense, 12, 12, dense])
       if (!isWebGPU) await page.evaluate('redraw()')
       const image = isWebGPU ? await readWebGPUPixels(page, 'redraw()') : await readPixels(page)

@@ -1,6 +1,6 @@
-// The inputs of warps in sketches, on each host. Uniforms, on both WebGL versions: checks the position in the picture. Images by
-// glsl.texture, as heights that displace a plane, with its normals, and sampled at warped positions in a fragment shader: compares the
-// picture with the interpolant in double.
+// The inputs of warps in sketches, on each host. For uniforms, checks the position of the drawing, in both versions of WebGL. For images,
+// which glsl.texture samples as heights of a plane, or at warped positions in a fragment shader, compares pictures with values and normals
+// that are interpolated in double.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -17,20 +17,20 @@ import {
 import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
 import { bend, turningShader } from './scenes/shader.js'
 
-/** Returns the offset of the drawing from the centre of the canvas to the right and down, in pixels. */
-function place(picture) {
+/** Returns the distance of the drawing from the centre of the canvas to the right and down, in pixels. */
+function positionIn(picture) {
   const lit = litPixels(picture)
   const mean = (axis) => lit.reduce((sum, pixel) => sum + pixel[axis], 0) / lit.length
   return [mean('x'), mean('y')].map(Math.round)
 }
 
-/** The arguments of createWarp for a warp in pixels. */
+/** Returns the arguments of createWarp for a warp in pixels. */
 const moves = (offset, uniforms, more = '') =>
   `(({ glsl, uniforms }) => ${offset}), { space: 'world', uniforms: { ${uniforms} }, ${more} }`
 
 const hosts = await openP5Hosts()
 
-/** Each host with the code of setup() that checks or chooses its version of WebGL. */
+/** The hosts, on WebGL once for each version of WebGL; `choose` is code for setup() that selects and checks it. */
 const variants = hosts.flatMap((host) =>
   host.isWebGPU
     ? [{ ...host, choose: '' }]
@@ -38,7 +38,7 @@ const variants = hosts.flatMap((host) =>
         ...host,
         name: `${host.name} ${webgl}`,
         choose: `${webgl === 1 ? 'setAttributes({ version: 1 })' : ''}
-          if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'another WebGL'`,
+          if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'wrong version of WebGL'`,
       })),
 )
 
@@ -46,8 +46,8 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
   describe(`uniforms on ${host}`, () => {
     const shape = `fill('red'); plane(20)`
 
-    /** Draws the scenes → positions by scene. `warps` are arguments of createWarp by name. */
-    async function places(warps, scenes, before = '') {
+    /** Draws scenes → maps their names to positions. `warps` maps names to arguments of createWarp. */
+    async function drawnPositions(warps, scenes, before = '') {
       const setup = Object.entries(warps).map(
         ([name, args]) => `warps.${name} = createWarp(${args})`,
       )
@@ -57,7 +57,9 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
           Object.entries(scenes).map(([name, code]) => [name, `${code}; ${shape}`]),
         ),
       })
-      return Object.fromEntries(Object.entries(images).map(([name, i]) => [name, place(i)]))
+      return Object.fromEntries(
+        Object.entries(images).map(([name, image]) => [name, positionIn(image)]),
+      )
     }
 
     test('of each type reach the shader', async () => {
@@ -81,27 +83,27 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
         ),
       }
       const scenes = Object.fromEntries(Object.keys(warps).map((name) => [name, `warps.${name}()`]))
-      for (const [name, found] of Object.entries(await places(warps, scenes)))
+      for (const [name, found] of Object.entries(await drawnPositions(warps, scenes)))
         assert.deepEqual(found, [40, 0], name)
     })
 
-    test('are read at each distort, and overridden for one', async () => {
+    test('are read at each call of a warp, and can be overridden for one call', async () => {
       const warps = {
         fixed: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
         follow: moves('glsl.vec3(uniforms.at, 0)', 'at: () => [mouseX, frame]'),
         grow: moves('glsl.vec3(uniforms.x, uniforms.y, 0)', 'x: 10, y: () => frame'),
       }
-      const found = await places(
+      const found = await drawnPositions(
         warps,
         {
           fixed: 'warps.fixed()',
           replaced: 'warps.fixed({ a: [20, 30] })',
           'as before': 'warps.fixed()',
           'by a vector': 'warps.fixed({ a: createVector(15, 25) })',
-          asked: 'frame = 5; warps.follow()',
-          'asked again': 'frame = 50; warps.follow()',
-          'the other is asked': 'frame = 7; warps.grow({ x: 33 })',
-          'not asked': 'frame = 7; warps.grow({ y: 8 })',
+          'by functions': 'frame = 5; warps.follow()',
+          'by functions, again': 'frame = 50; warps.follow()',
+          'one overridden, one by a function': 'frame = 7; warps.grow({ x: 33 })',
+          'the function overridden': 'frame = 7; warps.grow({ y: 8 })',
           'twice in a frame': 'warps.fixed({ a: [60, 60] }); warps.fixed()',
           'by the material': 'warps.fixed({ a: [20, 30] }); normalMaterial()',
         },
@@ -112,10 +114,10 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
         replaced: [20, 30],
         'as before': [40, 0],
         'by a vector': [15, 25],
-        asked: [30, 5],
-        'asked again': [30, 50],
-        'the other is asked': [33, 7],
-        'not asked': [10, 8],
+        'by functions': [30, 5],
+        'by functions, again': [30, 50],
+        'one overridden, one by a function': [33, 7],
+        'the function overridden': [10, 8],
         'twice in a frame': [40, 0],
         'by the material': [20, 30],
       })
@@ -140,11 +142,11 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
             : `defs: 'uniform float b; float half_of(float a) { return 0.5 * a; }'`,
         ),
       }
-      const found = await places(warps, {
+      const found = await drawnPositions(warps, {
         any: 'warps.any()',
         'any given': 'warps.any({ "a b": 14 })',
         defs: 'warps.defs({ a: 20, b: 40 })',
-        // A uniform declared by defs keeps its value.
+        // A uniform that defs declares keeps its last value.
         again: 'warps.defs({ unread: [3, 4] })',
       })
       assert.deepEqual(found, {
@@ -157,7 +159,7 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
   })
 
 for (const host of hosts)
-  test(`${host.name}: a warp passes on uniforms that the sketch or the warp sets to the sketch's shader`, async () => {
+  test(`${host.name}: uniforms of the sketch's shader have the values that setUniform() or the call of the warp sets`, async () => {
     const { whole, half, quarter } = await host.draw({
       setup: `${turningShader(host)}; distort = createWarp(${bend}, { shader: warps.turning })`,
       scenes: {
@@ -172,23 +174,25 @@ for (const host of hosts)
 
 const size = 200
 
+/** Returns points from 0 to 1. */
 const grid = (count) =>
   Array.from({ length: count * count }, (_, i) => [
     ((i % count) + 0.37) / count,
     (Math.floor(i / count) + 0.41) / count,
   ])
 
+/** Converts a coordinate on the plane, from 0 to 1, to pixels. */
 const onCanvas = (u) => (size - side) / 2 + side * u
 
-function assertColor(picture, [u, v], wanted, tolerance, what) {
+function assertColor(picture, [u, v], expected, tolerance, what) {
   const color = colorAt(picture, onCanvas(u), onCanvas(v))
-  const error = Math.max(...wanted.map((x, i) => Math.abs(color[i] - x)))
-  assert.ok(error <= tolerance, `${what} at ${[u, v]}: expected ${wanted}, got ${color}`)
+  const error = Math.max(...expected.map((x, i) => Math.abs(color[i] - x)))
+  assert.ok(error <= tolerance, `${what} at ${[u, v]}: expected ${expected}, got ${color}`)
 }
 
 for (const host of hosts) {
   const { isWebGPU, draw } = host
-  // In p5 2.3 updatePixels() of a framebuffer fails on WEBGPU.
+  // In p5 2.3, updatePixels() of a framebuffer fails on WEBGPU.
   const { framebuffer, ...others } = imageSources
   const sources = isWebGPU ? others : { framebuffer, ...others }
   const setup = setupOfImages(host, ...Object.values(sources))
@@ -219,22 +223,22 @@ for (const host of hosts) {
               -(heightAt(u, v + step) - heightAt(u, v - step)) / (2 * step * side),
               1,
             ])
-            const wanted = normal.map((x) => 255 * Math.max(x, 0))
-            assertColor(picture, [u, v], wanted, 4, name)
+            const expected = normal.map((x) => 255 * Math.max(x, 0))
+            assertColor(picture, [u, v], expected, 4, name)
           }
       })
 
-    // The rest is about GLSL.
+    // The remaining tests are about GLSL.
     if (isWebGPU) return
 
-    test("images wrap as p5's textureWrap says", async () => {
-      const at = '{ filter: "bspline" }'
-      const warpOf = `createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
-        .texture(uniforms.heights, position.xy().mult(3), ${at}).r().mult(${height / 3})),
+    test("images wrap according to p5's textureWrap()", async () => {
+      const options = '{ filter: "bspline" }'
+      const displaced = `createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().mult(3), ${options}).r().mult(${height / 3})),
         { type: 'normal', uniforms: { heights: () => warps.image } })`
       const wraps = { REPEAT: 'repeat', MIRROR: 'mirror', CLAMP: 'clamp' }
       const pictures = await draw({
-        setup: `${setup}\nwarps.displace = ${warpOf}`,
+        setup: `${setup}\nwarps.displace = ${displaced}`,
         scenes: Object.fromEntries(
           Object.keys(wraps).map((name) => [
             name,
@@ -272,7 +276,7 @@ for (const host of hosts) {
         .mult(${height})), { type: 'normal', uniforms: { heights: () => warps.image } })`
       const scenes = { shown: `warps.displace(); plane(${side}, ${side}, 60, 60)` }
       const [first, second] = [
-        // p5 warns about framebuffers there.
+        // Uses only an image, since p5 warns about framebuffers in WebGL 1.
         await draw({
           setup: `setAttributes({ version: 1 })\nif (webglVersion !== 'webgl') throw new Error('no WebGL 1')\n${setupOfImages(host, sources.image)}\n${displaced}`,
           scenes,
@@ -327,8 +331,8 @@ void main() {
         place.map((t) => (Math.floor(t * side) + 0.5) / side),
       )) {
         const color = sample(image, ...warpUv(u, v), options).slice(0, 3)
-        const wanted = color.map((channel) => 255 * Math.min(Math.max(channel, 0), 1))
-        assertColor(pictures.image, [u, v], wanted, 1.5, 'color')
+        const expected = color.map((channel) => 255 * Math.min(Math.max(channel, 0), 1))
+        assertColor(pictures.image, [u, v], expected, 1.5, 'color')
       }
     })
   })

@@ -1,5 +1,6 @@
-// Offsets of normal and uv on p5's own shapes, without any call that computes gradients: compares the light at each vertex with
-// the normal of the warped surface, from differences in double of p5's documented shapes.
+// Offsets that read normal and uv, on p5's own shapes, in sketches that do not call for gradients: compares the light at each vertex with
+// the
+// normal of the warped surface, which is computed by finite differences, in double, from p5's documented shapes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -24,7 +25,10 @@ const webglHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 
 const { PI, sin } = Math
 
-/** `grain` scales the offset: positions are divided by `length`, heights multiplied by `height`, and normals by `normals`. */
+/**
+ * Offsets as code, and as functions of numbers. Their `grain` divides positions by `length`, and multiplies heights by `height` and normals
+ * by `normals`.
+ */
 const offsets = {
   'a blob along the normal': {
     code: ({
@@ -43,23 +47,28 @@ const offsets = {
   },
 }
 
+/** A text as a shape. */
 const word = {
   setup: `textSize(180)
     warps.word = (await loadFont('${font}')).textToModel('We', -130, 50, { extrude: 60, sampleFactor: 0.5 })
-    // p5 also has a canvas for text; the first canvas has the pictures.
+    // p5 adds another canvas for text; the canvas with the pictures must be the first.
     document.body.prepend(document.querySelector('#defaultCanvas0'))`,
   code: 'model(warps.word)',
   grain: { height: radius, length: radius, normals: 1 },
 }
 
-/** p5 1.11 has no models of text, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function". */
+/**
+ * Returns the shapes for a host. p5 1.11 has no text models, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function".
+ */
 const shapesOn = ({ isV1, isWebGPU }) =>
   Object.entries({
     ...surfaces,
     ...(!isV1 && !isWebGPU && { 'a word': word }),
   })
 
-/** The normal material shows only positive components: these rotations make all three positive in many places. */
+/**
+ * Rotations about x and y. The normal material shows only positive components; with these rotations, all three are positive in many places.
+ */
 const turns = [
   [-0.6, 0.8],
   [-0.6, 3.9],
@@ -69,8 +78,8 @@ const turns = [
 const camera = `perspective(2 * atan(${size / 2 / distance}), 1, 100, 5000)
   camera(0, 0, ${distance}, 0, 0, 0, 0, 1, 0)`
 
-/** The shapes made by p5, by name → { vertices, normals, uvs, faces }. */
-async function geometriesOf(p5, shapes) {
+/** Makes shapes in p5 → maps their names to { vertices, normals, uvs, faces, gradients }. */
+async function makeGeometries(p5, shapes) {
   const { page, messages } = await runSketch(
     webgl,
     server,
@@ -84,29 +93,29 @@ async function geometriesOf(p5, shapes) {
       ${shapes.map(([, { setup }]) => setup ?? '').join('\n')}
       const { prototype } = p5.Geometry
       const { get } = Object.getOwnPropertyDescriptor(prototype, 'warpjet_uGradient')
-      let asking
+      let drawn
       Object.defineProperty(prototype, 'warpjet_uGradient', {
-        get() { asking = this; return get.call(this) } })
+        get() { drawn = this; return get.call(this) } })
       const names = 'normalXGradient normalYGradient normalZGradient uGradient vGradient'.split(' ')
       const draw = { ${shapes.map(([name, { code }]) => `'${name}': () => { ${code} }`).join(', ')} }
       for (const [name, shape] of Object.entries(draw)) {
         distort(); shape()
         const list = (vectors) => vectors.map(({ x, y, z }) => [x, y, z])
-        shapes[name] = { vertices: list(asking.vertices), normals: list(asking.vertexNormals),
-          uvs: [...asking.uvs].flat(), faces: asking.faces,
-          gradients: names.map((each) => [...asking['warpjet_' + each]]) }
+        shapes[name] = { vertices: list(drawn.vertices), normals: list(drawn.vertexNormals),
+          uvs: [...drawn.uvs].flat(), faces: drawn.faces,
+          gradients: names.map((each) => [...drawn['warpjet_' + each]]) }
       }
       done = true
     }`,
   )
-  // Passes one string, which the driver transfers without conversion.
+  // Passes a string, which Playwright transfers without conversion.
   const geometries = JSON.parse(await page.evaluate('JSON.stringify(shapes)'))
   await leavePage(page)
   assert.deepEqual(messages, [])
   return geometries
 }
 
-/** The shapes made by p5, by version. */
+/** Maps a version of p5 → its shapes. */
 const geometries = new Map()
 
 for (const host of hosts)
@@ -116,7 +125,7 @@ for (const host of hosts)
     for (const [what, offset] of Object.entries(offsets))
       test(`${what} within half a degree, on each shape`, async () => {
         if (!geometries.has(version))
-          geometries.set(version, await geometriesOf(p5Versions[version], shapes))
+          geometries.set(version, await makeGeometries(p5Versions[version], shapes))
         const seen = shapes.flatMap(([name, shape]) => {
           const triangles = trianglesOf(geometries.get(version)[name], shape)
           return turns
@@ -140,7 +149,7 @@ for (const host of hosts)
         })
         for (const [name] of shapes) {
           const vertices = new Set()
-          for (const { turn, corners } of seen.filter((each) => each.name === name))
+          for (const { turn, corners } of seen.filter((view) => view.name === name))
             for (const { normal, at, vertex, p } of corners) {
               vertices.add(vertex)
               const color = m.normalize(colorAt(images[`${name} ${turn.join(' ')}`], ...at))
@@ -157,7 +166,7 @@ for (const host of webglHosts)
     const { version } = host
     const shapes = shapesOn(host)
     if (!geometries.has(version))
-      geometries.set(version, await geometriesOf(p5Versions[version], shapes))
+      geometries.set(version, await makeGeometries(p5Versions[version], shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
       const geometry = geometries.get(version)[name]
       assert.ok(geometry.gradients.flat().every(Number.isFinite), name)
@@ -168,12 +177,15 @@ for (const host of webglHosts)
         const [s, t] = where
         const gradients = geometry.gradients.map((list) => list.slice(3 * vertex, 3 * vertex + 3))
         if (isTorn(corner)) {
-          // Only the direction of u and its unbounded slope can be checked here.
-          const [u] = [gradients[3]]
-          const near = side.edges.includes(0) && t < 0.5 ? 1e-3 : t - 1e-3
-          const way = m.subtract(side.at(s + 1e-4, near).p, side.at(s - 1e-4, near).p)
+          // At a torn corner, we can only check that the gradient of u is large, and its direction.
+          const u = gradients[3]
+          const tNearby = side.edges.includes(0) && t < 0.5 ? 1e-3 : t - 1e-3
+          const alongU = m.subtract(side.at(s + 1e-4, tNearby).p, side.at(s - 1e-4, tNearby).p)
           assert.ok(Math.hypot(...u) > 1e3, `${name}, ${vertex}: ${u}`)
-          assert.ok(m.dot(m.normalize(u), m.normalize(way)) > 1 - 1e-6, `${name}, ${vertex}: ${u}`)
+          assert.ok(
+            m.dot(m.normalize(u), m.normalize(alongU)) > 1 - 1e-6,
+            `${name}, ${vertex}: ${u}`,
+          )
           torn++
           continue
         }
@@ -183,13 +195,16 @@ for (const host of webglHosts)
           [0, 1e-5],
         ]) {
           const [a, b] = [side.at(s - ds, t - dt), side.at(s + ds, t + dt)]
-          const rise = (x, y) => y.map((value, i) => (value - x[i]) / 2e-5)
-          const step = rise(a.p, b.p)
-          const values = [...rise(a.n, b.n), ...rise(a.uv, b.uv)]
+          const slope = (x, y) => y.map((value, i) => (value - x[i]) / 2e-5)
+          const tangent = slope(a.p, b.p)
+          const slopes = [...slope(a.n, b.n), ...slope(a.uv, b.uv)]
           gradients.forEach((gradient, k) => {
-            const error = Math.abs(m.dot(gradient, step) - values[k])
+            const error = Math.abs(m.dot(gradient, tangent) - slopes[k])
             assert.ok(error < 5e-3, `${name}, vertex ${vertex}, ${k}: ${error}`)
-            assert.ok(Math.abs(m.dot(gradient, m.normalize(n))) < 1e-4, `${name}: in the surface`)
+            assert.ok(
+              Math.abs(m.dot(gradient, m.normalize(n))) < 1e-4,
+              `${name}: the gradient is tangent to the surface`,
+            )
           })
         }
       }
@@ -198,21 +213,21 @@ for (const host of webglHosts)
     }
   })
 
-/** Camera positions along the axes, which put poles and apexes in the middle. */
+/** Maps a pole or an apex to its shape and the side from which it is in the middle of the picture. */
 const ends = {
   "a sphere's pole": ['sphere', 1],
   'its other pole': ['sphere', -1],
   "a cone's apex": ['cone', 1],
 }
 
-/** Light directions to the corners of a tetrahedron, so that each unit normal gets at least a third of one light. */
+/** Lights from the corners of a tetrahedron, so that each unit normal gets at least a third of one light. */
 const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
-  .map((way) => `directionalLight(255, 255, 255, ${way})`)
+  .map((direction) => `directionalLight(255, 255, 255, ${direction})`)
   .join('; ')
 
 // On WEBGPU p5 2.3 itself uses only the first directional light.
 for (const { name: host, draw } of webglHosts)
-  test(`${host}: a warp by uv has unit normals at poles and apexes, where the surface has no true normal`, async () => {
+  test(`${host}: a warp that reads uv has unit normals at poles and apexes, where the surface has no normal`, async () => {
     const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
     const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
       Object.entries(ends).map(([name, [shape, side]]) => [
@@ -239,16 +254,16 @@ for (const { name: host, draw } of webglHosts)
 for (const { name, canvas, open } of hosts)
   test(`${name}: the gradients of other shapes are computed once and cached`, async () => {
     const { page, messages } = await open(
-      `let shape, looks = 0, bend, bulge
+      `let shape, computations = 0, bend, bulge
       async function setup() {
         ${canvas(100, 100)}
         noLoop()
         noStroke()
         shape = buildGeometry(() => torus(30, 10))
-        // Our computation calls these functions; p5 does not.
+        // Counts the computations of gradients by their calls of this function.
         const { forEach } = shape.vertices
         Object.defineProperty(shape.vertices, 'forEach', {
-          value(...all) { looks += /warpjet/.test(new Error().stack); return forEach.apply(this, all) } })
+          value(...all) { computations += /warpjet/.test(new Error().stack); return forEach.apply(this, all) } })
         bend = createWarp(({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(6).sin().mult(5)))
         bulge = createWarp(({ normal, uv }) => normal.mult(uv.y()))
       }
@@ -258,16 +273,16 @@ for (const { name, canvas, open } of hosts)
         done = true
       }`,
     )
-    const looks = () => page.evaluate('redraw(), looks')
-    const first = await looks()
+    const redrawAndCount = () => page.evaluate('redraw(), computations')
+    const first = await redrawAndCount()
     assert.equal(first, 1)
-    for (let frame = 0; frame < 5; frame++) assert.equal(await looks(), 1)
+    for (let frame = 0; frame < 5; frame++) assert.equal(await redrawAndCount(), 1)
     await leavePage(page)
     assert.deepEqual(messages, [])
   })
 
 test(
-  'p5 1.11 lights them in each space like 2.x, also in WebGL 1',
+  'p5 1.11 lights offsets of normal and uv in each space like 2.x, also in WebGL 1',
   { skip: webglHosts.length < 2 },
   async () => {
     const spaces = { local: 0.1, world: 6, camera: 6 }
@@ -278,7 +293,7 @@ test(
         `glsl.vec3(0, normal.normalize().x().mult(4).sin().mult(${3 * height}), 0)`,
       ],
       [
-        `by both, in ${space} space`,
+        `by normal and uv, in ${space} space`,
         space,
         `normal.mult(position.x().div(${height}).sin().mult(${height}))
         .add(glsl.vec3(0, 0, uv.x().mult(12).sin().mult(${height})))`,

@@ -1,5 +1,6 @@
-// Mistakes in sketches: checks each message, and of common mistakes in first sketches the line that it names. Each file of `mistakes`
-// has a table.
+// Mistakes in sketches: checks each message and, for common mistakes in first sketches, the line that it names. The mistakes are in tables
+// in
+// the folder mistakes.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -14,14 +15,14 @@ const hosts = await openP5Hosts()
 for (const host of hosts)
   for (const { title, isOn = () => true, table } of [...uniforms, ...shapes])
     if (isOn(host))
-      test(`${host.name}, ${title}: a WarpError reports each mistake, and drawing goes on`, () =>
+      test(`${host.name}, ${title}: a WarpError reports each mistake, and the sketch continues to draw`, () =>
         checkMistakes(host, table(host)))
 
 for (const { name, canvas, open } of hosts)
   test(`${name}: a warp made in every frame warns once, and a message names a missing script`, async () => {
     const { page, messages } = await open(
-      `let said
-    try { const { twist } = warpjet } catch (error) { said = [error.name, error.message.replace(/ \\(\\S+, line \\d+\\)$/, '')] }
+      `let scriptError
+    try { const { twist } = warpjet } catch (error) { scriptError = [error.name, error.message.replace(/ \\(\\S+, line \\d+\\)$/, '')] }
     async function setup() { ${canvas(20, 20)}; noStroke(); isReady = true }
     function draw() {
       if (!window.isReady) return
@@ -29,7 +30,7 @@ for (const { name, canvas, open } of hosts)
       if (frameCount === 8) { noLoop(); window.done = true }
     }`,
     )
-    assert.deepEqual(await page.evaluate('said'), [
+    assert.deepEqual(await page.evaluate('scriptError'), [
       'WarpError',
       'warpjet.twist: no script of this page has it; add the script warpjet.deformers.min.js after p5.warpjet.min.js.',
     ])
@@ -39,17 +40,18 @@ for (const { name, canvas, open } of hosts)
     ])
   })
 
-const inBraces = (code) => (code.startsWith('{') ? code : `return ${code}`)
+/** Returns the body of a function: a block as it is, an expression with `return`. */
+const toBody = (code) => (code.startsWith('{') ? code : `return ${code}`)
 
 for (const { name, isWebGPU, canvas, open } of hosts)
   test(`${name}: each mistake has its message, with the line of the sketch`, async () => {
     const expected = { ...offsets, ...calls, ...(isWebGPU && onWebGPU) }
-    // Skips cases that are null.
+    // Leaves out cases that are null.
     const codesWithMessage = (all) => Object.keys(all).filter((code) => expected[code])
     const works = [
       ...codesWithMessage(offsets).map(
         (code) =>
-          `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${inBraces(code)} })`,
+          `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${toBody(code)} })`,
       ),
       ...codesWithMessage(calls),
     ]
@@ -66,7 +68,7 @@ async function setup() {
   flat = createGraphics(10, 10)
   warp = createWarp(still)
   window.said = works.map(errorOf)
-  // The guarded functions are restored.
+  // Functions that were replaced while the offset ran are restored.
   window.after = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
   noLoop()
   done = true
@@ -74,7 +76,7 @@ async function setup() {
     )
     const said = await page.evaluate('said')
     const early = await page.evaluate('early')
-    const left = await page.evaluate('window.after')
+    const after = await page.evaluate('window.after')
     const source = await page.evaluate('document.documentElement.outerHTML')
     await leavePage(page)
     // p5's own friendly errors also report some of these calls.
@@ -83,7 +85,7 @@ async function setup() {
       [],
     )
     assert.match(early.join(), /^WarpError,.*needs a 3D canvas/)
-    assert.deepEqual(left, [0, 2, 1])
+    assert.deepEqual(after, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
     const expectedMessages = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
@@ -152,8 +154,12 @@ test('a printed expression describes itself', async () => {
 }`,
   )
   await leavePage(page)
-  const said = 'an expression of warpjet'
-  assert.deepEqual(messages.slice(0, 3), ['Expression', `x is ${said}`, `${said} ${said}`])
+  const description = 'an expression of warpjet'
+  assert.deepEqual(messages.slice(0, 3), [
+    'Expression',
+    `x is ${description}`,
+    `${description} ${description}`,
+  ])
   const components = messages.slice(3)
   assert.equal(components.length, 2)
   for (const text of components) assert.match(text, /^["'`]an expression of warpjet["'`]\(.{1,60}$/)
@@ -173,8 +179,8 @@ test('an unused condition causes a warning with its line', async () => {
 }`,
   )
   await leavePage(page)
-  const note = `A condition is not used (line): JavaScript's if, ?:, && and ! treat every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
-  assert.deepEqual(messages.map(withoutLine), [note, note])
+  const warning = `A condition is not used (line): JavaScript's if, ?:, && and ! treat every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
+  assert.deepEqual(messages.map(withoutLine), [warning, warning])
   const numbers = messages.map((text) => +/line (\d+)\)/.exec(text)[1])
   assert.equal(numbers[1] - numbers[0], 3)
 })

@@ -1,5 +1,5 @@
-// loadWarpModel finds its companion scripts and its models: in preload, from other servers, as a module, and from a script that was
-// copied alone.
+// Tests how loadWarpModel finds models and the scripts that it needs: in preload, from other servers, as a module, and from a script that
+// was copied without the others.
 import assert from 'node:assert/strict'
 import { copyFileSync, mkdirSync, readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -20,7 +20,7 @@ copyFileSync(path(addon), path(alone))
 const { browser, server } = await openHost()
 
 for (const [version, p5] of p5InThisRun) {
-  /** Loads a model with these scripts → the number of faces, or the message. */
+  /** Loads a model with these scripts → its number of faces, or the message of the error. */
   async function load(file, scripts) {
     const { page } = await runSketch(
       browser,
@@ -38,7 +38,7 @@ for (const [version, p5] of p5InThisRun) {
     return result
   }
 
-  test(`p5 ${version}: a model compressed by meshopt needs the decoder's script, and the message says so`, async () => {
+  test(`p5 ${version}: loading a model compressed by meshopt needs the decoder's script, and without it a message says so`, async () => {
     const decoder = '/node_modules/meshoptimizer/meshopt_decoder.cjs'
     assert.equal(await load('packed.glb', [p5, decoder, addon]), 12)
     assert.match(
@@ -58,25 +58,25 @@ for (const [version, p5] of p5InThisRun) {
 describe('loadWarpModel in preload, on p5 1.11', () => {
   for (const mode of isRun('p5 1.11') ? ['global', 'instance'] : ['global'])
     test(`is loaded before setup in ${mode} mode`, async () => {
-      const [own, start] = mode === 'global' ? ['window', ''] : ['p', 'new p5((p) => {']
+      const [p5Object, start] = mode === 'global' ? ['window', ''] : ['p', 'new p5((p) => {']
       const { page, messages } = await runSketch(
         browser,
         server,
         [p5Versions['1.11'], addon],
         `${start}
         let tip, bunny
-        ${own}.preload = () => {
-          tip = ${own}.loadWarpModel('${folder}/plain.glb')
-          bunny = ${own}.loadWarpModel('${folder}/bunny.glb')
+        ${p5Object}.preload = () => {
+          tip = ${p5Object}.loadWarpModel('${folder}/plain.glb')
+          bunny = ${p5Object}.loadWarpModel('${folder}/bunny.glb')
         }
-        ${own}.setup = () => {
+        ${p5Object}.setup = () => {
           window.report = [tip.vertices.length, tip instanceof p5.Geometry, 'then' in tip, bunny.faces.length]
-          ${own}.createCanvas(${size}, ${size}, ${own}.WEBGL)
-          ${own}.noLoop()
+          ${p5Object}.createCanvas(${size}, ${size}, ${p5Object}.WEBGL)
+          ${p5Object}.noLoop()
         }
-        ${own}.draw = () => {
-          ${own}.background(0); ${own}.noStroke(); ${own}.fill(255, 0, 0); ${own}.ortho()
-          ${own}.model(tip)
+        ${p5Object}.draw = () => {
+          ${p5Object}.background(0); ${p5Object}.noStroke(); ${p5Object}.fill(255, 0, 0); ${p5Object}.ortho()
+          ${p5Object}.model(tip)
           window.done = true
         }
         ${start && '})'}`,
@@ -117,7 +117,7 @@ describe('loadWarpModel from other servers', () => {
     assert.ok(fetched.includes('/dist/mesh.min.js'), fetched.join())
   })
 
-  test('logs an error about a model that preload waits for forever', async () => {
+  test('logs an error about a model that cannot be loaded in preload, so that setup never starts', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,

@@ -1,16 +1,16 @@
-// loadWarpModel on each supported p5: the geometry from a file, how it looks, and the messages about broken files.
+// loadWarpModel on each host: the geometry that it makes, pictures of it, and messages about mistakes.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
 import { openP5Hosts } from '../support/browser/p5-hosts.js'
-import { path, red, tip, white, writeModels } from '../support/browser/p5-models.js'
+import { path, red, triangle, white, writeModels } from '../support/browser/p5-models.js'
 import { colorAt, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 
 const size = 300
 const folder = writeModels('model-test')
 
-/** The parts of a model that can be passed out of the page. */
+/** Code that converts a model to a value that can be passed out of the page. */
 const report = `(model) => ({
   vertices: model.vertices.map(({ x, y, z }) => [x, y, z]),
   normals: model.vertexNormals.map(({ x, y, z }) => [x, y, z]),
@@ -87,11 +87,11 @@ for (const host of await openP5Hosts()) {
       assert.deepEqual(ours, own)
     })
 
-  const pixelsOf = (page) => (isWebGPU ? readWebGPUPixels(page, 'redraw()') : readPixels(page))
+  const readPicture = (page) => (isWebGPU ? readWebGPUPixels(page, 'redraw()') : readPixels(page))
 
   async function drawPicture(loadCode, drawCode) {
     const { page, messages } = await runModelSketch(loadCode, drawCode)
-    const image = await pixelsOf(page)
+    const image = await readPicture(page)
     await leavePage(page)
     assert.deepEqual(messages, [])
     return image
@@ -103,7 +103,7 @@ for (const host of await openP5Hosts()) {
     )
 
   describe(`loadWarpModel on ${host.name}`, () => {
-    test('makes a p5.Geometry: upright, 200 units at its longest, with all attributes', async () => {
+    test('makes a p5.Geometry with all attributes, upright, whose longest side is 200', async () => {
       const { plain, colors, material, texture, obj } = await loadReports({
         plain: `base + 'plain.glb'`,
         colors: `base + 'colors.glb'`,
@@ -144,7 +144,7 @@ for (const host of await openP5Hosts()) {
       })
       assert.deepEqual(flipped.vertices[2], [5, -1, 0])
       assert.deepEqual(sized.vertices[2], [0, 50, 0])
-      assert.deepEqual(raw.vertices.flat(), tip.positions)
+      assert.deepEqual(raw.vertices.flat(), triangle.positions)
       assert.deepEqual(raw.faces, [[0, 1, 2]])
     })
 
@@ -161,7 +161,7 @@ for (const host of await openP5Hosts()) {
         shift()
         model(two)`,
       )
-      // A triangle of 200 by 100 with the tip at the top: narrow at the top, wide at the bottom.
+      // Two triangles of 200 by 100, whose tips are at the top.
       assertColor(image, 0, -100, [0, 128, 0])
       assertColor(image, 40, -100, [0, 0, 0])
       assertColor(image, 90, -12, [0, 128, 0])
@@ -190,7 +190,7 @@ for (const host of await openP5Hosts()) {
       )
       mkdirSync(path('/.build/screenshots'), { recursive: true })
       await page.screenshot({ path: path(`/.build/screenshots/model-${host.name}.png`) })
-      const image = await pixelsOf(page)
+      const image = await readPicture(page)
       const covered = litPixels(image).filter(({ color }) => color[0] > 60).length
       await leavePage(page)
       assert.deepEqual(messages, [])

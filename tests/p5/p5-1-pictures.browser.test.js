@@ -1,11 +1,11 @@
-// Each sketch of the docs, the README and the gallery that is not marked "p5 2", and the playground's default sketch, draws the same
-// picture on p5 1.11 as on p5 2, with light.
+// Sketches draw the same picture on p5 1.11 as on p5 2: all of the docs, the README and the gallery that have no comment "p5 2", and the
+// playground's default sketch.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { walk } from '../../.scripts/lib/files.mjs'
 import { sections } from '../../web/catalogue.js'
-import { converted } from '../../web/playground/convert.js'
+import { convert } from '../../web/playground/convert.js'
 import { tagsOf } from '../../web/playground/hosts.js'
 import { blocksOf } from '../../web/site/markdown.js'
 import { path } from '../support/browser/bench.js'
@@ -13,18 +13,18 @@ import { launchBrowser, leavePage, openPage } from '../support/browser/browser.j
 import { coarseShapes } from '../support/browser/examples.js'
 import { beyondEdges, readPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
-import { pngOf } from '../support/png.js'
+import { encodeImage } from '../support/png.js'
 
-// The sketch reads the address of its page.
+// The module with the playground's default sketch reads the address of the page.
 globalThis.location ??= new URL('http://localhost/playground/index.html')
 const { starters } = await import('../../web/playground/examples.js')
 
 const screenshots = path('.build/screenshots/p5-1')
 
-/** A comment marks sketches that 1.11 cannot run. */
+/** Tests for a comment with "p5 2", which marks sketches that 1.11 cannot run. */
 const isForP5v2 = ([, text]) => /^ *\/\/ .*\bp5 2\b/m.test(text)
 
-/** [name, source, scripts] of each sketch. */
+/** [name, source, additional scripts] of each sketch. */
 const all = [
   ['the playground', starters.p5.text ?? starters.p5, []],
   ...['README.md', ...walk('web/docs', /\.md$/)]
@@ -46,13 +46,13 @@ const all = [
 ]
 const sketches = all.filter((sketch) => !isForP5v2(sketch))
 
-/** Time is fixed, random numbers are seeded, and pixels are few. */
-const still = `
+/** Code that fixes the time, seeds random numbers, draws one frame, and reduces pixels and shapes. */
+const setUpStill = `
 {
   let seed = 1
   Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
   p5.prototype.millis = () => 1700
-  // Removes edges, which the warp does not draw, and which p5 takes seconds to compute for a model.
+  // Removes the edges of shapes. Warps do not draw them, and p5 takes seconds to compute those of a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
@@ -67,8 +67,8 @@ const still = `
   ${coarseShapes}
 }`
 
-/** Serves the playground's folder of files, from which sketches load models and fonts. */
 const pages = []
+/** Vite plugin: serves `pages` in the playground's folder of files, from which sketches load models and fonts by relative addresses. */
 const servePages = {
   name: 'pages',
   configureServer({ middlewares }) {
@@ -93,7 +93,8 @@ after(async () => {
   await server.close()
 })
 
-async function pictureOf([place, text, chosen], host) {
+/** Draws a sketch on a host → { image, messages }. */
+async function drawSketch([name, text, chosen], host) {
   const number = pages.push(`<!doctype html>
 <meta charset="utf-8">
 <link rel="icon" href="data:,">
@@ -101,39 +102,39 @@ async function pictureOf([place, text, chosen], host) {
 ${tagsOf({ host, chosen })
   .map((file) => `<script src="${file}"></script>`)
   .join('\n')}
-<script>${still}</script>
-<script>${converted(text, host)}
+<script>${setUpStill}</script>
+<script>${convert(text, host)}
 {
-  const own = setup
-  window.setup = () => (window.ready = own())
+  const { setup } = window
+  window.setup = () => (window.ready = setup())
 }
 </script>`)
   const { page, messages } = await openPage(browser, `${url}playground/files/${number - 1}.html`)
   await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
   // p5 1.11 does not wait for an async setup.
   await page.evaluate('ready')
-  // Fonts and graphics create canvases too.
+  // Fonts and graphics create canvases, too: moves that of the sketch to the front.
   await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
   await page.evaluate('redraw()')
   const image = await readPixels(page)
-  writeFileSync(`${screenshots}/${place.replaceAll(/\W/g, '-')}.${host}.png`, pngOf(image))
+  writeFileSync(`${screenshots}/${name.replaceAll(/\W/g, '-')}.${host}.png`, encodeImage(image))
   await leavePage(page)
   return { image, messages }
 }
 
-const coloursOf = ({ data }) =>
+const countColours = ({ data }) =>
   new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size
 
 for (const sketch of sketches)
   test(sketch[0], async () => {
-    const [now, old] = [await pictureOf(sketch, 'p5'), await pictureOf(sketch, 'p5-1')]
-    const isPrinting = /\bprint\(/.test(sketch[1])
-    assert.deepEqual(now.messages, isPrinting ? old.messages : [], 'printed by p5 2')
-    assert.deepEqual(old.messages, isPrinting ? now.messages : [], 'printed by p5 1.11')
-    if (isPrinting) return
-    const { width, height } = now.image
-    assert.ok(coloursOf(now.image) >= 5, `${coloursOf(now.image)} colours`)
-    const beyond = beyondEdges(old.image, now.image, 12)
+    const [newP5, oldP5] = [await drawSketch(sketch, 'p5'), await drawSketch(sketch, 'p5-1')]
+    const prints = /\bprint\(/.test(sketch[1])
+    assert.deepEqual(newP5.messages, prints ? oldP5.messages : [], 'printed by p5 2')
+    assert.deepEqual(oldP5.messages, prints ? newP5.messages : [], 'printed by p5 1.11')
+    if (prints) return
+    const { width, height } = newP5.image
+    assert.ok(countColours(newP5.image) >= 5, `${countColours(newP5.image)} colours`)
+    const beyond = beyondEdges(oldP5.image, newP5.image, 12)
     assert.ok(beyond <= 0.01 * width * height, `${beyond} pixels differ`)
   })
 

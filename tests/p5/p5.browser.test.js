@@ -1,4 +1,4 @@
-// createWarp in p5 sketches, on each supported p5: checks the picture on the canvas. scenes.browser.test.js compares more with p5 itself.
+// createWarp in p5 sketches, on each host: checks pictures of the canvas. scenes.browser.test.js compares further scenes with p5 itself.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as m from '../support/browser/matrix.js'
@@ -57,11 +57,11 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         const { offset, identityPlusJacobian } = waves(unit)
         const seen = directions(120)
           .map((direction) => {
-            const p = m.movePoint(before, direction)
-            const [x, y, z] = m.movePoint(after, m.add(p, offset(p)))
+            const p = m.transformPoint(before, direction)
+            const [x, y, z] = m.transformPoint(after, m.add(p, offset(p)))
             const moved = m.product(after, identityPlusJacobian(p), before)
             return {
-              normal: m.turnNormal(moved, direction),
+              normal: m.transformNormal(moved, direction),
               toEye: m.normalize([-x, -y, -z]),
               screen: [x, y].map((c) => ((1 + (focal * c) / -z) * size) / 2),
             }
@@ -73,7 +73,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
           const color = colorAt(images[space], ...screen)
           const expected = normal.map((value) => 255 * Math.max(value, 0))
           const error = Math.max(...color.map((value, i) => Math.abs(value - expected[i])))
-          assert.ok(error <= 3, `${space}, at ${screen}: ${color} for ${expected}`)
+          assert.ok(error <= 3, `${space}, at ${screen}: expected ${expected}, got ${color}`)
         }
       }
     })
@@ -90,23 +90,28 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         third: `lights(); ${normals}`,
         'another warp': 'normalMaterial(); distort(); again(); sphere(60)',
         'after push and pop': 'normalMaterial(); push(); distort(); pop(); again(); sphere(60)',
-        'in vain': `normalMaterial(); distort(); fill('red'); again(); sphere(60)`,
+        // fill() selects another material.
+        'without normalMaterial()': `normalMaterial(); distort(); fill('red'); again(); sphere(60)`,
       }
       // Frames without push() and pop(), as in typical sketches.
-      const { first, 'in vain': red, ...others } = await draw({ setup, scenes, isPushed: false })
+      const {
+        first,
+        'without normalMaterial()': red,
+        ...others
+      } = await draw({ setup, scenes, isPushed: false })
       for (const [name, image] of Object.entries(others)) assert.deepEqual(image, first, name)
       assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
     })
 
     test("supports p5's random() over expressions, with and without friendly errors", async () => {
-      // Like p5.warp's own stress test; each branch moves by 40 to the right.
+      // Like the stress test of the library p5.warp. Each branch moves the plane by 40 to the right.
       const setup = `
         distort = createWarp(({ glsl, position }) => {
           const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
           return glsl.vec3(random([x, y]), 0, 0)
         }, { space: 'world' })`
-      for (const all of [p5, p5.map((file) => file.replace('.js', '.min.js'))]) {
-        const files = [...all, addon]
+      for (const scripts of [p5, p5.map((file) => file.replace('.js', '.min.js'))]) {
+        const files = [...scripts, addon]
         const scenes = { image: `noStroke(); distort(); fill('red'); plane(20)` }
         const { image } = await draw({ files, setup, scenes })
         assert.deepEqual(colorAt(image, size / 2 + 40, size / 2), [255, 0, 0])
@@ -129,7 +134,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
     })
 
     test('reads each input and the uniforms of defs', async () => {
-      // Each of these moves by 40 to the right; the mouse is at 30, 10.
+      // Each shift moves the plane by 40 to the right. The mouse is at 30, 10.
       const shifts = {
         position: ({ position }) => position.x().mult(0).add(40),
         normal: ({ normal }) => normal.z().mult(40),
@@ -151,7 +156,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
             .mat3Param('turn')
             .mult(glsl.vec3(0, 40, 0))
             .x(),
-        'own function': ({ glsl, position }) =>
+        'function by fn()': ({ glsl, position }) =>
           glsl
             .fn({
               name: 'halved',
@@ -199,7 +204,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
     })
 
     test('leaves no hole where there is no normal', async () => {
-      // Two triangles; the lower right one has no normal at its corner.
+      // Two triangles. The lower right one has a zero normal at its outer corner.
       const tile = {
         vertices: [
           [-50, -50, 0],
@@ -251,7 +256,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
       assert.ok(Math.abs(blue - (2 / 3) * 255) < 3, `${blue} at the triangle's centre`)
     })
 
-    test('moves strokes as the sketch and the option `stroke` say', async () => {
+    test('moves strokes if the sketch sets them or by the option `stroke`', async () => {
       const setup = `
         const still = ({ glsl }) => glsl.vec3(0, 0, 0)
         warps.left = createWarp(still)
@@ -310,14 +315,18 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         })
         for (const x of [-50, 0, 50]) assert.deepEqual(colorAt(fills, 100 + x, 100), [255, 0, 0])
         assert.equal(litPixels(fills).length, 3 * 400)
-        const at = (x) => litPixels(strokes).filter((pixel) => Math.abs(pixel.x - x) < 25).length
-        assert.ok(at(0) > 200, `${at(0)} pixels of a frame`)
+        const countNear = (x) =>
+          litPixels(strokes).filter((pixel) => Math.abs(pixel.x - x) < 25).length
+        assert.ok(countNear(0) > 200, `${countNear(0)} pixels of an outline`)
         for (const x of [-50, 50])
-          assert.ok(Math.abs(at(x) - at(0)) <= 4, `${at(x)} at ${x}, ${at(0)} in the middle`)
+          assert.ok(
+            Math.abs(countNear(x) - countNear(0)) <= 4,
+            `${countNear(x)} pixels at ${x}, ${countNear(0)} in the middle`,
+          )
       })
   })
 
-// The everyday run draws only this on p5 1.11; `npm test -- --all` runs every test of sketches on it.
+// Without `--all`, no other test of sketches runs on p5 1.11.
 test('p5 1.11 draws warps that move, are lit by their normals, and read uniforms', async () => {
   const scripts = [p5Versions['1.11'], addon, '/dist/warpjet.deformers.min.js']
   const { moved, slope } = await drawScenes(hosts[0].webgl, hosts[0].server, scripts, {

@@ -1,4 +1,4 @@
-// createWarp is loaded in a page, beside other sketches and other versions of p5, and adapts to changes of the canvas.
+// createWarp on unusual pages: in instance mode, with several sketches or versions of p5, as a module, and on canvases that change.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -17,7 +17,7 @@ const size = 200
 
 const { browser, server } = await openHost()
 
-/** The arguments of a createWarp that moves by 40 pixels. */
+/** The arguments of createWarp for a warp that moves shapes by 40 pixels to the right. */
 const toTheRight = `({ glsl }) => glsl.vec3(40, 0, 0), { space: 'world' }`
 
 const assertRedAt = (image, x, y) =>
@@ -98,6 +98,7 @@ for (const [version, p5] of p5InThisRun) {
   })
 }
 
+/** Returns code that starts a sketch in instance mode; `code` runs at the end of draw(). */
 const instance = (name, code) => `
   const ${name} = new P5(p => {
     let right
@@ -110,7 +111,7 @@ const instance = (name, code) => `
     p.draw = () => { p.background(0); right(); p.fill('red'); p.plane(20); ${code} }
   })`
 
-/** Returns [red at the centre, red 20 pixels to the right] of a sketch's canvas. */
+/** Returns code that reads the red channel of a sketch's canvas → [at the centre, 20 pixels to the right]. */
 const redsOf = (name) => `(() => {
   const canvas = document.createElement('canvas')
   canvas.width = canvas.height = 100
@@ -212,14 +213,14 @@ describe('the modules', () => {
     assert.equal(Sketch.prototype.createWarp, method)
     assert.equal(typeof Sketch.Graphics.prototype.createWarp, 'function')
     assert.throws(() => createWarp({}, () => 0), { name: 'WarpError', message: /3D canvas/ })
-    for (const [wrong, what] of [
+    for (const [argument, description] of [
       [undefined, 'undefined'],
       [{ default: Sketch }, 'an object'],
       [() => {}, 'a function'],
     ])
-      assert.throws(() => warpjet(wrong), {
+      assert.throws(() => warpjet(argument), {
         name: 'WarpError',
-        message: `warpjet: expected p5 itself, as in: import p5 from 'p5', then warpjet(p5); got ${what}.`,
+        message: `warpjet: expected p5 itself, as in: import p5 from 'p5', then warpjet(p5); got ${description}.`,
       })
   })
 })

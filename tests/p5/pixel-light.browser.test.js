@@ -1,5 +1,6 @@
-// Normals at pixels in p5's materials, spaces and shaders: the light of a coarse shape against that of a dense one, and noise that is
-// finer than a pixel, which fades, against the mean of 64 exact normals per pixel.
+// Normals at pixels with p5's materials, spaces and shaders. Compares the light of a coarse shape with that of a dense one; and noise that
+// is
+// finer than a pixel, which must fade, with the mean of 64 exact normals per pixel.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -11,7 +12,10 @@ const hosts = await openP5Hosts()
 /** The hosts whose shaders are GLSL. */
 const glslHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 
-/** Bumps that are small beside the triangles of p5's sphere, and in the space of the offset of about the same size. */
+/**
+ * Returns the source of an offset with bumps that are smaller than the triangles of p5's sphere. `length` is their size in the warp's
+ * space.
+ */
 const bumps = (length, height) => `({ glsl, position, normal }) => {
   const bump = glsl.simplex(position.div(${length}))
   return ${length === 1 / 3 ? 'position' : 'glsl.vec3(0, 0, 1)'}.mult(bump.mult(${height})) }`
@@ -24,8 +28,8 @@ const spaces = {
 
 const light = `directionalLight(255, 255, 255, 0.5, 0.6, -1); ambientLight(40); fill(220, 160, 90)`
 
-/** Scenes with a coarse sphere by vertex and by pixel, and with a dense one. */
-const scenesOf = (name, more = '') =>
+/** Returns scenes with a coarse sphere with normals at vertices and at pixels, and with a dense sphere. */
+const makeScenes = (name, more = '') =>
   Object.fromEntries(
     [
       ['vertex', 24, 16],
@@ -37,7 +41,8 @@ const scenesOf = (name, more = '') =>
     ]),
   )
 
-const warpsOf = (name, offset, options) =>
+/** Returns code that makes the warps of these scenes. */
+const makeWarps = (name, offset, options) =>
   Object.entries({ vertex: 'vertex', pixel: 'pixel', dense: 'vertex' })
     .map(
       ([kind, normals]) =>
@@ -45,7 +50,7 @@ const warpsOf = (name, offset, options) =>
     )
     .join('\n')
 
-/** Returns the mean difference from the dense picture, of pixels within 55 of the center: the outline stays coarse. */
+/** Returns the mean difference from the dense picture over pixels within 55 of the center. Leaves out the outline, which is coarse. */
 function meanDifference(image, dense) {
   const inside = litPixels(dense).filter(({ x, y }) => Math.hypot(x, y) < 55)
   assert.ok(inside.length > 5000, `${inside.length} pixels`)
@@ -57,26 +62,29 @@ function meanDifference(image, dense) {
 }
 
 for (const { name: host, draw } of hosts)
-  describe(`${host}: the light of 24 by 16 pieces is that of 240 by 160`, () => {
+  describe(`${host}: a sphere of 24 by 16 pieces has the light of one of 240 by 160`, () => {
     for (const [space, offset] of Object.entries(spaces))
       for (const [material, more] of Object.entries({ specular: '', normal: '' }))
         test(`in ${space} space, as ${material}`, async () => {
           const name = `${space} ${material}`
           const images = await draw({
-            setup: warpsOf(name, offset, `{ space: '${space}', type: '${material}' }`),
-            scenes: scenesOf(name, more),
+            setup: makeWarps(name, offset, `{ space: '${space}', type: '${material}' }`),
+            scenes: makeScenes(name, more),
           })
           const [vertex, pixel] = ['vertex', 'pixel'].map((kind) =>
             meanDifference(images[`${name} ${kind}`], images[`${name} dense`]),
           )
-          assert.ok(pixel < 0.35 * vertex, `${pixel} by pixel, ${vertex} by vertex`)
+          assert.ok(
+            pixel < 0.35 * vertex,
+            `mean difference ${pixel} with normals at pixels, ${vertex} at vertices`,
+          )
         })
 
-    test('a surface that a warp presses flat is lit by its triangles, at vertices and at pixels', async () => {
+    test('a surface that a warp collapses is lit by the normals of its triangles, with normals at vertices and at pixels', async () => {
       const floor = '({ glsl, position }) => position.mult(3).floor().div(3).sub(position)'
       const images = await draw({
-        setup: warpsOf('floor', floor, '{}'),
-        scenes: scenesOf('floor'),
+        setup: makeWarps('floor', floor, '{}'),
+        scenes: makeScenes('floor'),
       })
       for (const [name, { data }] of Object.entries(images)) {
         const shades = new Set(Array.from({ length: data.length / 4 }, (_, i) => data[4 * i]))
@@ -87,28 +95,28 @@ for (const { name: host, draw } of hosts)
 
 for (const { name: host, isV1, open } of glslHosts)
   describe(`${host}: shaders of the sketch`, () => {
-    const afterwards = isV1
+    const hooksAfterWarp = isV1
       ? `{ 'vec3 getWorldNormal': '(vec3 n) { return -n; }' }`
       : `{ 'Vertex getCameraInputs': '(Vertex v) { v.normal = -v.normal; return v; }' }`
     const noise = `({ glsl, position }) => position.mult(glsl.simplex(position).mult(0.2))`
 
-    test('a hook that changes normals after the warp gets them at vertices; asked for pixels, the console says so', async () => {
+    test('with a hook that changes normals after the warp, they are computed at vertices, with a message if the option is pixel', async () => {
       const { page, messages } = await open(
         `function setup() {
           createCanvas(100, 100, WEBGL)
-          const mine = baseMaterialShader().modify(${afterwards})
+          const mine = baseMaterialShader().modify(${hooksAfterWarp})
           const warps = [{}, { normals: 'pixel' }].map((options) =>
             createWarp(${noise}, { shader: mine, ...options }))
           for (const warp of warps) {
             warp()
             sphere(20)
           }
-          window.chosen = warps.map(({ normals }) => normals)
+          window.stages = warps.map(({ normals }) => normals)
           noLoop()
           window.done = true
         }`,
       )
-      assert.deepEqual(await page.evaluate('chosen'), ['vertex', 'vertex'])
+      assert.deepEqual(await page.evaluate('stages'), ['vertex', 'vertex'])
       await leavePage(page)
       assert.equal(messages.length, 1)
       assert.match(
@@ -117,17 +125,17 @@ for (const { name: host, isV1, open } of glslHosts)
       )
     })
 
-    test('what was chosen can be read', async () => {
+    test('the property normals is the stage that was selected', async () => {
       const { page, messages } = await open(
         `function setup() {
           createCanvas(100, 100, WEBGL)
           noLoop()
-          window.chosen = [createWarp(${noise}), createWarp(({ glsl, position }) => glsl.vec3(0, 0, position.x())),
+          window.stages = [createWarp(${noise}), createWarp(({ glsl, position }) => glsl.vec3(0, 0, position.x())),
             createWarp(${noise}, { normals: 'vertex' })].map(({ normals }) => normals)
           window.done = true
         }`,
       )
-      assert.deepEqual(await page.evaluate('chosen'), ['pixel', 'vertex', 'vertex'])
+      assert.deepEqual(await page.evaluate('stages'), ['pixel', 'vertex', 'vertex'])
       await leavePage(page)
       assert.deepEqual(messages, [])
     })
@@ -157,10 +165,12 @@ for (const { open } of hosts.filter(({ isV1 }) => isV1))
     assert.ok(meanDifference(one, two) < 0.5)
   })
 
-// Noise that is finer than a pixel.
+// Tests of noise that is finer than a pixel.
 
 const size = 120
-/** The length of the plane's edges, in pixels. Waves of the coarsest octave are 3.7 pixels long, those of the finest a quarter of one. */
+/**
+ * The length of the plane's edges, in pixels. Waves of the coarsest octave are 3.7 pixels long, those of the finest a quarter of a pixel.
+ */
 const edge = 80
 
 const offset = ({ glsl, position }) => glsl.vec3(0, 0, glsl.fbm(position.mult(30)).mult(0.02))
@@ -180,27 +190,28 @@ const hooks = {
   },
 }
 
-/** Texture coordinates are a second parameter in p5 2.x. */
+/** Returns the hooks for a host. In p5 2.x, texture coordinates are a second parameter. */
 function hooksFor({ isV1, isWebGPU, renderer }) {
   if (isV1 || isWebGPU) return hooks[renderer]
   const color = hooks.WEBGL['vec4 getFinalColor'].replace(')', ', vec2 texCoord)')
   return { ...hooks.WEBGL, 'vec4 getFinalColor': color }
 }
 
-/** Pixels of the plane without those near its edges. */
+/** The pixels that the plane covers, except those near its edges. */
 const pixels = Array.from({ length: size * size }, (_, i) => [
   i % size,
   Math.floor(i / size),
 ]).filter((pixel) => pixel.every((x) => Math.abs(x + 0.5 - size / 2) < edge / 2 - 2))
 
-const restOf = (x) => (x - size / 2) / edge
+/** Converts a coordinate in the picture to one on the plane. */
+const toPlane = (x) => (x - size / 2) / edge
 
-/** Returns the sum of 64 normals for each pixel: only its direction matters. */
+/** Returns the sum of 64 normals for each pixel. It has the direction of their mean, which is all that we compare. */
 function meanNormals() {
   const positions = pixels.flatMap(([x, y]) =>
     Array.from({ length: 64 }, (_, i) => [
-      restOf(x + ((i % 8) + 0.5) / 8),
-      restOf(y + (Math.floor(i / 8) + 0.5) / 8),
+      toPlane(x + ((i % 8) + 0.5) / 8),
+      toPlane(y + (Math.floor(i / 8) + 0.5) / 8),
       0,
     ]).flat(),
   )
@@ -228,11 +239,11 @@ for (const host of hosts)
     const images = await host.draw({
       size,
       setup: `warps.fading = createWarp(${offset}, { shader: ${shader}, normals: 'pixel' })
-        warps.keeping = createWarp(${offset}, { shader: ${shader}, normals: 'pixel', fadeNoise: false })`,
-      scenes: { fading: scene('fading'), keeping: scene('keeping') },
+        warps.notFading = createWarp(${offset}, { shader: ${shader}, normals: 'pixel', fadeNoise: false })`,
+      scenes: { fading: scene('fading'), notFading: scene('notFading') },
     })
     const means = meanNormals()
-    const errorOf = ({ data }) => {
+    const rmsError = ({ data }) => {
       const angles = pixels.map(([x, y], i) => {
         const at = 4 * (y * size + x)
         const shown = [...data.subarray(at, at + 3)].map((byte) => byte / 127.5 - 1)
@@ -240,8 +251,13 @@ for (const host of hosts)
       })
       return Math.hypot(...angles) / Math.sqrt(angles.length)
     }
-    const [fading, keeping] = [errorOf(images.fading), errorOf(images.keeping)]
-    t.diagnostic(`${fading} degrees from the mean where noise fades, ${keeping} where it does not`)
-    assert.ok(keeping > 5, `${keeping} degrees: the noise is too weak to show anything`)
-    assert.ok(fading < keeping / 2, `${fading} degrees instead of ${keeping}`)
+    const [fading, notFading] = [rmsError(images.fading), rmsError(images.notFading)]
+    t.diagnostic(
+      `${fading} degrees from the mean where noise fades, ${notFading} where it does not`,
+    )
+    assert.ok(notFading > 5, `${notFading} degrees: the noise is too weak for a comparison`)
+    assert.ok(
+      fading < notFading / 2,
+      `${fading} degrees if noise fades, ${notFading} if it does not`,
+    )
   })

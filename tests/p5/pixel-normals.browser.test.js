@@ -1,5 +1,8 @@
-// Normals at pixels: a picture of normals as colours against exact normals at the rest place of each pixel. Pictures on WebGL have
-// floats. p5's own framebuffers of floats cannot be read on WebGPU, so each number is drawn as three bytes on the canvas there.
+// Normals at pixels: compares pictures of normals with the exact normals that follow from the unwarped position, normal and uv of each
+// pixel.
+// On WebGL, pictures consist of floats. On WebGPU, p5's framebuffers of floats cannot be read, so each number is drawn as three bytes on
+// the
+// canvas.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -18,25 +21,27 @@ import { readWebGPUPixels } from '../support/browser/pixels.js'
 
 const hosts = await openP5Hosts()
 
-const pairsOf = ({ isV1, isWebGPU }) => (isV1 || isWebGPU ? somePairs : allPairs)
+/** Returns the shapes and warps that a host draws. */
+const getPairs = ({ isV1, isWebGPU }) => (isV1 || isWebGPU ? somePairs : allPairs)
 
-/** Returns code that makes createWarp's functions for each warp: `make(offset)` is the code of a list of them. */
-const warpsBy = (make) =>
+/** Returns code that makes a list of warps for each offset; `make(offset)` is the code of the list. */
+const makeWarps = (make) =>
   `window.warps = { ${Object.entries(pixelWarps).map(([name, { offset }]) => `${name}: ${make(offset)}`)} }`
 
-/** Inputs of the warp that shaders of the sketch pass to pixels, in front of the warp: the GPU's own rest places. */
+/** The inputs of warps that shaders of the sketch pass to pixels before the warp: what the GPU interpolates. */
 const restInputs = ['position', 'normal', 'texCoord']
 
-const glslOfRest = (variables) => ({
+/** Returns hooks in GLSL that pass the variable `rest` to pixels. */
+const passRest = (hooks) => ({
   vertexDeclarations: 'OUT highp vec3 rest;',
   fragmentDeclarations: 'IN highp vec3 rest;',
-  ...variables,
+  ...hooks,
 })
 
-/** Maps a version of p5 → the hooks of the sketch's shaders, which draw these inputs. */
+/** Maps a version of p5 → hooks of shaders that draw these inputs as colors. */
 const restHooks = {
   '2.x': restInputs.map((input) =>
-    glslOfRest({
+    passRest({
       'Vertex getObjectInputs': `(Vertex v) { rest.xy = v.${input}.xy; ${input === 'texCoord' ? '' : `rest.z = v.${input}.z;`} return v; }`,
       'vec4 getFinalColor': '(vec4 color, vec2 texCoord) { return vec4(rest, 1.0); }',
     }),
@@ -46,14 +51,14 @@ const restHooks = {
     ['vec3 getLocalNormal', 'vec3 v', 'v'],
     ['vec2 getUV', 'vec2 v', 'vec3(v, 0.0)'],
   ].map(([hook, parameter, value]) =>
-    glslOfRest({
+    passRest({
       [hook]: `(${parameter}) { rest = ${value}; return v; }`,
       'vec4 getFinalColor': '(vec4 color) { return vec4(rest, 1.0); }',
     }),
   ),
 }
 
-/** Draws into a framebuffer of floats. */
+/** Draws pictures in a framebuffer of floats. */
 const floatPictures = {
   sketch: ({ version }) => `function setup() {
       pixelDensity(1)
@@ -64,7 +69,7 @@ const floatPictures = {
       window.eye = buffer.createCamera()
       window.geometries = ${geometries}
       const restHooks = ${JSON.stringify(restHooks[version])}
-      ${warpsBy(
+      ${makeWarps(
         (offset) => `[createWarp(${offset}, { type: 'normal', normals: 'pixel', fadeNoise: false }),
           ...restHooks.map((hooks) =>
             createWarp(${offset}, { shader: baseNormalShader().modify(hooks), normals: 'vertex' }))]`,
@@ -82,9 +87,9 @@ const floatPictures = {
         return new Uint8Array(Float32Array.from(buffer.pixels).buffer).toBase64()
       })`,
   async shoot(page, shape, warp) {
-    const texts = await page.evaluate((names) => shoot(names), [shape, warp])
-    const [normals, ...rest] = texts.map(
-      (text) => new Float32Array(new Uint8Array(Buffer.from(text, 'base64')).buffer),
+    const pictures = await page.evaluate((names) => shoot(names), [shape, warp])
+    const [normals, ...rest] = pictures.map(
+      (base64) => new Float32Array(new Uint8Array(Buffer.from(base64, 'base64')).buffer),
     )
     const colorOf = (picture, pixel) => [...picture.subarray(4 * pixel, 4 * pixel + 3)]
     return {
@@ -94,16 +99,16 @@ const floatPictures = {
   },
 }
 
-/** Numbers are between -range and range. */
+/** The numbers to draw are between -range and range. */
 const range = 1.5
 
-/** Expressions for the three bytes of the vector `shown`, from the highest. */
+/** Expressions for the three bytes of the components of the vector `shown`, the highest byte first. */
 const bytes = [0, 1, 2].map((digit) => {
-  const rest = `fract((shown / ${2 * range}.0 + 0.5) * ${255 ** digit}.0)`
-  return `floor(${rest} * 255.0) / 255.0`
+  const remainder = `fract((shown / ${2 * range}.0 + 0.5) * ${255 ** digit}.0)`
+  return `floor(${remainder} * 255.0) / 255.0`
 })
 
-/** The vectors that shaders of the sketch draw: the light's normal, after the warp, and inputs in front of the warp. */
+/** The vectors that shaders of the sketch draw: the normal of the light, which is warped, and inputs before the warp. */
 const shownVectors = ['', 'position', 'normal', 'texCoord']
 
 const bytesHooks = shownVectors.flatMap((input) =>
@@ -121,7 +126,7 @@ const bytesHooks = shownVectors.flatMap((input) =>
   })),
 )
 
-/** Draws the bytes of each number on the canvas. */
+/** Draws pictures of the bytes of each number on the canvas. */
 const bytePictures = {
   sketch: () => `let scene = () => {}
     async function setup() {
@@ -133,9 +138,9 @@ const bytePictures = {
       window.eye = createCamera()
       window.geometries = ${geometries}
       const hooks = ${JSON.stringify(bytesHooks)}
-      ${warpsBy(
-        (offset) => `hooks.map((each) =>
-          createWarp(${offset}, { shader: baseMaterialShader().modify(each), normals: 'pixel', fadeNoise: false }))`,
+      ${makeWarps(
+        (offset) => `hooks.map((one) =>
+          createWarp(${offset}, { shader: baseMaterialShader().modify(one), normals: 'pixel', fadeNoise: false }))`,
       )}
       window.done = true
     }
@@ -152,9 +157,9 @@ const bytePictures = {
     }
     const vectorAt = (i, pixel) =>
       [0, 1, 2].map((k) => {
-        const digits = bytes.map((_, part) => images[bytes.length * i + part].data[4 * pixel + k])
-        const share = digits.reduceRight((rest, digit) => (digit + rest) / 255, 0.5)
-        return (share - 0.5) * 2 * range
+        const digits = bytes.map((_, digit) => images[bytes.length * i + digit].data[4 * pixel + k])
+        const fraction = digits.reduceRight((lower, digit) => (digit + lower) / 255, 0.5)
+        return (fraction - 0.5) * 2 * range
       })
     return {
       restAt: (pixel) => [1, 2, 3].flatMap((i) => vectorAt(i, pixel)),
@@ -168,7 +173,7 @@ for (const host of hosts)
     const { sketch, shoot } = host.isWebGPU ? bytePictures : floatPictures
     const { page, messages } = await host.open(sketch(host))
     assert.deepEqual(messages, [])
-    for (const [shape, warpsOfShape] of Object.entries(pairsOf(host)))
+    for (const [shape, warpsOfShape] of Object.entries(getPairs(host)))
       for (const warp of warpsOfShape)
         await t.test(`${warp} on a ${shape}`, async (t) => {
           const picture = await shoot(page, shape, warp)
@@ -187,7 +192,7 @@ for (const { name, open } of hosts.filter(({ isWebGPU }) => isWebGPU))
       noLoop(); noStroke()
       const { shader } = p5.instance
       let used
-      p5.instance.shader = (each) => shader.call(p5.instance, (used = each))
+      p5.instance.shader = (current) => shader.call(p5.instance, (used = current))
       const show = (base) => {
         createWarp(${pixelWarps.fbm.offset}, { shader: base.modify({}), normals: 'pixel' })()
         sphere(20)

@@ -1,4 +1,5 @@
-// Scenes that a warp and p5 itself draw in the same way, on each host. Each file of `scenes` has a table.
+// Scenes that must look the same whether a warp or p5 itself moves the shapes, on each host. The files of the folder scenes have tables of
+// them.
 import { describe, test } from 'node:test'
 import { openP5Hosts } from '../support/browser/p5-hosts.js'
 import { comparePictures } from '../support/browser/same-pictures.js'

@@ -1,4 +1,5 @@
-// Tests the single script on real pages: from another origin, with other scripts in any order, and under a content security policy.
+// Tests the script p5.warpjet.min.js on real pages: from another origin, with other scripts in any order, and under a content security
+// policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -13,27 +14,30 @@ const script = '/dist/p5.warpjet.min.js'
 const deformers = '/dist/warpjet.deformers.min.js'
 const { version } = JSON.parse(readFileSync(path('/package.json'), 'utf8'))
 const cdn = 'https://cdn.jsdelivr.net'
-const ownMesh = `${cdn}/npm/warpjet@${version}/dist/mesh.min.js`
+/** The address of the companion script of this version. */
+const companion = `${cdn}/npm/warpjet@${version}/dist/mesh.min.js`
 const triangle = 'data:model/obj,v 4 0 0%0Av 6 0 0%0Av 5 1 0%0Af 1 2 3'
 
 const { browser, server } = await openHost()
 
-/** Returns a context in which other hosts answer only with `texts`, by address; `asked` lists the requests. */
-async function withHosts(texts) {
+/**
+ * Returns a context in which other hosts serve only `files`, which maps addresses to contents; `requests` lists the requested addresses.
+ */
+async function withHosts(files) {
   const context = await browser.newContext()
-  const asked = []
+  const requests = []
   await context.route(/^https:/, async (route) => {
     const url = route.request().url()
-    asked.push(url)
-    if (texts[url] === undefined) return route.fulfill({ status: 404 })
+    requests.push(url)
+    if (files[url] === undefined) return route.fulfill({ status: 404 })
     const headers = { 'access-control-allow-origin': '*', 'content-type': 'text/javascript' }
-    return route.fulfill({ headers, body: texts[url] })
+    return route.fulfill({ headers, body: files[url] })
   })
-  return { context, asked }
+  return { context, requests }
 }
 
-/** Loads a model in a sketch with this script → the number of vertices, or the message. */
-async function loadedBy(context, src) {
+/** Loads a model in a sketch with this script → the `result`, which is the number of vertices or a message, and what else happened. */
+async function loadModel(context, src) {
   const { page, messages } = await runSketch(
     context,
     server,
@@ -58,52 +62,55 @@ describe('a script from a CDN', () => {
     `${cdn}/combine/npm/other,npm/warpjet@0.1/dist/p5.warpjet.min.js`,
   ])
     test(`${src} loads no foreign package`, async () => {
-      const beside = ['mesh.js', 'mesh.min.js'].map((name) => [new URL(name, src).href, foreign])
-      const { context, asked } = await withHosts({
-        ...Object.fromEntries(beside),
+      const filesNextToIt = ['mesh.js', 'mesh.min.js'].map((name) => [
+        new URL(name, src).href,
+        foreign,
+      ])
+      const { context, requests } = await withHosts({
+        ...Object.fromEntries(filesNextToIt),
         [src]: dist('p5.warpjet.min.js'),
-        [ownMesh]: dist('mesh.min.js'),
+        [companion]: dist('mesh.min.js'),
       })
-      const { result, isForeign } = await loadedBy(context, src)
+      const { result, isForeign } = await loadModel(context, src)
       await context.close()
       assert.equal(isForeign, false)
       assert.equal(result, 3)
-      assert.deepEqual([...new Set(asked)], [src, ownMesh])
+      assert.deepEqual([...new Set(requests)], [src, companion])
     })
 
-  test('runs its companion only if it is the published one', async () => {
+  test('does not run a companion script that differs from the published one', async () => {
     const src = `${cdn}/npm/warpjet`
     const { context } = await withHosts({
       [src]: dist('p5.warpjet.min.js'),
-      [ownMesh]: `${dist('mesh.min.js')}\n;window.isForeign = true`,
+      [companion]: `${dist('mesh.min.js')}\n;window.isForeign = true`,
     })
-    const { result, isForeign } = await loadedBy(context, src)
+    const { result, isForeign } = await loadModel(context, src)
     await context.close()
     assert.equal(isForeign, false)
     assert.match(result, /^loadWarpModel: cannot load https:\S+mesh\.min\.js; /)
   })
 
-  test('under its own name, uses the file next to it', async () => {
+  test('that has its original name loads the companion next to it', async () => {
     const folder = `${cdn}/npm/warpjet@0.1/dist`
-    const { context, asked } = await withHosts({
+    const { context, requests } = await withHosts({
       [`${folder}/p5.warpjet.min.js`]: dist('p5.warpjet.min.js'),
       [`${folder}/mesh.min.js`]: dist('mesh.min.js'),
     })
-    const { result } = await loadedBy(context, `${folder}/p5.warpjet.min.js`)
+    const { result } = await loadModel(context, `${folder}/p5.warpjet.min.js`)
     await context.close()
     assert.equal(result, 3)
-    assert.ok(asked.includes(`${folder}/mesh.min.js`))
+    assert.ok(requests.includes(`${folder}/mesh.min.js`))
   })
 })
 
-test('a copy under another name loads the companion of its version', async () => {
+test('a copy with another name loads the companion of its version from the CDN', async () => {
   mkdirSync(path('/.build/script-test'), { recursive: true })
   writeFileSync(path('/.build/script-test/warp.js'), dist('p5.warpjet.min.js'))
-  const { context, asked } = await withHosts({ [ownMesh]: dist('mesh.min.js') })
-  const { result } = await loadedBy(context, '/.build/script-test/warp.js')
+  const { context, requests } = await withHosts({ [companion]: dist('mesh.min.js') })
+  const { result } = await loadModel(context, '/.build/script-test/warp.js')
   await context.close()
   assert.equal(result, 3)
-  assert.deepEqual([...new Set(asked)], [ownMesh])
+  assert.deepEqual([...new Set(requests)], [companion])
 })
 
 describe('the scripts with and without CPU evaluation', () => {
@@ -146,23 +153,23 @@ describe('the order of scripts', () => {
     noLoop()
     window.done = true
   }`
-  /** Adds p5 to a page that has loaded. */
-  const later = (p5) => `${setup}
+  /** Returns a sketch that adds p5 after the page has loaded. */
+  const addLater = (p5) => `${setup}
     addEventListener('load', () => setTimeout(() => {
       document.head.append(Object.assign(document.createElement('script'), { src: '${p5}' }))
     }, 50))`
 
   for (const [name, p5] of p5InThisRun)
     for (const file of [p5, p5.replace('.js', '.min.js')]) {
-      test(`p5 ${name} may be included after ${file}`, async () => {
+      test(`p5 ${name} may follow the script, ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script, file], setup)
         assert.equal(await page.evaluate('window.kind'), 'function')
         await leavePage(page)
         assert.deepEqual(messages, [])
       })
 
-      test(`p5 ${name} may be added after the page has loaded with ${file}`, async () => {
-        const { page, messages } = await runSketch(browser, server, [script], later(file))
+      test(`p5 ${name} may be added after the page has loaded, ${file}`, async () => {
+        const { page, messages } = await runSketch(browser, server, [script], addLater(file))
         assert.equal(await page.evaluate('window.kind'), 'function')
         await leavePage(page)
         const others = messages.filter(
@@ -224,7 +231,7 @@ describe('the order of scripts', () => {
 })
 
 describe('a page whose policy is script-src self', () => {
-  /** Returns the messages of calls that need WebAssembly, under such a policy. */
+  /** Makes calls that need WebAssembly on a page with such a policy → for each 'works' or its message. */
   async function loadWithPolicy(policy) {
     const html = `<!doctype html>
       <meta http-equiv="Content-Security-Policy" content="script-src 'self' ${policy}">
@@ -250,7 +257,7 @@ describe('a page whose policy is script-src self', () => {
     return { results, messages }
   }
 
-  test('says what to add to the policy', async () => {
+  test('gets messages that say what to add to the policy', async () => {
     const { results } = await loadWithPolicy('')
     for (const result of results) {
       assert.match(result, /^WarpError: .*WebAssembly/)
@@ -258,24 +265,24 @@ describe('a page whose policy is script-src self', () => {
     }
   })
 
-  test("needs no more than 'wasm-unsafe-eval'", async () => {
+  test("only needs to add 'wasm-unsafe-eval'", async () => {
     const { results, messages } = await loadWithPolicy("'wasm-unsafe-eval'")
     assert.deepEqual(results, ['works', 'works', 'works'])
     assert.deepEqual(messages, [])
   })
 
-  // Sets the policy on a page whose compiler is already running, so that only machine code is forbidden; a policy from the start
-  // would forbid both.
-  test('a policy set after the start: the interpreter takes over, with the same bits as machine code', async () => {
+  // Sets the policy when the wasm modules are already compiled, so that it only forbids the machine code of warps. A policy from the start
+  // would also forbid the modules.
+  test('if a policy is set later, the interpreter evaluates warps with the same bits as machine code', async () => {
     const { page, messages } = await openPage(browser, server.page('<!doctype html>'))
     const found = await page.evaluate(async () => {
       const { compileWarp } = await import('/dist/warpjet.min.js')
       const { Module } = WebAssembly
-      const messageOf = []
+      const outcomes = []
       WebAssembly.Module = function (bytes) {
-        messageOf.push('forbidden')
+        outcomes.push('forbidden')
         const module = new Module(bytes)
-        messageOf[messageOf.length - 1] = 'made'
+        outcomes[outcomes.length - 1] = 'made'
         return module
       }
       const bend = ({ glsl, position, millis }) =>
@@ -293,22 +300,22 @@ describe('a page whose policy is script-src self', () => {
         const { positions, normals } = warp.evaluate(mesh, { uniforms })
         return [positions, normals].map((array) => String(new Uint32Array(array.buffer))).join()
       }
-      const [free, later] = [compileWarp(bend), compileWarp(bend)]
-      const expected = [bits(free), bits(later)]
-      expected.push(bits(free))
-      const point = JSON.stringify(free.evaluateAt([1, 2, 3], { uniforms }))
-      const before = messageOf.splice(0)
+      const [first, second] = [compileWarp(bend), compileWarp(bend)]
+      const expected = [bits(first), bits(second)]
+      expected.push(bits(first))
+      const point = JSON.stringify(first.evaluateAt([1, 2, 3], { uniforms }))
+      const before = outcomes.splice(0)
 
       const policy = document.createElement('meta')
       policy.httpEquiv = 'Content-Security-Policy'
       policy.content = "script-src 'self'"
       document.head.append(policy)
-      const results = [bits(later), bits(later), bits(free)]
-      const points = [1, 2, 3].map(() => JSON.stringify(later.evaluateAt([1, 2, 3], { uniforms })))
+      const results = [bits(second), bits(second), bits(first)]
+      const points = [1, 2, 3].map(() => JSON.stringify(second.evaluateAt([1, 2, 3], { uniforms })))
       const many = bits(compileWarp(bend), 40_000).length
       return {
         before,
-        after: messageOf,
+        after: outcomes,
         same: [...expected, ...results].map((text) => text === expected[0]),
         points: points.map((text) => text === point),
         many,
@@ -316,7 +323,7 @@ describe('a page whose policy is script-src self', () => {
     })
     await leavePage(page)
     assert.ok(found.before.length > 0 && found.before.every((outcome) => outcome === 'made'))
-    assert.deepEqual(found.after, ['forbidden'], 'it is tried once')
+    assert.deepEqual(found.after, ['forbidden'], 'compilation is attempted once')
     assert.deepEqual(found.same, [true, true, true, true, true, true])
     assert.deepEqual(found.points, [true, true, true])
     assert.ok(found.many > 40_000 * 6)
@@ -325,8 +332,8 @@ describe('a page whose policy is script-src self', () => {
 })
 
 describe('a page that was opened as a file', () => {
-  /** Returns the message of loadWarpModel on such a page. */
-  async function problem(context, src, model) {
+  /** Returns the message of loadWarpModel on such a page; 'none' if it works. */
+  async function findProblem(context, src, model) {
     mkdirSync(path('/.build/script-test'), { recursive: true })
     writeFileSync(
       path('/.build/script-test/page.html'),
@@ -349,15 +356,15 @@ describe('a page that was opened as a file', () => {
   test('gets the advice to serve it', async () => {
     const { context } = await withHosts({
       [`${cdn}/npm/warpjet`]: dist('p5.warpjet.min.js'),
-      [ownMesh]: dist('mesh.min.js'),
+      [companion]: dist('mesh.min.js'),
     })
     for (const src of [`../..${script}`, `${cdn}/npm/warpjet`])
       assert.match(
-        await problem(context, src, 'bunny.glb'),
+        await findProblem(context, src, 'bunny.glb'),
         /^loadWarpModel: .* opened as a file may read no other file, so serve its folder/,
         src,
       )
-    assert.equal(await problem(context, `${cdn}/npm/warpjet`, triangle), 'none')
+    assert.equal(await findProblem(context, `${cdn}/npm/warpjet`, triangle), 'none')
     await context.close()
   })
 })

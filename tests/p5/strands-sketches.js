@@ -16,11 +16,13 @@ import {
 } from './strands-oracle.js'
 
 /**
- * Sketches in p5.strands as people write them, for WEBGPU. `hooks` is the body of the callback that `modify` takes. `move(p, n, uv, i)`
- * returns the position of a vertex of instance i, whose number is the fifth argument, in double precision: in the units of the geometry or, with `space`, of the world or the
- * camera; `later` moves it on in the world. `rejected` is the message about a sketch without exact normals.
+ * Sketches in p5.strands as people write them, for WEBGPU. `hooks` is the body of the callback of `modify`. `move(p, n, uv, instance,
+ * vertex)` returns the moved position of a vertex in double precision, where `vertex` is its number. It is in the space of the geometry or,
+ * with `space`, of the world or the camera. After that, `later` moves it in world space. `rejected` is the message about a sketch without
+ * exact normals.
  */
 const { abs, atan2, cos, exp, floor, hypot, sin, sqrt } = Math
+/** Return functions that move a point upwards or along the normal. */
 const liftBy = (height) => (p, n, uv, i) => [p[0], p[1] + height(p, n, uv, i), p[2]]
 const pushBy = (height) => (p, n, uv, i) => add(p, scale(n, height(p, n, uv, i)))
 
@@ -35,7 +37,7 @@ export const sketches = {
     hooks: inObject('inputs.position.y += 0.2 * sin(inputs.position.x * 5)'),
     move: liftBy(([x]) => 0.2 * sin(x * 5)),
   },
-  'a travelling sine of millis()': {
+  'a sine that travels with millis()': {
     hooks: inObject(`
       const t = millis() * 0.001
       inputs.position.y += 0.2 * sin(inputs.position.x * 4 + t * 2)`),
@@ -114,7 +116,7 @@ ${inObject('inputs.position = turn(inputs.position, inputs.position.z * 1.25)')}
     ),
     move: liftBy(([x, , z]) => 0.5 * noise(x * 0.75, z * 0.75)),
   },
-  'noise of the place and the time, along the normal': {
+  'noise of the position and the time, along the normal': {
     hooks: inObject(`
       const t = millis() * 0.0005
       const p = inputs.position
@@ -228,20 +230,20 @@ ${inObject('inputs.position += way * sin(inputs.position.x * rate.x + inputs.pos
     ),
     move: liftBy((p, n, [u, v]) => 0.4 * heightAt(u, v)),
   },
-  'an image in a helper, by the position': {
+  'an image that a helper samples at the position': {
     hooks: `const heights = uniformTexture(() => warps.heights)
 const heightOf = (p) => getTexture(heights, p.xz * 0.4 + 0.5).r
 ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
     move: liftBy(([x, , z]) => 0.5 * heightAt(x * 0.4 + 0.5, z * 0.4 + 0.5)),
   },
-  'a number of a storage': {
+  'an element of a storage': {
     hooks: inObject(
       'inputs.position.y += lifts[2] * sin(inputs.position.x * 4)',
       'const lifts = uniformStorage(warps.lifts)',
     ),
     move: liftBy(([x]) => lifts[2] * sin(x * 4)),
   },
-  'a storage by a loop': {
+  'a storage read in a loop': {
     hooks: inObject(
       `let s = 0
       for (let i = 0; i < 4; i++) { s += lifts[i] * sin(inputs.position.x * (i + 1)) }
@@ -250,7 +252,7 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
     ),
     move: liftBy(([x]) => lifts.reduce((s, lift, i) => s + lift * sin(x * (i + 1)), 0)),
   },
-  'a storage by the instance': {
+  'a storage indexed by the instance': {
     instances: 3,
     hooks: inObject(
       `const i = instanceID()
@@ -260,7 +262,7 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
     ),
     move: ([x, y, z], n, uv, i) => [x + (i - 1) * 1.25, y + lifts[i] * sin(x * 6), z],
   },
-  'a storage of structures by the instance': {
+  'a storage of structures indexed by the instance': {
     instances: 3,
     hooks: inObject(
       `const one = places[instanceID()]
@@ -274,7 +276,7 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
       z + 0.25 * i,
     ],
   },
-  'a storage by the position': {
+  'a storage indexed by the position': {
     hooks: inObject(
       `const column = floor((inputs.position.x + 1) * 2)
       inputs.position.y += lifts[column] * inputs.position.x`,
@@ -328,7 +330,7 @@ ${inObject('inputs.position.z += (0.9 + 0.1 * random()) * 0.2 * sin(inputs.posit
     move: (p) => p,
     rejected: /random\(\) in getObjectInputs .* write noise\(\)/,
   },
-  'instances with a wave of their own': {
+  'instances with different waves': {
     instances: 3,
     hooks: inObject(`
       const i = instanceID()
@@ -359,7 +361,7 @@ cameraInputs.position.z += 30 * exp(length(p.xy) * -0.02)
 cameraInputs.end()`,
     move: ([x, y, z]) => [x, y, z + 30 * exp(hypot(x, y) * -0.02)],
   },
-  'two hooks that move': {
+  'two hooks that move vertices': {
     hooks: `getObjectInputs((inputs) => {
   inputs.position.y += 0.2 * sin(inputs.position.x * 4)
   return inputs
@@ -371,7 +373,7 @@ getWorldInputs((inputs) => {
     move: liftBy(([x]) => 0.2 * sin(x * 4)),
     later: ([x, y, z]) => [x + 8 * sin(y * 0.08), y, z],
   },
-  'a height that colours, too': {
+  'a height that another hook reads': {
     hooks: `const lift = sharedFloat()
 ${inObject(`
       lift = 0.25 * sin(inputs.position.x * 5)

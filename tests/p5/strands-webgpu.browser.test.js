@@ -1,5 +1,5 @@
-// Sketches in p5.strands on WEBGPU with exactNormals: compares the light with that of meshes that were moved in double precision, with
-// normals by differences.
+// Sketches in p5.strands on WEBGPU with exactNormals: compares the light with that of meshes that were moved in double precision, and
+// whose normals are finite differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -12,7 +12,7 @@ const [, , scripts] = p5HostsInThisRun.find(([, renderer]) => renderer === 'WEBG
 const only = process.env.WARPJET_ONLY ?? ''
 const entries = Object.entries(sketches).filter(([name]) => name.includes(only))
 
-/** p5's camera by default. */
+/** The default distance of p5's camera. */
 const eye = 800
 
 const setup = `
@@ -21,8 +21,8 @@ const setup = `
   const geometryOf = ({ vertices, normals, uvs, faces }, name) =>
     new p5.Geometry(1, 1, function () {
       this.gid = name
-      this.vertices = vertices.map((each) => createVector(...each))
-      this.vertexNormals = normals.map((each) => createVector(...each))
+      this.vertices = vertices.map((p) => createVector(...p))
+      this.vertexNormals = normals.map((n) => createVector(...n))
       this.uvs = uvs
       this.faces = faces
     })
@@ -37,30 +37,30 @@ const setup = `
     [0, 1, 2].map((i) => ({ height: 0.1 * (i + 1), place: createVector((i - 1) * 1.25, 0, 0.25 * i) })),
   )`
 
-const shaderOf = ({ hooks }) => `baseMaterialShader().modify(() => { ${hooks} })`
+const shaderCode = ({ hooks }) => `baseMaterialShader().modify(() => { ${hooks} })`
 
 const lit = `noStroke(); ambientLight(60); fill(255); directionalLight(255, 0, 0, 1, 0, -0.3)
   directionalLight(0, 255, 0, 0, 1, -0.3); directionalLight(0, 0, 255, 0, 0, -1);`
 
 if (scripts) {
   const { browser, server } = await openHost('WEBGPU')
-  const all = [...scripts, '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
+  const allScripts = [...scripts, '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
 
   test('sketches in p5.strands have the light of meshes that were moved by hand', async (t) => {
     const problems = []
     for (const [name, sketch] of entries.filter(([, { rejected }]) => !rejected)) {
       const meshes = meshesByHand(sketch, eye)
       const model = `rotateX(0.4); scale(40); model(warps.ball, ${sketch.instances ?? 1})`
-      const images = await drawScenes(browser, server, all, {
+      const images = await drawScenes(browser, server, allScripts, {
         renderer: 'WEBGPU',
         setup: `${setup}
-          warps.plain = ${shaderOf(sketch)}
+          warps.plain = ${shaderCode(sketch)}
           warps.own = exactNormals(warps.plain)
-          warps.byHand = ${JSON.stringify(meshes)}.map((each, i) => geometryOf(each, 'hand' + i))`,
+          warps.byHand = ${JSON.stringify(meshes)}.map((mesh, i) => geometryOf(mesh, 'hand' + i))`,
         scenes: {
           own: `${lit} shader(warps.own); ${model}`,
           plain: `${lit} shader(warps.plain); ${model}`,
-          byHand: `${lit} warps.byHand.forEach((each) => model(each))`,
+          byHand: `${lit} warps.byHand.forEach((geometry) => model(geometry))`,
         },
       }).catch((error) => void problems.push(`${name}: ${error.message}`))
       if (!images) continue
@@ -83,12 +83,12 @@ if (scripts) {
       const { page, messages } = await runSketch(
         browser,
         server,
-        all,
+        allScripts,
         `const warps = {}
         async function setup() {
           await createCanvas(60, 60, WEBGPU)
           ${setup}
-          const plain = ${shaderOf(sketch)}
+          const plain = ${shaderCode(sketch)}
           if (exactNormals(plain) !== plain) throw new Error('exactNormals returned another shader')
           window.done = true
         }`,

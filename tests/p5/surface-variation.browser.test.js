@@ -1,5 +1,5 @@
-// Warps along the normal in p5 sketches: exact for shapes with addSurfaceVariation, as documented for others. The normal material
-// shows the normals computed on the GPU.
+// Warps along the normal in p5 sketches must have exact normals, with addSurfaceVariation() and by default. The normal material shows the
+// normals that the GPU computes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -13,7 +13,7 @@ const size = 200
 
 const { browser, server } = await openHost()
 
-/** Bumps along the unit normal, in the sketch and in double; the model has size `u`. */
+/** Returns bumps along the unit normal, as code and as a function of numbers, for a model of size `u`. */
 const bumps = (u) => ({
   code: `({ position, normal }) => normal.normalize().mult(
     position.x().mult(${4 / u}).add(1).sin().add(position.y().mult(${5 / u}).sin()).mult(${0.12 * u}))`,
@@ -59,20 +59,20 @@ const spaces = {
   uv: { ...uvBumps, before: identity, after: m.product(view, model) },
 }
 
-/** Returns the warped position of a point of the unit sphere, and the normal there from finite differences, in view space. */
-function seenAt(p, { offset, before, after }) {
+/** Returns the warped position of a point of the unit sphere, and its normal from finite differences, in view space. */
+function warpedVertex(p, { offset, before, after }) {
   const move = (q) => {
-    const position = m.movePoint(before, q)
-    // As in p5: transformed by the inverse transpose, of any length.
-    const normal = m.turnNormal(before, q)
-    return m.movePoint(after, m.add(position, offset(position, normal)))
+    const position = m.transformPoint(before, q)
+    // p5's normals are also transformed by the inverse transpose, but not normalized.
+    const normal = m.transformNormal(before, q)
+    return m.transformPoint(after, m.add(position, offset(position, normal)))
   }
-  const side = m.normalize(m.cross(p, Math.abs(p[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]))
+  const tangent = m.normalize(m.cross(p, Math.abs(p[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]))
   const slope = (t) => {
-    const at = (s) => move(m.normalize(p.map((x, k) => x + s * t[k])))
-    return m.subtract(at(1e-4), at(-1e-4))
+    const movedAt = (s) => move(m.normalize(p.map((x, k) => x + s * t[k])))
+    return m.subtract(movedAt(1e-4), movedAt(-1e-4))
   }
-  const normal = m.normalize(m.cross(slope(side), slope(m.cross(p, side))))
+  const normal = m.normalize(m.cross(slope(tangent), slope(m.cross(p, tangent))))
   return { position: move(p), normal }
 }
 
@@ -92,7 +92,7 @@ describe('createWarp on p5 2.x, along the normal', () => {
         noLoop()
         varied = ${geometryCode(sphere, 'varied')}
         plain = ${geometryCode(sphere, 'plain')}
-        if ((await addSurfaceVariation(varied)) !== varied) throw new Error('another shape came back')
+        if ((await addSurfaceVariation(varied)) !== varied) throw new Error('addSurfaceVariation returned another shape')
         ${Object.entries(spaces)
           .map(([name, { code }]) => {
             const space = name === 'uv' ? 'local' : name
@@ -116,20 +116,23 @@ describe('createWarp on p5 2.x, along the normal', () => {
     }
     for (const [name, space] of Object.entries(spaces)) {
       const exact = await draw(`warps.${name}(); model(varied)`)
-      // Draws after the other shape, whose attributes p5 leaves enabled, and for the first time.
-      const afterIt = await draw(
+      // Draws the plain shape after the varied one, whose attributes p5 leaves enabled.
+      const plain = await draw(
         `warps.${name}(); model(varied); clear(); background(0); model(plain)`,
       )
       const rough = await draw(`rough.${name}(); model(varied)`)
       const lit = litPixels(exact).length
-      assert.ok(differingPixels(exact, rough, 10) > 0.15 * lit, `${name}: it makes a difference`)
+      assert.ok(
+        differingPixels(exact, rough, 10) > 0.15 * lit,
+        `${name}: surfaceVariation: false changes the picture`,
+      )
 
       const focal = 1 / Math.tan(Math.PI / 6)
       const seen = directions(300)
         .filter(
           ([x, y, z]) => name !== 'uv' || (Math.abs(y) < 0.9 && !(Math.abs(x) < 0.05 && z > 0)),
         )
-        .map((direction) => seenAt(direction, space))
+        .map((direction) => warpedVertex(direction, space))
         .map(({ position: [x, y, z], normal }) => ({
           normal,
           toEye: m.normalize([-x, -y, -z]),
@@ -137,15 +140,24 @@ describe('createWarp on p5 2.x, along the normal', () => {
         }))
         .filter(({ normal, toEye }) => m.dot(normal, toEye) > 0.45)
       assert.ok(seen.length >= 20, `${name}: ${seen.length} points face the camera`)
-      const off = (image) =>
+      const errors = (image) =>
         seen.map(({ normal, screen }) => {
           const expected = normal.map((value) => 255 * Math.max(value, 0))
           const color = colorAt(image, ...screen)
           return Math.max(...color.map((value, i) => Math.abs(value - expected[i])))
         })
-      assert.ok(Math.max(...off(afterIt)) <= 3, `${name}: ${Math.max(...off(afterIt))} plain`)
-      assert.ok(Math.max(...off(exact)) <= 3, `${name}: ${Math.max(...off(exact))} levels off`)
-      assert.ok(Math.max(...off(rough)) >= 10, `${name}: ${Math.max(...off(rough))} without it`)
+      assert.ok(
+        Math.max(...errors(plain)) <= 3,
+        `${name}: ${Math.max(...errors(plain))} levels off by default`,
+      )
+      assert.ok(
+        Math.max(...errors(exact)) <= 3,
+        `${name}: ${Math.max(...errors(exact))} levels off`,
+      )
+      assert.ok(
+        Math.max(...errors(rough)) >= 10,
+        `${name}: ${Math.max(...errors(rough))} levels off without surface variation`,
+      )
     }
     await leavePage(page)
     assert.deepEqual(messages, [])

@@ -1,5 +1,6 @@
-// Sketches that run for a long time: a page that makes a new warp in each frame, a tab that sleeps, and a browser that loses and restores a WebGL
-// context. After that three.js resumes automatically, p5 needs a line in the sketch, and warps behave like drawings without warps.
+// Sketches that run for a long time: a page that makes a new warp in each frame, a tab that sleeps, and a browser that loses and restores a
+// WebGL context. After a restored context, three.js resumes automatically, p5 needs a line in the sketch, and warps behave like drawings
+// without warps.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -37,17 +38,18 @@ if (isRun('unusual p5 pages'))
     const devtools = await page.context().newCDPSession(page)
     await devtools.send('HeapProfiler.enable')
     const heap = async (count) => {
-      // A program is freed in a separate task after its owner.
+      // In several tasks, since programs are freed in the task after that of their warp.
       for (let i = 0; i < count; i += 10) await page.evaluate('live(10)')
       await devtools.send('HeapProfiler.collectGarbage')
-      // Exact to the byte, unlike performance.memory, which may not change for minutes.
+      // This is exact to the byte; performance.memory may not change for minutes.
       return (await devtools.send('Runtime.getHeapUsage')).usedSize / 1e6
     }
     const before = await heap(60)
     const later = await heap(40)
     await leavePage(page)
-    // A warp in use takes 14 KB. The rest is growth of the engine: 1.2 KB for each of the next 100 warps, 0.8 KB for each of the 300 after
-    // these.
+    // If warps leaked, each would take 14 KB. The engine itself grows by 1.2 KB for each of the next 100 warps, and by 0.8 KB for each of
+    // the
+    // following 300.
     assert.ok(later - before < 0.15, `${(later - before).toFixed(2)} MB for 40 warps`)
   })
 
@@ -55,11 +57,11 @@ test('a tab that slept for an hour wakes up with the picture of the current time
   const sketch = `
     let clock = 0
     performance.now = () => clock
-    const made = {}
+    const created = {}
     for (const name of ['Buffer', 'Texture', 'Program', 'Shader', 'VertexArray', 'Framebuffer']) {
       const { prototype } = WebGL2RenderingContext
       const create = prototype['create' + name]
-      prototype['create' + name] = function (...kind) { made[name] = (made[name] ?? 0) + 1; return create.apply(this, kind) }
+      prototype['create' + name] = function (...kind) { created[name] = (created[name] ?? 0) + 1; return create.apply(this, kind) }
     }
     let wave
     function setup() {
@@ -73,16 +75,16 @@ test('a tab that slept for an hour wakes up with the picture of the current time
       background(0); lights(); wave(); fill('coral'); sphere(30)
       window.done = true
     }
-    function at(time) { clock = time; redraw() }`
+    function redrawAt(time) { clock = time; redraw() }`
   const hour = 3_600_000
   const pictures = async (times) => {
     const { page, messages } = await runSketch(browser, server, [p5Versions['2.x'], addon], sketch)
     const images = []
     const counts = []
     for (const time of times) {
-      await page.evaluate(`at(${time})`)
+      await page.evaluate(`redrawAt(${time})`)
       images.push(await readPixels(page))
-      counts.push(await page.evaluate('({ ...made })'))
+      counts.push(await page.evaluate('({ ...created })'))
     }
     await leavePage(page)
     assert.deepEqual(messages, [])
@@ -110,18 +112,18 @@ const [, keepContext] = /```js\n(function keepContext[^]*?)```/.exec(
   readFileSync(new URL('../../web/docs/uptime.md', import.meta.url), 'utf8'),
 )
 
-/** Loses the context of the page's canvas, waits, and restores it. */
-const lose = `async () => {
+/** Code that loses the context of the page's canvas, draws, restores it, and draws again. */
+const loseAndRestore = `async () => {
   const canvas = document.querySelector('canvas')
   const gl = canvas.getContext('webgl2')
   const extension = gl.getExtension('WEBGL_lose_context')
-  const nextEvent = (event) => new Promise((found) => canvas.addEventListener(event, found, { once: true }))
+  const nextEvent = (event) => new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }))
   const lost = nextEvent('webglcontextlost')
   extension.loseContext()
   await lost
   await draw()
   // restoreContext() would throw while the browser still reports the loss.
-  await new Promise((later) => setTimeout(later, 50))
+  await new Promise((resolve) => setTimeout(resolve, 50))
   const restored = nextEvent('webglcontextrestored')
   extension.restoreContext()
   await restored
@@ -165,7 +167,7 @@ describe('a lost context', () => {
         assert.ok(litPixels(first).length > 4000)
         for (const time of ['once', 'twice']) {
           messages.length = 0
-          await page.evaluate(`(${lose.replaceAll('draw()', 'redraw()')})()`)
+          await page.evaluate(`(${loseAndRestore.replaceAll('draw()', 'redraw()')})()`)
           const differing = differingPixels(await readPixels(page), first, 0)
           assert.equal(differing, 0, `${isWarped ? 'warps' : 'no warp'}, ${time}`)
         }
@@ -179,7 +181,7 @@ describe('a lost context', () => {
       test(`p5 ${version} without keepContext() draws nothing after a loss, with and without warps`, async () => {
         for (const isWarped of [false, true]) {
           const { page } = await open(isWarped, false)
-          await page.evaluate(`(${lose.replaceAll('draw()', 'redraw()')})()`)
+          await page.evaluate(`(${loseAndRestore.replaceAll('draw()', 'redraw()')})()`)
           assert.equal(litPixels(await readPixels(page)).length, 0)
           await leavePage(page)
         }
@@ -223,9 +225,9 @@ describe('a lost context', () => {
         const first = await readWebGPUPixels(page, 'draw()')
         assert.ok(litPixels(first).length > 4000)
         assert.deepEqual(messages.splice(0), [])
-        await page.evaluate(`(${lose})()`)
-        const then = await readWebGPUPixels(page, 'draw()')
-        assert.equal(differingPixels(then, first, 0), 0, isWarped ? 'a warp' : 'no warp')
+        await page.evaluate(`(${loseAndRestore})()`)
+        const again = await readWebGPUPixels(page, 'draw()')
+        assert.equal(differingPixels(again, first, 0), 0, isWarped ? 'a warp' : 'no warp')
         assert.deepEqual(messages, [
           'THREE.WebGLRenderer: Context Lost.',
           'THREE.WebGLRenderer: Context Restored.',

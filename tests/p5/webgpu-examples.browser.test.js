@@ -3,13 +3,13 @@ import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { sections } from '../../web/catalogue.js'
-import { converted } from '../../web/playground/convert.js'
+import { convert } from '../../web/playground/convert.js'
 import { path } from '../support/browser/bench.js'
 import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
 import { addCookie, coarseShapes, cookie, replaceResponses } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
-import { pngOf } from '../support/png.js'
+import { encodeImage } from '../support/png.js'
 
 const screenshots = path('.build/screenshots/webgpu')
 
@@ -17,7 +17,7 @@ const examples = sections
   .flatMap((section) => section.examples.map(({ name }) => name))
   .filter((name) => !name.startsWith('three-'))
 
-/** Each has one page, which compiles p5 once for all examples. */
+/** Hosts of the playground. Each has one page, so that it compiles p5 only once for all examples. */
 const hosts = ['p5-2', 'p5-webgpu']
 
 let browser, server, url
@@ -25,40 +25,40 @@ const pages = {}
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowserWithWebGPU()
-  server = await serveSources(5260, [replaceResponses(forHost)])
+  server = await serveSources(5260, [replaceResponses(adaptToHost)])
   url = server.resolvedUrls.local[0]
-  for (const host of hosts) pages[host] = await openFor(host)
+  for (const host of hosts) pages[host] = await openPageFor(host)
 })
 after(async () => {
   await browser.close()
   await server.close()
 })
 
-async function openFor(host) {
+async function openPageFor(host) {
   const context = await browser.newContext({ viewport: { width: 640, height: 480 } })
   await addCookie(context, url, 'host', host)
   return openPage(context, `${url}recorder.js`)
 }
 
-/** Converts a sketch for the host that the request's cookie names, and appends p5's WebGPU renderer to p5 if it needs that. */
-function forHost(request, path, content) {
+/** Converts a sketch for the host that the request's cookie names, and appends p5's WebGPU renderer to p5 if the host is on WebGPU. */
+function adaptToHost(request, path, content) {
   const host = cookie(request, 'host')
   if (/^\/examples\/[\w-]+\/sketch\.js$/.test(path))
-    return `${converted(String(content), host)}${still}{${coarseShapes}}`
+    return `${convert(String(content), host)}${setUpStill}{${coarseShapes}}`
   const isP5 = host === 'p5-webgpu' && path.endsWith('/p5.min.js')
   return isP5 ? `${content}\n${webgpu}` : content
 }
 
 const webgpu = readFileSync(path('node_modules/p5/lib/p5.webgpu.min.js'), 'utf8')
 
-/** Time is fixed, random numbers are seeded, and pixels are few. */
-const still = `
+/** Code that fixes the time, seeds random numbers, draws one frame, and reduces pixels. */
+const setUpStill = `
 {
   let seed = 1
   Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
   p5.prototype.millis = () => 1700
-  // On WEBGPU p5 itself uses only the first directional light, and has different highlights: webgpu.browser.test.js shows both
-  // without a warp.
+  // Removes further directional lights and highlights: on WEBGPU, p5 itself uses only the first light, and has different highlights, as
+  // webgpu.browser.test.js shows without a warp.
   const { directionalLight } = p5.prototype
   let lit = -1
   p5.prototype.directionalLight = function (...light) {
@@ -66,39 +66,39 @@ const still = `
     lit = this.frameCount
     return this
   }
-  // Removes edges, which the warp does not draw, and which p5 takes seconds to compute for a model.
+  // Removes the edges of shapes. Warps do not draw them, and p5 takes seconds to compute those of a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
   p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
-  const own = { setup, draw }
+  const original = { setup, draw }
   window.setup = async () => {
     p5.instance._glAttributes = p5.instance._webgpuAttributes = { antialias: false }
-    await own.setup()
+    await original.setup()
     pixelDensity(0.5)
     noLoop()
   }
   // Ignores the first frame, which p5 draws by itself.
-  window.draw = () => (window.draw = own.draw)
+  window.draw = () => (window.draw = original.draw)
 }`
 
-async function pictureOf(name, host) {
+async function drawExample(name, host) {
   const { page, messages } = pages[host]
   await page.goto(`${url}examples/${name}/gallery.html`)
   await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
-  // Fonts create canvases too.
+  // Fonts create canvases, too: moves that of the sketch to the front.
   await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
   const draw = 'redraw()'
   const image =
     host === 'p5-webgpu'
       ? await readWebGPUPixels(page, draw)
       : (await page.evaluate(draw), await readPixels(page))
-  writeFileSync(`${screenshots}/${name}.${host}.png`, pngOf(image))
+  writeFileSync(`${screenshots}/${name}.${host}.png`, encodeImage(image))
   assert.deepEqual(messages.splice(0), [])
   return image
 }
 
 for (const name of examples)
   test(name, async () => {
-    const [webgl, webgpu] = [await pictureOf(name, hosts[0]), await pictureOf(name, hosts[1])]
+    const [webgl, webgpu] = [await drawExample(name, hosts[0]), await drawExample(name, hosts[1])]
     const lit = litPixels(webgl).length
     assert.ok(lit > 1000, `${lit} pixels are lit`)
     const beyond = beyondEdges(webgpu, webgl, 12)

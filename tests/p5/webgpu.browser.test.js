@@ -1,5 +1,5 @@
-// createWarp on a WebGPU canvas: draws the same pictures as in WebGL, which other tests check. Materials, spaces, inputs and uniforms are
-// tested on each host in p5.browser.test.js and inputs.browser.test.js.
+// createWarp on a WebGPU canvas must draw the same pictures as on WebGL, which other tests check. p5.browser.test.js and
+// inputs.browser.test.js test materials, spaces, inputs and uniforms on each host.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as deformers from '../../dist/deformers.js'
@@ -14,7 +14,7 @@ const scripts = ['/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
 
 const { browser, server } = await openHost('WEBGPU')
 
-/** Draws the scenes with both renderers, and compares them. No scene has highlights, which differ in p5 itself. */
+/** Draws scenes with both renderers, and compares the pictures. No scene has highlights, which p5 itself draws differently. */
 async function compare({ setup, scenes, tolerance = 6, share = 0.005 }) {
   const images = {}
   for (const [renderer, more] of Object.entries({ WEBGL: [], WEBGPU: [p5WebGPU] }))
@@ -90,8 +90,8 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
   })
 
   test('with compositions of each kind of warp, also nested', async () => {
-    const made = {
-      'add of a deformer and an own offset function': 'add(turn, own)',
+    const compositions = {
+      'add of a deformer and an offset function': 'add(turn, own)',
       'blend with a number': 'blend(turn, own, 0.4)',
       'blend with a weight that depends on the position': 'blend(turn, own, above)',
       'mask with a weight that depends on the position': 'mask(turn, above)',
@@ -111,14 +111,14 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
         const swing = bend({ from: -60, to: 60, angle: 1 })
         const own = ({ glsl, position }) => glsl.vec3(0, 0, position.x.mult(0.05).sin().mult(12))
         const above = ({ glsl, position }) => glsl.smoothstep(25, -25, position.y)
-        ${Object.entries(made)
+        ${Object.entries(compositions)
           .map(
             ([name, code]) =>
               `warps['${name}'] = createWarp(${code}, { space: 'world', type: 'normal', uniforms: { aside } })`,
           )
           .join('\n')}`,
       scenes: Object.fromEntries(
-        Object.keys(made).map((name) => [
+        Object.keys(compositions).map((name) => [
           name,
           `rotateY(0.5); warps['${name}'](); ellipsoid(40, 60, 28, 60, 40)`,
         ]),
@@ -126,23 +126,23 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
       tolerance: 10,
     })
     const different = new Set(Object.values(images).map(({ data }) => data.toString('base64')))
-    assert.equal(different.size, Object.keys(made).length)
+    assert.equal(different.size, Object.keys(compositions).length)
   })
 
   test('with the examples in the documentation of p5.warp', async () => {
-    const shown = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
-    assert.equal(shown.length, 3)
+    const names = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
+    assert.equal(names.length, 3)
     await compare({
       setup: `
         const { warps: listings } = await import('/tests/warps/listings.js')
-        for (const name of ${JSON.stringify(shown)}) {
+        for (const name of ${JSON.stringify(names)}) {
           const { warp, size } = listings[name]
           const still = (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
           for (const type of ['specular', 'normal'])
             warps[name + type] = createWarp(still, { space: size === 1 ? 'local' : 'world', type })
         }`,
       scenes: Object.fromEntries(
-        shown.flatMap((name) =>
+        names.flatMap((name) =>
           ['specular', 'normal'].map((type) => [
             `${name}, ${type}`,
             `camera(900, -300, 2220, 0, 0, 0, 0, 1, 0); lights(); warps['${name}${type}'](); fill('coral'); sphere(180, 60, 40)`,
@@ -154,7 +154,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
     })
   })
 
-  test('in a p5.Graphics of WEBGL, since p5 has none of WEBGPU', async () => {
+  test('beside a p5.Graphics on WEBGL, since p5 has no p5.Graphics on WEBGPU', async () => {
     await compare({
       setup: `
         const layer = createGraphics(120, 120, WEBGL)
@@ -187,7 +187,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
         ]),
       ),
       tolerance: 12,
-      // Far from its axis a rotation shows the driver's precision of sines.
+      // Rotations far from their axis differ visibly if the drivers' sines differ in precision.
       share: 0.02,
     })
   })
@@ -231,12 +231,12 @@ test('a mistake in the WGSL of defs is reported with its line in defs and in the
   assert.equal(second - first, 1)
 })
 
-/** Returns whether the lit pixels differ by more than edges. */
+/** Tests whether pictures of a scene differ by more than their edges. */
 const differs = (images, name) =>
   beyondEdges(images.WEBGPU[name], images.WEBGL[name], 12) >
   0.05 * litPixels(images.WEBGL[name]).length
 
-test('p5 itself, without a warp, still draws these differently on WEBGPU, or not at all', async () => {
+test('p5 itself still draws ortho(), two lights and highlights differently on WEBGPU', async () => {
   const wide = 'ortho(-100, 100, -100, 100, -1000, 1000)'
   const ball = 'noStroke(); fill(200); sphere(60)'
   const scenes = {
@@ -253,7 +253,7 @@ test('p5 itself, without a warp, still draws these differently on WEBGPU, or not
   assert.deepEqual(differing, ['ortho()', 'two lights', 'highlights'])
 })
 
-test('p5 itself still fails with GLSL and models of text on WEBGPU', async () => {
+test('p5 itself still fails with GLSL and text models on WEBGPU', async () => {
   const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
   const { page, messages } = await runSketch(
     browser,
@@ -286,8 +286,8 @@ test('p5 itself still fails with GLSL and models of text on WEBGPU', async () =>
   )
 })
 
-test('p5 itself draws into a HALF_FLOAT framebuffer, but not a FLOAT one, with and without antialiasing', async () => {
-  const heard = {}
+test('p5 itself draws into a HALF_FLOAT framebuffer, but not into a FLOAT one, with or without antialiasing', async () => {
+  const messagesByOptions = {}
   for (const options of [
     'format: HALF_FLOAT',
     'format: FLOAT',
@@ -306,9 +306,12 @@ test('p5 itself draws into a HALF_FLOAT framebuffer, but not a FLOAT one, with a
       }`,
     )
     await leavePage(page)
-    heard[options] = messages.join('\n')
+    messagesByOptions[options] = messages.join('\n')
   }
-  assert.equal(heard['format: HALF_FLOAT'], '')
-  assert.match(heard['format: FLOAT'], /RGBA32Float\) does not support multisampling/)
-  assert.match(heard['format: FLOAT, antialias: false'], /RGBA32Float\) is not blendable/)
+  assert.equal(messagesByOptions['format: HALF_FLOAT'], '')
+  assert.match(messagesByOptions['format: FLOAT'], /RGBA32Float\) does not support multisampling/)
+  assert.match(
+    messagesByOptions['format: FLOAT, antialias: false'],
+    /RGBA32Float\) is not blendable/,
+  )
 })

@@ -1,5 +1,5 @@
-// A project with p5, built by every bundler and run in Chromium: `import 'warpjet/p5'` registers, a model is loaded, a mesh is
-// warped, and nothing is printed.
+// A project with p5, built by each bundler, must run in Chromium: `import 'warpjet/p5'` registers the functions, a model is loaded, a mesh
+// is warped, and nothing is printed.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { rolldown } from 'rolldown'
@@ -18,7 +18,8 @@ after(async () => {
   await pages.close()
 })
 
-async function draws(url) {
+/** Asserts that a page draws and warps a mesh, without messages. */
+async function assertDraws(url) {
   const { page, messages } = await openPage(browser, url)
   await page
     .waitForFunction(() => document.title.startsWith('drawn'), { timeout: 20_000 })
@@ -28,14 +29,15 @@ async function draws(url) {
   await page.close()
 }
 
-const pageOf = (script) =>
+/** Returns the address of a page with a script. */
+const pageWith = (script) =>
   pages.page(`<!doctype html><body><script type="module" src="/${folder}/${script}"></script>`)
-const common = { configFile: false, logLevel: 'error', root: project }
+const viteOptions = { configFile: false, logLevel: 'error', root: project }
 
 test('a build by Vite draws', async () => {
   const outDir = 'out/vite'
-  await vite.build({ ...common, base: './', build: { outDir, emptyOutDir: true } })
-  await draws(`${pages.url}/${folder}/${outDir}/index.html`)
+  await vite.build({ ...viteOptions, base: './', build: { outDir, emptyOutDir: true } })
+  await assertDraws(`${pages.url}/${folder}/${outDir}/index.html`)
 })
 
 test('a worker built by Vite warps a mesh', async () => {
@@ -44,16 +46,16 @@ test('a worker built by Vite warps a mesh', async () => {
     output: { entryFileNames: 'main.js' },
   }
   await vite.build({
-    ...common,
+    ...viteOptions,
     base: './',
     worker: { format: 'es' },
     build: { outDir: 'out/vite-worker', rolldownOptions },
   })
-  await draws(pageOf('out/vite-worker/main.js'))
+  await assertDraws(pageWith('out/vite-worker/main.js'))
 })
 
 test("a page of Vite's development server draws", async () => {
-  const server = await vite.createServer({ ...common, server: { port: 0, host: '127.0.0.1' } })
+  const server = await vite.createServer({ ...viteOptions, server: { port: 0, host: '127.0.0.1' } })
   try {
     await server.listen()
     const { port } = server.httpServer.address()
@@ -94,7 +96,7 @@ for (const entry of ['sketch', 'with-worker'])
       [...errors, ...warnings].map(({ message }) => message),
       [],
     )
-    await draws(pageOf(`out/webpack-${entry}/main.js`))
+    await assertDraws(pageWith(`out/webpack-${entry}/main.js`))
   })
 
 test('a build by esbuild draws', async () => {
@@ -109,21 +111,24 @@ test('a build by esbuild draws', async () => {
     logLevel: 'silent',
   })
   assert.deepEqual(warnings, [])
-  await draws(pageOf('out/esbuild/sketch.js'))
+  await assertDraws(pageWith('out/esbuild/sketch.js'))
 })
 
-/** Rollup and rolldown have the same options here; both warn about suspicious code, such as an import without effect. */
-async function roll(bundler, dir, plugins) {
+/**
+ * Builds with Rollup or rolldown, which have the same options here. Both would warn about suspicious code, such as an import without
+ * effect.
+ */
+async function testRollBundler(bundler, dir, plugins) {
   const warnings = []
   const onwarn = ({ message }) => warnings.push(message)
   const bundle = await bundler({ input: `${project}/sketch.js`, onwarn, plugins })
   await bundle.write({ dir: `${project}/${dir}`, format: 'es' })
   await bundle.close()
   assert.deepEqual(warnings, [])
-  await draws(pageOf(`${dir}/sketch.js`))
+  await assertDraws(pageWith(`${dir}/sketch.js`))
 }
 
-/** p5's own imports are CommonJS, which Rollup does not support. */
+/** Resolves p5 to its single-file build: p5 imports CommonJS modules, which Rollup does not support. */
 const p5InOneFile = {
   name: 'p5-in-one-file',
   resolveId: (name) => (name === 'p5' ? `${project}/node_modules/p5/lib/p5.esm.min.js` : null),
@@ -133,12 +138,13 @@ for (const browser of [false, true])
   test(`a build by Rollup draws, ${browser ? 'for browsers' : 'with default settings'}`, async () => {
     const { rollup } = await load('rollup')
     const { default: nodeResolve } = await load('@rollup/plugin-node-resolve')
-    await roll(rollup, `out/rollup-${browser}`, [p5InOneFile, nodeResolve({ browser })])
+    await testRollBundler(rollup, `out/rollup-${browser}`, [p5InOneFile, nodeResolve({ browser })])
   })
 
-test('a build by rolldown draws', () => roll(rolldown, 'out/rolldown', [p5InOneFile]))
+test('a build by rolldown draws', () => testRollBundler(rolldown, 'out/rolldown', [p5InOneFile]))
 
-// package.json makes Parcel read `exports`, which it ignores by default, and p5's single-file build, as it would drop part of others.
+// tests/package/package.json makes Parcel read `exports`, which it ignores by default, and p5's single-file build, since Parcel would drop
+// parts of the other builds.
 test('a build by Parcel draws', async () => {
   const { output, status } = runIn(process.execPath, [
     'node_modules/parcel/lib/bin.js',
@@ -151,10 +157,10 @@ test('a build by Parcel draws', async () => {
     '--no-optimize',
   ])
   assert.equal(status, 0, output)
-  await draws(`${pages.url}/${folder}/out/parcel/index.html`)
+  await assertDraws(`${pages.url}/${folder}/out/parcel/index.html`)
 })
 
-test('a Next page is rendered on the server and draws in the browser', async () => {
+test('Next renders a page on the server', async () => {
   const { output, status } = runIn(process.execPath, ['node_modules/next/dist/bin/next', 'build'], {
     NEXT_TELEMETRY_DISABLED: '1',
   })
@@ -181,17 +187,18 @@ const modules = importMap([
 ])
 const start = `<script type="module" src="/${folder}/sketch.js"></script>`
 
-test('an import map works without a bundler', () => draws(pages.page(`<body>${modules}${start}`)))
+test('an import map works without a bundler', () =>
+  assertDraws(pages.page(`<body>${modules}${start}`)))
 
 test('an import map works under a Content-Security-Policy', () =>
-  draws(
+  assertDraws(
     pages.page(
       `<meta http-equiv="Content-Security-Policy" content="default-src 'self'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src * data:; connect-src data:"><body>${modules}${start}`,
     ),
   ))
 
 test('a module worker works without a bundler', () =>
-  draws(
+  assertDraws(
     pages.page(`<script type="module">
       const worker = new Worker('/${folder}/unbundled-worker.js', { type: 'module' })
       worker.onmessage = ({ data }) => (document.title = data)
@@ -200,7 +207,7 @@ test('a module worker works without a bundler', () =>
   ))
 
 test('two script tags draw', () =>
-  draws(
+  assertDraws(
     pages.page(`<body>
       <script src="/${folder}/node_modules/p5/lib/p5.min.js"></script>
       <script src="/${folder}/node_modules/warpjet/dist/p5.warpjet.min.js"></script>

@@ -1,4 +1,4 @@
-// Checks the tarball with other tools, and its types with TypeScript.
+// Checks the tarball with publint and attw, and its types with TypeScript.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'

@@ -1,4 +1,4 @@
-// The npm project that the playground exports: installed with the tested package, it starts, builds, and draws the same picture.
+// The npm project that the playground exports, with the tested package, must start, build, and draw the same picture as the playground.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
@@ -23,21 +23,24 @@ let page, context, close
 before(async () => ({ page, context, close } = await openPlayground(5255, await launchBrowser())))
 after(() => close())
 
-/** Writes the files of an uncompressed archive. */
+/** Writes the files of an uncompressed ZIP archive to `folder`. */
 function unpack(bytes) {
   rmSync(folder, { recursive: true, force: true })
   mkdirSync(folder)
-  for (let at = 0; bytes.readUInt32LE(at) === 0x04034b50;) {
-    const [size, length] = [bytes.readUInt32LE(at + 18), bytes.readUInt16LE(at + 26)]
-    const from = at + 30 + length
-    const name = bytes.subarray(at + 30, from).toString()
-    at = from + size
-    writeFileSync(`${folder}/${name}`, bytes.subarray(from, at))
+  for (let offset = 0; bytes.readUInt32LE(offset) === 0x04034b50;) {
+    const [size, nameLength] = [bytes.readUInt32LE(offset + 18), bytes.readUInt16LE(offset + 26)]
+    const start = offset + 30 + nameLength
+    const name = bytes.subarray(offset + 30, start).toString()
+    offset = start + size
+    writeFileSync(`${folder}/${name}`, bytes.subarray(start, offset))
   }
 }
 
-/** Runs npm in that folder until `isDone` is true for its output → the result of `isDone`. */
-async function npm(args, isDone = () => undefined) {
+/**
+ * Runs npm in `folder` until it ends, or until `find(output)` returns a value → { found, stop }: that value, and a function that stops npm.
+ * If npm ends, its status must be 0.
+ */
+async function npm(args, find = () => undefined) {
   const child = spawn('npm', args, {
     cwd: folder,
     env: { ...process.env, NODE_OPTIONS: '', NO_COLOR: '1' },
@@ -49,7 +52,7 @@ async function npm(args, isDone = () => undefined) {
     for (const stream of [child.stdout, child.stderr])
       stream.on('data', (text) => {
         output += text
-        const found = isDone(output)
+        const found = find(output)
         if (found) resolve(found)
       })
   })
@@ -73,10 +76,10 @@ async function install() {
   await npm(['install', '--prefer-offline', '--no-audit', '--no-fund'])
 }
 
-async function drawsAsInPlayground(url) {
-  const before = await canvasPixels(page)
+async function assertDrawsAsInPlayground(url) {
+  const expected = await canvasPixels(page)
   const other = await openPage(context, url)
-  assert.equal(difference(before, await pixels(other.page)), 0)
+  assert.equal(difference(expected, await pixels(other.page)), 0)
   assert.deepEqual(
     other.messages.filter((message) => !message.startsWith('[vite]')),
     [],
@@ -92,7 +95,7 @@ test('with p5 it starts, and draws as in the playground', async () => {
     (output) => /http:\/\/127\.0\.0\.1:\d+\//.exec(output)?.[0],
   )
   try {
-    await drawsAsInPlayground(found)
+    await assertDrawsAsInPlayground(found)
   } finally {
     stop()
   }
@@ -111,7 +114,7 @@ test('with three.js it builds, and draws as in the playground', async () => {
     preview: { port: 5257, host: '127.0.0.1' },
   })
   try {
-    await drawsAsInPlayground(server.resolvedUrls.local[0])
+    await assertDrawsAsInPlayground(server.resolvedUrls.local[0])
   } finally {
     await server.close()
   }

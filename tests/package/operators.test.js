@@ -1,4 +1,4 @@
-// The operators' plugin in each supported bundler: the output runs in Node, which without the plugin rejects the operators.
+// The plugin for operators in each supported bundler: its output must run in Node. Without the plugin, the operators throw an error.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import { rolldown } from 'rolldown'
@@ -10,13 +10,14 @@ const entry = `${project}/with-operators.mjs`
 let operators
 before(async () => ({ operators } = await load('warpjet/operators/plugin')))
 
+/** Asserts that a bundle prints the expected position. */
 function assertWorks(program) {
   const { output, status } = runIn(process.execPath, [program])
   assert.equal(output, 'moved 3,1,3\n')
   assert.equal(status, 0)
 }
 
-test('without a build, a message says what to add', () => {
+test('without the plugin, a message says what to add', () => {
   const { output, status } = runIn(process.execPath, ['with-operators.mjs'])
   assert.match(output, /WarpError: JavaScript's own \+ - \* .* import 'warpjet\/operators'/)
   assert.equal(status, 1)

@@ -1,9 +1,10 @@
-// Runs Node programs that use the package: on the minimum version of package.json and on this one, with import and with require, bundled
-// and unbundled.
+// Runs Node programs that use the package: on the minimum versions that package.json names and on the version that runs this test, with
+// import and with require, bundled and unbundled.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { load, project, runIn } from './support/project.js'
 
+/** Asserts that a program uses the package successfully; returns its output. */
 const works = (node, args) => {
   const { output, status } = runIn(node, args)
   assert.match(output, /moved 1,0,0 function/)
@@ -11,6 +12,7 @@ const works = (node, args) => {
   return output
 }
 
+/** Maps a title → a Node binary. */
 const binaries = { [`Node ${process.versions.node}, this one`]: process.execPath }
 if (process.platform === 'linux' && process.arch === 'x64')
   for (const version of [20, 22])

@@ -1,4 +1,4 @@
-// The publishing workflow: npm's messages about the tarball, the upload, and each command of the workflow.
+// Tests the publishing workflow: npm's messages about the tarball, the upload, and each command of the workflow.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { accessSync, constants, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs'
@@ -12,25 +12,25 @@ const root = fileURLToPath(new URL('../../', import.meta.url))
 const manifest = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
 const file = `${root}.github/workflows/publish.yml`
 /** The commands of the workflow, in order; each is one line. */
-const runs = [...readFileSync(file, 'utf8').matchAll(/^ *(?:- )?run: (.+)$/gm)].map(
-  ([, run]) => run,
+const commands = [...readFileSync(file, 'utf8').matchAll(/^ *(?:- )?run: (.+)$/gm)].map(
+  ([, command]) => command,
 )
-const runOf = (pattern) => runs.find((run) => pattern.test(run))
+const findCommand = (pattern) => commands.find((command) => pattern.test(command))
 
-/** A registry without packages, which records uploads. */
+/** The uploads to a local registry, which has no packages. */
 const received = []
 let server, home
 before(async () => {
   home = mkdtempSync(`${tmpdir()}/warpjet-publish-`)
   server = createServer(async (request, response) => {
-    const parts = []
-    for await (const part of request) parts.push(part)
+    const chunks = []
+    for await (const chunk of request) chunks.push(chunk)
     const isPut = request.method === 'PUT'
     if (isPut)
       received.push({
         path: request.url,
         authorization: request.headers.authorization,
-        document: JSON.parse(Buffer.concat(parts)),
+        document: JSON.parse(Buffer.concat(chunks)),
       })
     response.writeHead(isPut ? 201 : 404, { 'Content-Type': 'application/json' }).end('{}')
   })
@@ -42,14 +42,15 @@ after(() => {
 })
 
 /**
- * Runs a command of the workflow in a shell, with that registry → { output, status }. Does not block the test, which must answer npm.
+ * Runs a command of the workflow in a shell, with the local registry → { output, status }. Does not block this process, which must answer
+ * npm.
  */
-async function run(line, cwd, env = {}) {
-  const own = Object.entries(process.env).filter(([name]) => !/^npm_/i.test(name))
-  const child = spawn('sh', ['-ec', line], {
+async function run(command, cwd, env = {}) {
+  const variables = Object.entries(process.env).filter(([name]) => !/^npm_/i.test(name))
+  const child = spawn('sh', ['-ec', command], {
     cwd,
     env: {
-      ...Object.fromEntries(own),
+      ...Object.fromEntries(variables),
       NODE_OPTIONS: '',
       npm_config_registry: `http://127.0.0.1:${server.address().port}/`,
       npm_config_userconfig: `${home}/npmrc`,
@@ -64,11 +65,11 @@ async function run(line, cwd, env = {}) {
 }
 
 const warnings = (output) => output.match(/^npm (?:warn|error).*$/gim) ?? []
-/** Provenance is signed only for runs at GitHub. */
-const publish = () => runOf(/^npm publish/).replace(' --provenance', '')
+/** Returns the command that publishes, without provenance, which only runs on GitHub can sign. */
+const publishCommand = () => findCommand(/^npm publish/).replace(' --provenance', '')
 
-test('npm has no complaints about the tarball, except that nobody has logged in', async () => {
-  const { output, status } = await run(`${publish()} --dry-run`, project)
+test('npm has no warnings about the tarball, except that nobody is logged in', async () => {
+  const { output, status } = await run(`${publishCommand()} --dry-run`, project)
   assert.equal(status, 0, output)
   const [warning, ...others] = warnings(output)
   assert.match(warning, /requires you to be logged in/)
@@ -76,10 +77,10 @@ test('npm has no complaints about the tarball, except that nobody has logged in'
   assert.equal(received.length, 0)
 })
 
-test('with a token the tested tarball itself is published, without a warning', async () => {
-  const token = runOf(/_authToken/)
+test('with a token, the tested tarball itself is published without a warning', async () => {
+  const token = findCommand(/_authToken/)
   assert.deepEqual(await run(token, project, { NPM_TOKEN: 'a-token' }), { output: '', status: 0 })
-  const { output, status } = await run(publish(), project)
+  const { output, status } = await run(publishCommand(), project)
   assert.equal(status, 0, output)
   assert.deepEqual(warnings(output), [])
   const [{ path, authorization, document }] = received
@@ -91,9 +92,9 @@ test('with a token the tested tarball itself is published, without a warning', a
   assert.ok(Buffer.from(data, 'base64').equals(readFileSync(`${project}/${tarball()}`)))
 })
 
-test('a tag that is not the version of package.json publishes nothing', async () => {
-  const line = runOf(/GITHUB_REF_NAME/)
-  const statusFor = async (tag) => (await run(line, root, { GITHUB_REF_NAME: tag })).status
+test('a tag that differs from the version in package.json publishes nothing', async () => {
+  const command = findCommand(/GITHUB_REF_NAME/)
+  const statusFor = async (tag) => (await run(command, root, { GITHUB_REF_NAME: tag })).status
   assert.equal(await statusFor(`v${manifest.version}`), 0)
   assert.equal(await statusFor(manifest.version), 1)
   assert.equal(await statusFor('v9.9.9'), 1)
@@ -106,20 +107,20 @@ test('there is one workflow, and each of its commands is tested', async () => {
   ])
   assert.equal(status, 0, output)
   accessSync(`${root}.ci/run`, constants.X_OK)
-  const copied = runOf(/^cp /)
-  assert.equal((await run(copied.replace(/\.$/, `"${home}"`), root)).status, 0)
+  const copyCommand = findCommand(/^cp /)
+  assert.equal((await run(copyCommand.replace(/\.$/, `"${home}"`), root)).status, 0)
   assert.deepEqual(
     readdirSync(home).filter((name) => name.endsWith('.tgz')),
     [tarball()],
   )
   // web/tests/site.browser.test.js opens the output of `npm run site`.
   assert.ok(manifest.scripts.site)
-  assert.deepEqual(runs, [
-    runOf(/GITHUB_REF_NAME/),
+  assert.deepEqual(commands, [
+    findCommand(/GITHUB_REF_NAME/),
     '.ci/run',
     'npm run site',
-    copied,
-    runOf(/_authToken/),
+    copyCommand,
+    findCommand(/_authToken/),
     'npm publish ./warpjet-*.tgz --provenance --access public',
   ])
 })

@@ -15,31 +15,31 @@ import {
   rowRecords,
 } from '../../.scripts/bench/frames/records.mjs'
 import { aims, aimsText } from '../../.scripts/bench/frames/report.mjs'
-import { alike, table } from '../../.scripts/bench/frames/table.mjs'
-import { middle, ratio, shuffled, summary } from '../../web/bench/statistics.js'
+import { sameDecimals, table } from '../../.scripts/bench/frames/table.mjs'
+import { medianRatio, quantile, shuffle, summarize } from '../../web/bench/statistics.js'
 
 describe('statistics', () => {
-  test('summary returns the median and the quartiles', () => {
-    assert.deepEqual(summary([9, 1, 5, 3, 7]), { median: 5, low: 3, high: 7 })
-    assert.deepEqual(summary([4]), { median: 4, low: 4, high: 4 })
+  test('summarize returns the median and the quartiles', () => {
+    assert.deepEqual(summarize([9, 1, 5, 3, 7]), { median: 5, low: 3, high: 7 })
+    assert.deepEqual(summarize([4]), { median: 4, low: 4, high: 4 })
   })
 
-  test('middle ignores values that could not be measured', () => {
-    assert.equal(middle([NaN, 3, Infinity, 1, 2]), 2)
-    assert.equal(middle([1, 2, 4, 8]), 3)
-    assert.equal(middle([1, 2, 4, 8], 0.25), 1.75)
-    assert.equal(middle([NaN]), NaN)
+  test('quantile ignores values that could not be measured', () => {
+    assert.equal(quantile([NaN, 3, Infinity, 1, 2]), 2)
+    assert.equal(quantile([1, 2, 4, 8]), 3)
+    assert.equal(quantile([1, 2, 4, 8], 0.25), 1.75)
+    assert.equal(quantile([NaN]), NaN)
   })
 
-  test('ratio is not affected by a round that was slow for all methods', () => {
-    assert.equal(ratio([2, 20, 2.2], [1, 10, 1]), 2)
-    assert.equal(ratio([1, 2], undefined), NaN)
+  test('medianRatio is not affected by a round that was slow for all methods', () => {
+    assert.equal(medianRatio([2, 20, 2.2], [1, 10, 1]), 2)
+    assert.equal(medianRatio([1, 2], undefined), NaN)
   })
 
-  test('shuffled returns a new list with the same elements', () => {
+  test('shuffle returns a new list with the same elements', () => {
     const list = [1, 2, 3, 4]
-    assert.deepEqual(shuffled(list).sort(), list)
-    assert.notEqual(shuffled(list), list)
+    assert.deepEqual(shuffle(list).sort(), list)
+    assert.notEqual(shuffle(list), list)
   })
 })
 
@@ -103,9 +103,9 @@ describe('a table', () => {
   })
 
   test('shows the times of a column with the same number of decimals', () => {
-    assert.deepEqual([0.5, 9.994].map(alike([0.5, 9.994, NaN])), ['0.50', '9.99'])
-    assert.deepEqual([9.994, 40.25].map(alike([9.994, 40.25])), ['10.0', '40.3'])
-    assert.deepEqual([9.6, 400].map(alike([9.6, 400])), ['10', '400'])
+    assert.deepEqual([0.5, 9.994].map(sameDecimals([0.5, 9.994, NaN])), ['0.50', '9.99'])
+    assert.deepEqual([9.994, 40.25].map(sameDecimals([9.994, 40.25])), ['10.0', '40.3'])
+    assert.deepEqual([9.6, 400].map(sameDecimals([9.6, 400])), ['10', '400'])
   })
 })
 

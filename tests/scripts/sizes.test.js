@@ -11,7 +11,7 @@ test('a file that grew by more than 5% is named with its size', () => {
     { file: 'dist/b.js', gzipped: 10_752 },
   ]
   assert.deepEqual(growthWarnings(rows, before), [
-    'Warning: dist/a.js grew by 10%, to 11264 bytes gzipped. If that is meant, `npm run sizes` records it.',
+    'Warning: dist/a.js grew by 10%, to 11264 bytes gzipped. If that is intended, `npm run sizes` records it.',
   ])
 })
 

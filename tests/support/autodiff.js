@@ -1,4 +1,4 @@
-// Compares results of code that `gen` wrote, and names the calls that are tested.
+// Helpers for tests of derivatives: a comparison with a relative tolerance, and names of tests.
 import assert from 'node:assert/strict'
 
 const { abs, max } = Math
@@ -15,4 +15,5 @@ export function assertClose(actual, expected, tolerance, message) {
   }
 }
 
+/** Returns the body of an arrow function, as the name of a test. */
 export const nameOf = (form) => form.toString().replace(/^.*?=> /, '')

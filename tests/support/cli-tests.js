@@ -1,4 +1,4 @@
-// Files and commands that the tests of `npx warpjet` share.
+// Files and helpers that the tests of `npx warpjet` share.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
@@ -36,7 +36,7 @@ export const material = {
 export const model = { ...sphere(), material }
 write('model.glb', exportGLB(model))
 
-/** Starts the program in the folder; returns its exit code and output. */
+/** Runs the program in the folder → its exit code and output. */
 export function warpjet(...args) {
   const child = spawn(process.execPath, [program, ...args], { cwd: folder })
   const result = { stdout: '', stderr: '' }
@@ -45,7 +45,7 @@ export function warpjet(...args) {
   return new Promise((resolve) => child.on('close', (code) => resolve({ code, ...result })))
 }
 
-/** Checks the exit code, an empty stdout, and one message on stderr. */
+/** Asserts this exit code, an empty stdout, and a single message on stderr. */
 async function fails(code, args, pattern) {
   const result = await warpjet(...args)
   assert.equal(result.stdout, '')

@@ -1,6 +1,6 @@
-// The coarsest meshes of some shapes, which a warp can bend only after subdivision.
+// Meshes of some shapes with as few triangles as possible. A warp can bend them only after subdivision.
 
-/** A box with one edge per side, from -x to x, -y to y and -z to z: 12 triangles. */
+/** Makes a box from -x to x, -y to y and -z to z, of 12 triangles. */
 export function box([x, y, z]) {
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [
     i & 1 ? x : -x,
@@ -15,7 +15,7 @@ export function box([x, y, z]) {
     [0, 4, 6, 2],
     [1, 3, 7, 5],
   ]
-  return mesh(
+  return toMesh(
     corners,
     sides.flatMap(([a, b, c, d]) => [
       [a, b, c],
@@ -24,9 +24,9 @@ export function box([x, y, z]) {
   )
 }
 
-/** A rectangle in the plane z = 0 from -x to x and -y to y: 2 triangles. */
+/** Makes a rectangle in the plane z = 0 from -x to x and -y to y, of 2 triangles. */
 export function plane([x, y]) {
-  return mesh(
+  return toMesh(
     [
       [-x, -y, 0],
       [x, -y, 0],
@@ -40,7 +40,7 @@ export function plane([x, y]) {
   )
 }
 
-/** 20 equal triangles, with corners on a sphere. */
+/** Makes an icosahedron: 20 equal triangles with corners on a sphere. */
 export function icosahedron(radius) {
   const golden = (1 + Math.sqrt(5)) / 2
   const scale = radius / Math.hypot(1, golden)
@@ -54,14 +54,15 @@ export function icosahedron(radius) {
     for (let b = a + 1; b < 12; b++)
       for (let c = b + 1; c < 12; c++)
         if (areNear(a, b) && areNear(b, c) && areNear(c, a))
-          triangles.push(outwards([a, b, c], corners))
-  return mesh(
+          triangles.push(orientOutwards([a, b, c], corners))
+  return toMesh(
     corners.map((corner) => corner.map((x) => x * scale)),
     triangles,
   )
 }
 
-function outwards([a, b, c], corners) {
+/** Orders the corners of a triangle so that its front faces outwards. */
+function orientOutwards([a, b, c], corners) {
   const [p, q, r] = [corners[a], corners[b], corners[c]]
   const volume =
     p[0] * (q[1] * r[2] - q[2] * r[1]) +
@@ -70,7 +71,7 @@ function outwards([a, b, c], corners) {
   return volume > 0 ? [a, b, c] : [a, c, b]
 }
 
-function mesh(corners, triangles) {
+function toMesh(corners, triangles) {
   return {
     positions: Float32Array.from(corners.flat()),
     indices: Uint32Array.from(triangles.flat()),

@@ -1,4 +1,5 @@
-// Compares compositions of deformers with the same compositions of plain functions, computed step by step in double precision.
+// Compares compositions of deformers with the same compositions of functions of numbers, which are evaluated one by one in double
+// precision.
 import assert from 'node:assert/strict'
 import { bend, twist, wave } from '../../dist/deformers.js'
 import { compile } from '../../dist/warpjet.js'
@@ -8,15 +9,18 @@ import { normalize, add as plus } from './browser/matrix.js'
 import { angleBetween, jacobian, warpVertex } from './browser/oracle.js'
 
 const random = seededRandom(66)
-const anyPoint = (size) => [0, 1, 2].map(() => size * (2 * random() - 1))
+const randomPoint = (size) => [0, 1, 2].map(() => size * (2 * random() - 1))
 export const vertices = Array.from({ length: 40 }, () => ({
-  position: anyPoint(120),
-  normal: normalize(anyPoint(1)),
+  position: randomPoint(120),
+  normal: normalize(randomPoint(1)),
   millis: 1234,
 }))
 export const step = 0.02
 
-/** Evaluates in double precision: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
+/**
+ * Returns a function that evaluates a warp in double precision: it maps a vertex and uniforms to the offset, the columns of the offset's
+ * Jacobian, and the warped normal.
+ */
 export function inDouble(warp) {
   return compile((glsl) => {
     const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
@@ -25,8 +29,9 @@ export function inDouble(warp) {
     return {
       offset,
       derivatives: glsl.jacobian(offset, position),
-      turned: offset.adjustNormal(normal, position),
-      allRead: normal.mult(millis),
+      warpedNormal: offset.adjustNormal(normal, position),
+      // Makes sure that all inputs are read, so that `evaluate` accepts them.
+      unused: normal.mult(millis),
     }
   }).evaluate
 }
@@ -38,19 +43,19 @@ export function assertClose(actual, expected, tolerance) {
   })
 }
 
-/** `oracle` is a function (position, { normal, millis, ... }) → offset. */
+/** Asserts that offsets, Jacobians and normals agree. `oracle` is a function (position, { normal, millis, ... }) → offset. */
 export function agree(warp, oracle, uniforms = {}) {
   const evaluate = inDouble(warp)
   for (const vertex of vertices) {
     const inputs = { ...vertex, ...uniforms }
-    const { offset, derivatives, turned } = evaluate(inputs)
+    const { offset, derivatives, warpedNormal } = evaluate(inputs)
     assertClose(offset, oracle(vertex.position, inputs), 1e-9)
     const columns = jacobian((p) => oracle(p, inputs), vertex.position, step)
     if (!columns) continue
     assertClose(derivatives, columns.flat(), 1e-7)
     const expected = warpVertex(oracle, vertex, inputs, step)
     if (!expected.normal?.some(Boolean)) continue
-    const angle = angleBetween(turned, expected.normal)
+    const angle = angleBetween(warpedNormal, expected.normal)
     assert.ok(angle < 1e-5 * expected.sensitivity, `${angle}° at ${vertex.position}`)
   }
 }
@@ -63,10 +68,11 @@ export const bent = [
 export const waved = [wave({ amount: 5 }), oracles.wave({ amount: 5 })]
 
 export const times = (v, factor) => v.map((x) => x * factor)
+/** Returns the composition of two offsets: `b` after `a`. */
 export const after = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return plus(first, b(plus(p, first), inputs))
 }
-/** Returns the normal of the surface moved by `offset`, at the image of p, from finite differences only. */
+/** Returns the normal of the surface that `offset` moves, at the moved point p, from finite differences only. */
 export const normalAfter = (offset, p, inputs) =>
   warpVertex(offset, { position: p, normal: inputs.normal }, inputs, step).normal

@@ -1,12 +1,12 @@
-// Measures the distance of warped triangles from the warped surface at dense samples, independently of `subdivide`.
+// Measures the distance between warped triangles and the warped surface at dense samples, independently of `subdivide`.
 
-/** The count of numbers that are warped at once. */
+/** The count of coordinates that are warped at once. */
 const batchSize = 6e5
 
 /**
  * Returns the maximum distance from a point of the true surface (a warped point of a triangle of `mesh`) to the closest point of the
- * triangle with warped corners. Samples are on a lattice in each triangle, no wider than `spacing`, measured before the warp, and with
- * at least four steps per side. The warp should have no normals, which are not used.
+ * triangle with warped corners. Samples form a lattice in each triangle whose spacing before the warp is at most `spacing`, with at
+ * least four steps per side. The warp should compute no normals, since they are not used.
  */
 export function deviation(mesh, warp, uniforms, spacing) {
   const warpPositions = (positions) => warp.evaluate({ positions }, { uniforms }).positions
@@ -21,16 +21,16 @@ export function deviation(mesh, warp, uniforms, spacing) {
     for (const { triangle, steps } of batch)
       for (const [s, t] of lattice(steps)) {
         const sample = point(points, next++)
-        // The distance to any point is an upper bound of that to the closest: most samples need only this.
-        if (length(sub(sample, between(triangle, s, t))) > max)
+        // The distance to the interpolated point bounds the distance to the triangle. For most samples, this bound suffices.
+        if (length(sub(sample, interpolate(triangle, s, t))) > max)
           max = Math.max(max, distanceToTriangle(sample, triangle))
       }
     batch = []
     filled = 0
   }
   for (let t = 0; t < mesh.indices.length / 3; t++) {
-    const at = (from) => [0, 1, 2].map((side) => point(from, mesh.indices[3 * t + side]))
-    const before = at(mesh.positions)
+    const cornersIn = (array) => [0, 1, 2].map((side) => point(array, mesh.indices[3 * t + side]))
+    const before = cornersIn(mesh.positions)
     const [a, b, c] = before
     const longest = Math.max(length(sub(b, a)), length(sub(c, b)), length(sub(a, c)))
     const steps = Math.max(4, Math.ceil(longest / spacing))
@@ -40,16 +40,19 @@ export function deviation(mesh, warp, uniforms, spacing) {
       if (size > positions.length) positions = new Float32Array(size)
     }
     for (const [s, t] of lattice(steps)) {
-      positions.set(between(before, s, t), filled)
+      positions.set(interpolate(before, s, t), filled)
       filled += 3
     }
-    batch.push({ triangle: at(corners), steps })
+    batch.push({ triangle: cornersIn(corners), steps })
   }
   flush()
   return max
 }
 
-/** Returns the edges, identified by positions, that are not in exactly `times` triangles: with 2, the cracks of a closed mesh. */
+/**
+ * Returns the edges, identified by positions, that are not in exactly `times` triangles. If `times` is 2, these are the cracks of a closed
+ * mesh.
+ */
 export function edgesNotUsed(times, { positions, indices }) {
   const used = new Map()
   const key = (v) => point(positions, v).join()
@@ -65,7 +68,7 @@ const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 const length = (a) => Math.sqrt(dot(a, a))
 
-const between = ([a, b, c], s, t) => [
+const interpolate = ([a, b, c], s, t) => [
   a[0] + s * (b[0] - a[0]) + t * (c[0] - a[0]),
   a[1] + s * (b[1] - a[1]) + t * (c[1] - a[1]),
   a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]),
@@ -82,7 +85,7 @@ function lattice(steps) {
   return lattices.get(steps)
 }
 
-/** The distance to the interior if the foot of the perpendicular is inside, otherwise to the nearest side. */
+/** Returns the distance to the plane if the foot of the perpendicular is inside of the triangle, otherwise to the nearest side. */
 function distanceToTriangle(p, [a, b, c]) {
   const [ab, ac, ap] = [sub(b, a), sub(c, a), sub(p, a)]
   const [uu, uv, vv] = [dot(ab, ab), dot(ab, ac), dot(ac, ac)]
@@ -90,13 +93,13 @@ function distanceToTriangle(p, [a, b, c]) {
   const area = uu * vv - uv * uv
   const s = (vv * u - uv * v) / area
   const t = (uu * v - uv * u) / area
-  if (s >= 0 && t >= 0 && s + t <= 1) return length(sub(p, between([a, b, c], s, t)))
+  if (s >= 0 && t >= 0 && s + t <= 1) return length(sub(p, interpolate([a, b, c], s, t)))
   return Math.min(distanceToSide(p, a, b), distanceToSide(p, b, c), distanceToSide(p, c, a))
 }
 
 function distanceToSide(p, a, b) {
-  const [along, away] = [sub(b, a), sub(p, a)]
-  const squared = dot(along, along)
-  const t = squared ? Math.min(1, Math.max(0, dot(away, along) / squared)) : 0
-  return length(sub(p, between([a, b, a], t, 0)))
+  const [side, toPoint] = [sub(b, a), sub(p, a)]
+  const squared = dot(side, side)
+  const t = squared ? Math.min(1, Math.max(0, dot(toPoint, side) / squared)) : 0
+  return length(sub(p, interpolate([a, b, a], t, 0)))
 }

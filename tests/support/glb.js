@@ -10,7 +10,7 @@ const componentTypes = {
 }
 const sizes = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }
 
-/** Returns the document, and `accessor(i)`, which returns the numbers in the file. */
+/** Returns the document `json`, the `chunks`, and functions that return the bytes of a view and the numbers of an accessor. */
 export function readGlb(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   const word = (at) => view.getUint32(at, true)
@@ -29,7 +29,10 @@ export function readGlb(bytes) {
   const accessor = (i) => {
     const { bufferView, componentType, count, type } = json.accessors[i]
     const numbers = new componentTypes[componentType](viewBytes(bufferView).buffer)
-    if (numbers.length !== count * sizes[type]) throw new Error('an accessor of another length')
+    if (numbers.length !== count * sizes[type])
+      throw new Error(
+        `accessor ${i}: expected ${count * sizes[type]} numbers, got ${numbers.length}`,
+      )
     return numbers
   }
   return { json, chunks, viewBytes, accessor }
@@ -38,14 +41,14 @@ export function readGlb(bytes) {
 /** Returns the bytes of a GLB file with a document and optional binary data. */
 export function writeGlb(json, binary) {
   const text = new TextEncoder().encode(typeof json === 'string' ? json : JSON.stringify(json))
-  const parts = [[0x4e4f534a, pad(text, 0x20)]]
-  if (binary) parts.push([0x004e4942, pad(binary, 0)])
-  const length = parts.reduce((sum, [, bytes]) => sum + 8 + bytes.length, 12)
+  const chunks = [[0x4e4f534a, pad(text, 0x20)]]
+  if (binary) chunks.push([0x004e4942, pad(binary, 0)])
+  const length = chunks.reduce((sum, [, bytes]) => sum + 8 + bytes.length, 12)
   const file = new Uint8Array(length)
   const view = new DataView(file.buffer)
   ;[0x46546c67, 2, length].forEach((word, i) => view.setUint32(4 * i, word, true))
   let at = 12
-  for (const [type, bytes] of parts) {
+  for (const [type, bytes] of chunks) {
     view.setUint32(at, bytes.length, true)
     view.setUint32(at + 4, type, true)
     file.set(bytes, at + 8)

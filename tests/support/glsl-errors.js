@@ -4,10 +4,11 @@ import { test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
 import { glslOffset } from 'warpjet/glsl'
 
+/** Returns an offset function in GLSL with these statements. */
 export const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
 export const nest = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
 
-/** Makes a test of each row: [source, line of the mistake, part of the message]. */
+/** Defines a test for each row: [source, line of the mistake, part of the message]. */
 export function rejects(rows) {
   for (const [source, line, piece] of rows)
     test(`reports an error in line ${line}: ${piece}`, () => {

@@ -1,14 +1,15 @@
-// Vectors and matrices in double precision, as arrays of numbers and of rows. Independent of warpjet.
+// Operations on vectors (arrays of numbers) and matrices (arrays of rows) in double precision, independent of warpjet.
 
 export const isMatrix = (x) => Array.isArray(x?.[0])
-const each = (f, ...values) =>
+/** Applies a function to each component. */
+const mapComponents = (f, ...values) =>
   Array.isArray(values[0])
-    ? values[0].map((_, i) => each(f, ...values.map((v) => v[i])))
+    ? values[0].map((_, i) => mapComponents(f, ...values.map((v) => v[i])))
     : f(...values)
-export const scale = (x, by) => each((number) => number * by, x)
+export const scale = (x, factor) => mapComponents((number) => number * factor, x)
 
-export const add = (a, b) => each((x, y) => x + y, a, b)
-export const subtract = (a, b) => each((x, y) => x - y, a, b)
+export const add = (a, b) => mapComponents((x, y) => x + y, a, b)
+export const subtract = (a, b) => mapComponents((x, y) => x - y, a, b)
 export const dot = (a, b) => a.reduce((total, x, i) => total + x * b[i], 0)
 export const transpose = (m) => m[0].map((_, i) => m.map((row) => row[i]))
 const identity = (n) =>
@@ -17,7 +18,8 @@ const identity = (n) =>
 export function times(a, b) {
   if (typeof a === 'number') return scale(b, a)
   if (typeof b === 'number') return scale(a, b)
-  if (!isMatrix(a)) throw new Error('Two vectors side by side have no product.')
+  if (!isMatrix(a))
+    throw new Error('expected a matrix or a number, got a vector times a vector or a matrix')
   return isMatrix(b)
     ? a.map((row) => transpose(b).map((column) => dot(row, column)))
     : a.map((row) => dot(row, b))
@@ -34,7 +36,7 @@ export function invert(m) {
   for (let i = 0; i < n; i++) {
     const best = rows
       .slice(i)
-      .reduce((found, row, k) => (Math.abs(row[i]) > Math.abs(rows[found][i]) ? i + k : found), i)
+      .reduce((max, row, k) => (Math.abs(row[i]) > Math.abs(rows[max][i]) ? i + k : max), i)
     if (best !== i) [rows[i], rows[best], det] = [rows[best], rows[i], -det]
     const pivot = rows[i][i]
     det *= pivot

@@ -20,7 +20,7 @@ export const twist = compileWarp(({ glsl, position }) => {
 })
 export const rise = compileWarp(({ glsl, millis }) => glsl.vec3(0, millis, 0))
 
-/** Asserts after each test that the wasm module has freed its memory, and that the next call works. */
+/** Asserts after each test that the next call works, and that the wasm module has freed its memory. */
 export function checkMemoryAfterEach() {
   const memory = meshMemoryInUse()
   afterEach(() => {
@@ -29,7 +29,7 @@ export function checkMemoryAfterEach() {
   })
 }
 
-/** Returns the mesh as a .gltf text whose buffer has this URI, and the buffer. */
+/** Returns the mesh as a .gltf file whose buffer has this URI, and the content of the buffer. */
 export function withBuffer(mesh, uri) {
   const { json, chunks } = readGlb(exportGLB(mesh))
   json.buffers[0].uri = uri

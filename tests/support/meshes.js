@@ -1,6 +1,6 @@
-// Meshes for the tests, each made from its formula.
+// Meshes for tests, each computed from a formula.
 
-/** A sphere of radius 1 with the seams of a model and all attributes, including tangents with both signs. */
+/** Makes a sphere of radius 1 with seams like a model's, and with all attributes, including tangents with both signs. */
 export function sphere(columns = 12, rows = 8) {
   const mesh = { positions: [], normals: [], uvs: [], colors: [], tangents: [], indices: [] }
   for (let j = 0; j <= rows; j++)
@@ -14,16 +14,16 @@ export function sphere(columns = 12, rows = 8) {
       mesh.colors.push(u, v, 1 - u, 1)
       mesh.tangents.push(-Math.sin(a), 0, Math.cos(a), i % 2 ? 1 : -1)
     }
-  const at = (i, j) => j * (columns + 1) + i
+  const index = (i, j) => j * (columns + 1) + i
   for (let j = 0; j < rows; j++)
     for (let i = 0; i < columns; i++) {
-      if (j > 0) mesh.indices.push(at(i, j), at(i + 1, j), at(i + 1, j + 1))
-      if (j < rows - 1) mesh.indices.push(at(i, j), at(i + 1, j + 1), at(i, j + 1))
+      if (j > 0) mesh.indices.push(index(i, j), index(i + 1, j), index(i + 1, j + 1))
+      if (j < rows - 1) mesh.indices.push(index(i, j), index(i + 1, j + 1), index(i, j + 1))
     }
   return toTypedArrays(mesh)
 }
 
-/** A flat grid of `columns` by `rows` vertices in the plane z = 0. */
+/** Makes a flat grid of `columns` by `rows` vertices in the plane z = 0. */
 export function grid(columns, rows) {
   const mesh = { positions: [], normals: [], indices: [] }
   for (let j = 0; j < rows; j++)
@@ -37,7 +37,7 @@ export function grid(columns, rows) {
   return toTypedArrays(mesh)
 }
 
-/** One triangle in the plane z = 0. */
+/** Makes one triangle in the plane z = 0. */
 export const triangle = () =>
   toTypedArrays({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] })
 

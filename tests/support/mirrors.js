@@ -1,5 +1,5 @@
-// Warps that mirror space, and a geometric check that the outer side of a closed mesh stays outside: the signed volume has the sign
-// of the winding of the triangles, and each vertex normal must point to their front side.
+// Warps that mirror space, and a geometric check that the outer side of a closed mesh stays outside: the signed volume must be positive,
+// which depends on the winding of the triangles, and each vertex normal must point to the front of its triangles.
 import assert from 'node:assert/strict'
 import { sphere } from './meshes.js'
 
@@ -17,7 +17,7 @@ function* trianglesOf({ positions, indices }) {
     yield [0, 1, 2].map((k) => (indices ? indices[i + k] : i + k))
 }
 
-/** The signed volume of a closed mesh: above 0 if the front sides are outside. */
+/** Returns the signed volume of a closed mesh: it is above 0 if the front sides are outside. */
 export function volumeOf(mesh) {
   let volume = 0
   for (const corners of trianglesOf(mesh)) {
@@ -27,17 +27,17 @@ export function volumeOf(mesh) {
   return volume
 }
 
-/** The minimum cosine of the angle between a vertex normal and the front of a triangle around it. */
+/** Returns the minimum cosine of the angles between a vertex normal and the normal of a triangle at that vertex. */
 function minCosine(mesh) {
-  let least = 1
+  let min = 1
   for (const corners of trianglesOf(mesh)) {
     const [a, b, c] = corners.map((i) => vec(mesh.positions, i))
     const front = cross(minus(b, a), minus(c, a))
     const size = Math.hypot(...front)
     if (size < 1e-9) continue
-    for (const i of corners) least = Math.min(least, dot(front, vec(mesh.normals, i)) / size)
+    for (const i of corners) min = Math.min(min, dot(front, vec(mesh.normals, i)) / size)
   }
-  return least
+  return min
 }
 
 /** A fine mesh with its front outside. */
@@ -50,16 +50,20 @@ export const round = (() => {
   return { ...mesh, indices }
 })()
 
-export function isOutside(mesh, message) {
+/** Asserts that the fronts of triangles and the normals point outwards. */
+export function assertOutside(mesh, message) {
   const [volume, cosine] = [volumeOf(mesh), minCosine(mesh)]
-  assert.ok(volume > 0.5, `${message}: the triangles enclose ${volume}`)
-  assert.ok(cosine > 0.5, `${message}: a normal is off by the cosine ${cosine}`)
+  assert.ok(volume > 0.5, `${message}: expected a volume above 0.5, got ${volume}`)
+  assert.ok(
+    cosine > 0.5,
+    `${message}: the angle of a normal to its triangle has the cosine ${cosine}`,
+  )
 }
 
 export const mirror = ({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0)
 
 /** Makes an offset function from a function that returns the new position. */
-export const to = (place) => (inputs) => place(inputs).sub(inputs.position)
+export const to = (move) => (inputs) => move(inputs).sub(inputs.position)
 
 export const byUniform = to(({ glsl, position, uniforms }) =>
   glsl.vec3(position.x().mult(uniforms.scale), position.y(), position.z()),

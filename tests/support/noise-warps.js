@@ -1,4 +1,6 @@
-// A cube of 180 units, whose points every kind of noise moves by up to 20 units along z: few samples do not reveal where it bends.
+// A cube with a side of 180 units, and warps that move its points by up to 20 units along z by each kind of noise. A few samples do not
+// reveal
+// where such surfaces bend.
 import { compileWarp } from 'warpjet'
 import { box } from './coarse-meshes.js'
 
@@ -6,7 +8,7 @@ export const cube = box([90, 90, 90])
 
 const octaves = { octaves: 3 }
 
-/** Maps a name → warp, without normals, which are not needed. The last three have creases. */
+/** Maps a name → warp that computes no normals. The last three have creases. */
 export const noiseWarps = Object.fromEntries(
   Object.entries({
     noise: (glsl, p) => glsl.noise(p),

@@ -1,5 +1,5 @@
-// The noise of src/noise in plain numbers, in double precision: written from the papers and the comments there, without its code.
-// Points are arrays of 1 to 4 numbers, for worley of 1 to 3.
+// The noise of src/noise as functions of numbers, in double precision: written from the papers and the comments in src/noise, but not from
+// its code. Points are arrays of 1 to 4 numbers, for worley of 1 to 3.
 //
 // Each base sums over the corners around a point, instead of interpolating axis by axis, so that its gradient follows by the product rule.
 
@@ -13,7 +13,7 @@ function dot(a, b) {
 
 const prime = 4091
 
-/** Hashes a whole number below 4091 and any whole number to one below 4091: the cube of a linear function modulo 4091. */
+/** Hashes an integer `h` below 4091 and any integer `i` to an integer below 4091: the cube of a linear function modulo 4091. */
 export function hash(h, i) {
   const n = modulo(1597 * (h + modulo(i, prime)) + 823, prime)
   return (n * n * n) % prime
@@ -27,16 +27,16 @@ const factors = { 1: [1], 2: [1, 2531], 3: [1, 3091, 2333] }
 /** Returns `count` numbers in [0, 1). */
 const randoms = (h, count) => factors[count].map((factor) => ((h * factor) % 4096) / 4096)
 
-const known = new Map()
+const cache = new Map()
 
-/** Memoizes `make(h, n)`. */
+/** Memoizes `make(h, n)`. All memoized functions share the cache, so there can be only one. */
 const memoize = (make) => (h, n) => {
   const key = prime * n + h
-  if (!known.has(key)) known.set(key, make(h, n))
-  return known.get(key)
+  if (!cache.has(key)) cache.set(key, make(h, n))
+  return cache.get(key)
 }
 
-/** A unit vector: a cube folded onto the polytope |x| + |y| + … = constant (McEwan and others 2012, section 5). */
+/** Returns a unit vector: a point of a cube is folded onto the polytope |x| + |y| + … = constant (McEwan and others 2012, section 5). */
 export const direction = memoize((h, n) => {
   if (n === 1) return [2 * randoms(h, 1)[0] - 1]
   const cube = randoms(h, n - 1).map((x) => 2 * x - 1)
@@ -45,7 +45,7 @@ export const direction = memoize((h, n) => {
   return folded.map((x) => x / Math.hypot(...folded))
 })
 
-/** Returns all arrays of `n` of the `choices`. */
+/** Returns all arrays of `n` elements of `choices`. */
 const lists = (choices, n) =>
   n === 0 ? [[]] : lists(choices, n - 1).flatMap((list) => choices.map((c) => [...list, c]))
 
@@ -54,20 +54,21 @@ const fadeSlope = (t) => 30 * t ** 2 * (t - 1) ** 2
 
 const cornersOf = [0, 1, 2, 3, 4].map((n) => lists([0, 1], n))
 
-/** Adds up values with gradients, { value, gradient }. */
-const total = (parts, scale = 1) => ({
-  value: scale * sum(parts.map(({ value }) => value)),
-  gradient: parts[0].gradient.map((_, i) => scale * sum(parts.map(({ gradient }) => gradient[i]))),
+/** Adds up terms with gradients, { value, gradient }. */
+const addUp = (terms, scale = 1) => ({
+  value: scale * sum(terms.map(({ value }) => value)),
+  gradient: terms[0].gradient.map((_, i) => scale * sum(terms.map(({ gradient }) => gradient[i]))),
 })
 
 /**
- * Interpolates values at the corners of a grid, each with the weight Π b(t) or 1 - b(t); returns { value, gradient }. `corner` returns
- * the value at a corner and its gradient, from the hash of the corner and the position of the point relative to it.
+ * Interpolates values at the corners of a grid, each with the weight Π b(t) or 1 - b(t); returns { value, gradient }. `corner.value` and
+ * `corner.gradient` return the value at a corner and its gradient, from the hash of the corner and the position of the point relative to
+ * it.
  */
 function lattice(p, seed, corner) {
   const cell = p.map(Math.floor)
   const inside = p.map((x, i) => x - cell[i])
-  /** For each axis the weights of the lower and of the upper corner. */
+  /** The weights of the lower and of the upper corner along each axis. */
   const weights = inside.map((t) => [1 - fade(t), fade(t)])
 
   /** Sums `term` over the corners, times one of the `weights` of each axis. Called millions of times. */
@@ -119,23 +120,23 @@ export const bases = {
     const skew = n === 1 ? 0 : (Math.sqrt(n + 1) - 1) / n
     const unskew = n === 1 ? 0 : (1 - 1 / Math.sqrt(n + 1)) / n
     const cell = p.map((x) => Math.floor(x + skew * sum(p)))
-    const place = (corner) => corner.map((c) => c - unskew * sum(corner))
-    const offsetFrom = (corner) => place(corner).map((x, i) => p[i] - x)
-    // Orders coordinates from the largest; equal ones keep their order.
+    const positionOf = (corner) => corner.map((c) => c - unskew * sum(corner))
+    const offsetFrom = (corner) => positionOf(corner).map((x, i) => p[i] - x)
+    // Orders the axes by descending coordinate; axes with equal coordinates keep their order.
     const first = offsetFrom(cell)
     const order = [...p.keys()].sort((a, b) => first[b] - first[a])
-    const parts = Array.from({ length: n + 1 }, (_, steps) => {
+    const terms = Array.from({ length: n + 1 }, (_, steps) => {
       const corner = cell.map((c, i) => c + (order.indexOf(i) < steps ? 1 : 0))
       const offset = offsetFrom(corner)
-      const near = Math.max((n === 1 ? 1 : 0.5) - dot(offset, offset), 0)
+      const falloff = Math.max((n === 1 ? 1 : 0.5) - dot(offset, offset), 0)
       const g = direction(hashOfCell(corner, seed), n)
       const along = dot(g, offset)
       return {
-        value: near ** 4 * along,
-        gradient: g.map((x, i) => near ** 4 * x - 8 * near ** 3 * offset[i] * along),
+        value: falloff ** 4 * along,
+        gradient: g.map((x, i) => falloff ** 4 * x - 8 * falloff ** 3 * offset[i] * along),
       }
     })
-    return total(parts, [0, 3.16049, 99.2043, 107.6534, 108.5678][n])
+    return addUp(terms, [0, 3.16049, 99.2043, 107.6534, 108.5678][n])
   },
 }
 
@@ -143,7 +144,7 @@ export const noise = (p, { seed = 0 } = {}) => bases.noise(p, hashOfSeed(seed)).
 export const valueNoise = (p, { seed = 0 } = {}) => bases.valueNoise(p, hashOfSeed(seed)).value
 export const simplex = (p, { seed = 0 } = {}) => bases.simplex(p, hashOfSeed(seed)).value
 
-/** Returns the distances to the two nearest of random points, one per cell, [F1, F2] (Worley 1996). */
+/** Returns [F1, F2], the distances to the nearest and second nearest of random points, of which each cell has one (Worley 1996). */
 export function worley(p, { seed = 0 } = {}) {
   const home = p.map(Math.floor)
   let nearest = [Infinity, Infinity]
@@ -151,17 +152,18 @@ export function worley(p, { seed = 0 } = {}) {
     if (distance > nearest[1]) break
     const cell = home.map((c, i) => c + step[i])
     const point = randoms(hashOfCell(cell, hashOfSeed(seed)), p.length)
-    const found = Math.hypot(...p.map((x, i) => cell[i] + point[i] - x))
-    if (found < nearest[1]) nearest = [...nearest.slice(0, 1), found].sort((a, b) => a - b)
+    const pointDistance = Math.hypot(...p.map((x, i) => cell[i] + point[i] - x))
+    if (pointDistance < nearest[1])
+      nearest = [...nearest.slice(0, 1), pointDistance].sort((a, b) => a - b)
   }
   return nearest
 }
 
-const knownSteps = {}
+const stepsCache = {}
 
-/** Returns the steps to cells, each with the minimum distance of its points from the home cell; the nearest cells are first. */
+/** Returns the steps to cells, each with the minimum distance between the cell and the home cell, in ascending order. */
 const stepsOf = (dimensions) =>
-  (knownSteps[dimensions] ??= lists([-3, -2, -1, 0, 1, 2, 3], dimensions)
+  (stepsCache[dimensions] ??= lists([-3, -2, -1, 0, 1, 2, 3], dimensions)
     .map((step) => ({
       step,
       distance: Math.hypot(...step.map((x) => Math.max(Math.abs(x) - 1, 0))),
@@ -186,7 +188,7 @@ export const fbm = fractal((x) => x)
 export const turbulence = fractal(Math.abs)
 export const ridged = fractal((x) => (1 - Math.abs(x)) ** 2)
 
-/** The curl of three noises (Bridson and others 2007, equation 1). */
+/** Returns the curl of three noises (Bridson and others 2007, equation 1). */
 export function curl(p, { noise: base = 'noise', seed = 0 } = {}) {
   const [x, y, z] = [1, 2, 3].map((i) => bases[base](p, hash(hashOfSeed(seed), i)).gradient)
   return [z[1] - y[2], x[2] - z[0], y[0] - x[1]]

@@ -1,6 +1,6 @@
 // Evaluates formulas in textbook notation, in double precision: `v · dv / |v|`, `−A⁻¹ dA A⁻¹`, `Σ aᵢ bᵢ`. A vector is an array of numbers,
-// a matrix an array of its rows. All kinds of products, also by juxtaposition, have the same precedence and associate to the left; Σ
-// applies to the juxtaposed factors after it, over the index ᵢ or ₖ. Written for the tests of the docs, independently of warpjet.
+// a matrix an array of its rows. All kinds of products, including juxtaposition, have the same precedence and associate to the left. Σ
+// applies to the juxtaposed factors after it, and sums over the index ᵢ or ₖ. Written for tests of the docs, independently of warpjet.
 
 import { add, cross, dot, invert, scale, subtract, times, transpose } from './linear.js'
 
@@ -19,24 +19,25 @@ const suffixes = {
 }
 const token = /\s*(\d+(?:\.\d+)?|[A-Za-zα-ω]+|⁻¹|⁻ᵀ|[ᵀ²³⁴₁₂₃₄ᵢₖ]|[-+−·×/?:<√|(),Σ])/y
 
-function tokensOf(text) {
+function tokenize(text) {
   const tokens = []
   token.lastIndex = 0
   while (token.lastIndex < text.length) {
-    const [, found] = token.exec(text) ?? []
-    if (!found) throw new Error(`Not understood: ${text}`)
-    tokens.push(found)
+    const [, next] = token.exec(text) ?? []
+    if (!next) throw new Error(`cannot read ${text}`)
+    tokens.push(next)
   }
   return tokens
 }
 
-/** Parses a formula to a function of the values of its letters. */
-export function read(text) {
-  const tokens = tokensOf(text)
+/** Parses a formula → a function that maps the values of its names to the value of the formula. */
+function parse(text) {
+  const tokens = tokenize(text)
   let at = 0
   const isNext = (...choices) => choices.includes(tokens[at])
   const take = (expected) => {
-    if (expected && tokens[at] !== expected) throw new Error(`${expected} is missing in ${text}`)
+    if (expected && tokens[at] !== expected)
+      throw new Error(`expected ${expected}, got ${tokens[at]} in ${text}`)
     return tokens[at++]
   }
 
@@ -49,55 +50,60 @@ export function read(text) {
     const yes = choice()
     take(':')
     const no = choice()
-    return (known) => (left(known) < right(known) ? yes(known) : no(known))
+    return (values) => (left(values) < right(values) ? yes(values) : no(values))
   }
 
   function sum() {
     let left = product()
     while (isNext('+', '−')) {
       const [f, a, b] = [take() === '+' ? add : subtract, left, product()]
-      left = (known) => f(a(known), b(known))
+      left = (values) => f(a(values), b(values))
     }
     return left
   }
 
   const startsFactor = () =>
-    /^(?:[\dA-Za-zα-ω(√|Σ])/.test(tokens[at] ?? '') && !(isNext('|') && open)
-  const kinds = { '·': dot, '×': cross, '/': (a, b) => scale(a, 1 / b) }
+    /^(?:[\dA-Za-zα-ω(√|Σ])/.test(tokens[at] ?? '') && !(isNext('|') && isBarOpen)
+  const products = { '·': dot, '×': cross, '/': (a, b) => scale(a, 1 / b) }
 
   function product() {
     if (isNext('−')) {
       take()
       const positive = product()
-      return (known) => scale(positive(known), -1)
+      return (values) => scale(positive(values), -1)
     }
     let left = factor()
-    while (isNext(...Object.keys(kinds)) || startsFactor()) {
-      const [f, a, b] = [isNext(...Object.keys(kinds)) ? kinds[take()] : times, left, factor()]
-      left = (known) => f(a(known), b(known))
+    while (isNext(...Object.keys(products)) || startsFactor()) {
+      const [f, a, b] = [
+        isNext(...Object.keys(products)) ? products[take()] : times,
+        left,
+        factor(),
+      ]
+      left = (values) => f(a(values), b(values))
     }
     return left
   }
 
-  /** Tests whether the next bar is a closing one. */
-  let open = false
-  function inside(close, isBar) {
-    const outer = open
-    open = isBar
-    const list = [choice()]
-    while (isNext(',')) list.push((take(), choice()))
+  /** If true, the next bar closes an absolute value. */
+  let isBarOpen = false
+  /** Parses a list up to the token `close`. */
+  function parseList(close, isBar) {
+    const wasBarOpen = isBarOpen
+    isBarOpen = isBar
+    const elements = [choice()]
+    while (isNext(',')) elements.push((take(), choice()))
     take(close)
-    open = outer
-    return list
+    isBarOpen = wasBarOpen
+    return elements
   }
 
   function factor() {
     let value = primary()
     while (suffixes[tokens[at]] || /^[₁₂₃₄ᵢₖ]$/.test(tokens[at] ?? '')) {
       const [sign, inner] = [take(), value]
-      const part = '₁₂₃₄'.indexOf(sign)
-      if (suffixes[sign]) value = (known) => suffixes[sign](inner(known))
-      else value = (known) => inner(known)[part < 0 ? known.index : part]
+      const component = '₁₂₃₄'.indexOf(sign)
+      if (suffixes[sign]) value = (values) => suffixes[sign](inner(values))
+      else value = (values) => inner(values)[component < 0 ? values.index : component]
     }
     return value
   }
@@ -107,28 +113,28 @@ export function read(text) {
     if (/^\d/.test(name)) return () => Number(name)
     if (name === '√')
       return (
-        (inner) => (known) =>
-          Math.sqrt(inner(known))
+        (inner) => (values) =>
+          Math.sqrt(inner(values))
       )(factor())
     if (name === 'Σ') return total()
     if (name === '|') {
-      const [inner] = inside('|', true)
-      return (known) => ((x) => Math.sqrt(dot(x, x)))([inner(known)].flat())
+      const [inner] = parseList('|', true)
+      return (values) => ((x) => Math.sqrt(dot(x, x)))([inner(values)].flat())
     }
     if (name === '(') {
-      const list = inside(')', false)
-      return list.length > 1 ? (known) => list.map((inner) => inner(known)) : list[0]
+      const elements = parseList(')', false)
+      return elements.length > 1 ? (values) => elements.map((inner) => inner(values)) : elements[0]
     }
-    if (!/^[A-Za-zα-ω]/.test(name)) throw new Error(`${name} is not understood in ${text}`)
-    const isCall = (known) => known[name] ?? functions[name]
+    if (!/^[A-Za-zα-ω]/.test(name)) throw new Error(`unexpected ${name} in ${text}`)
+    const getFunction = (values) => values[name] ?? functions[name]
     if (isNext('(') && (functions[name] || /^rotate/.test(name))) {
       take()
-      const list = inside(')', false)
-      return (known) => isCall(known)(...list.map((inner) => inner(known)))
+      const operands = parseList(')', false)
+      return (values) => getFunction(values)(...operands.map((inner) => inner(values)))
     }
-    return (known) => {
-      if (known[name] === undefined) throw new Error(`${name} is not known in ${text}`)
-      return known[name]
+    return (values) => {
+      if (values[name] === undefined) throw new Error(`${name} has no value in ${text}`)
+      return values[name]
     }
   }
 
@@ -136,24 +142,24 @@ export function read(text) {
     let term = factor()
     while (startsFactor() && !isNext('Σ'))
       term = (
-        (a, b) => (known) =>
-          times(a(known), b(known))
+        (a, b) => (values) =>
+          times(a(values), b(values))
       )(term, factor())
-    return (known) =>
-      Array.from({ length: known.count }, (_, index) =>
-        term(Object.create(known, { index: { value: index } })),
+    return (values) =>
+      Array.from({ length: values.count }, (_, index) =>
+        term(Object.create(values, { index: { value: index } })),
       ).reduce(add)
   }
 
   const result = choice()
-  if (at < tokens.length) throw new Error(`Not understood from ${tokens[at]} on: ${text}`)
+  if (at < tokens.length) throw new Error(`unexpected ${tokens[at]} in ${text}`)
   return result
 }
 
-/** Evaluates a formula. The parts that `where` defines can refer to each other. */
-export function evaluateFormula(text, known, where = {}) {
-  const all = { ...known }
-  for (const [name, part] of Object.entries(where))
-    Object.defineProperty(all, name, { get: () => read(part)(all) })
-  return read(text)(all)
+/** Evaluates a formula. `where` defines names in it, which may refer to each other. */
+export function evaluateFormula(text, values, where = {}) {
+  const all = { ...values }
+  for (const [name, definition] of Object.entries(where))
+    Object.defineProperty(all, name, { get: () => parse(definition)(all) })
+  return parse(text)(all)
 }

@@ -5,7 +5,7 @@ const numbers = {
   clamp: (x, low, high) => Math.min(Math.max(x, low), high),
 }
 
-/** Names of the operands in the docs. */
+/** Maps an operation → the names of its operands in the docs, unless these are x and y. */
 const operands = {
   pow: ['x', 'exponent'],
   'atan(y, x)': ['y', 'x'],
@@ -20,8 +20,10 @@ const operands = {
 }
 export const operandsOf = (name, count) => operands[name] ?? ['x', 'y'].slice(0, count)
 
+/** Evaluates a formula; `where` defines names in it. */
 export function evaluateFormula(text, values, where = {}) {
-  const known = { ...numbers, ...values }
-  for (const [name, part] of Object.entries(where)) known[name] = evaluateFormula(part, values)
-  return new Function(...Object.keys(known), `return ${text}`)(...Object.values(known))
+  const scope = { ...numbers, ...values }
+  for (const [name, definition] of Object.entries(where))
+    scope[name] = evaluateFormula(definition, values)
+  return new Function(...Object.keys(scope), `return ${text}`)(...Object.values(scope))
 }

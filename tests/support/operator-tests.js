@@ -1,11 +1,11 @@
-// Helpers that the tests of operators share: functions of p5, and translation in a page and by the plugin.
+// Helpers for tests of operators: functions like p5's, and translation in a page and by the bundler plugin.
 import assert from 'node:assert/strict'
 import { translateModule } from '../../dist/operators-plugin.js'
 import * as runtime from '../../dist/operators-runtime.js'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
-/** p5's functions in global mode, which work only on numbers. */
+/** Functions with the names of p5's in global mode. Like these, they work only on numbers. */
 export const p5Functions = {
   sin: Math.sin,
   cos: Math.cos,
@@ -20,16 +20,16 @@ export const p5Functions = {
   lerp: (a, b, t) => a + (b - a) * t,
 }
 // Bound functions have no source code, like p5's own.
-for (const [name, known] of Object.entries(p5Functions)) globalThis[name] = known.bind(null)
+for (const [name, f] of Object.entries(p5Functions)) globalThis[name] = f.bind(null)
 
-/** Translates a module with the plugin, and runs it. */
+/** Translates a module with the plugin, and runs it → the value or values that it pushes to `out`. */
 export function runTranslated(code, names = {}) {
   const translated = translateModule(code) ?? code
-  const [last, all, one] =
+  const [importLine, operatorsName, withOperatorsName] =
     /\nimport \{ (?:operators as (\w+), )?withOperators as (\w+) \} from .*\n$/.exec(translated)
-  const imports = `const ${one} = runtime.withOperators${all ? `, ${all} = runtime.operators` : ''}; `
-  const body = imports + translated.replace(last, '')
-  assert.equal(translated.split('\n').length - 2, code.split('\n').length, 'lines')
+  const imports = `const ${withOperatorsName} = runtime.withOperators${operatorsName ? `, ${operatorsName} = runtime.operators` : ''}; `
+  const body = imports + translated.replace(importLine, '')
+  assert.equal(translated.split('\n').length - 2, code.split('\n').length, 'the number of lines')
   const out = []
   new Function('runtime', 'createWarp', 'out', ...Object.keys(names), body)(
     runtime,
@@ -42,19 +42,20 @@ export function runTranslated(code, names = {}) {
 
 export const uniforms = { amount: 0.5 }
 
-/** Compiles a function twice: translated in a page, and by the plugin. */
-export function compileBoth(written) {
-  const offset = (0, eval)(`(${written})`)
-  const options = written.includes('uniforms') ? { uniforms } : {}
+/** Compiles the source of an offset function → [code if it is translated in the page, code if the plugin translates it]. */
+export function compileBoth(source) {
+  const offset = (0, eval)(`(${source})`)
+  const options = source.includes('uniforms') ? { uniforms } : {}
   const inPage = compileWarp(operators(offset), options).code
-  const [, text] = /^createWarp\(\w+\((.*)\)\)\nimport .*\n$/s.exec(
-    translateModule(`createWarp(${written})`),
+  const [, translated] = /^createWarp\(\w+\((.*)\)\)\nimport .*\n$/s.exec(
+    translateModule(`createWarp(${source})`),
   ) ?? [, undefined]
-  const byBuild = text
-    ? compileWarp(runtime.withOperators(new Function(`return ${text}`)()), options).code
+  const byPlugin = translated
+    ? compileWarp(runtime.withOperators(new Function(`return ${translated}`)()), options).code
     : inPage
-  return [inPage, byBuild]
+  return [inPage, byPlugin]
 }
 
+/** Compiles an offset function that is translated in the page. */
 export const callOffset = (offset, options = {}) =>
   compileWarp(operators(offset), /uniforms/.test(offset) ? { uniforms, ...options } : options).code

@@ -1,5 +1,5 @@
-// A replacement for the builder `glsl` that evaluates calls of the docs in double precision: operations are the formulas in the docs,
-// and noise is the plain one. Independent of warpjet.
+// A replacement for the builder `glsl` that evaluates calls in double precision: operations by the formulas in the docs, noise by noise.js.
+// Independent of warpjet.
 import { formulas } from '../../.scripts/reference/formulas.mjs'
 import { vectorFormulas } from '../../.scripts/reference/vector-formulas.mjs'
 import { isMatrix, transpose } from './linear.js'
@@ -7,23 +7,24 @@ import * as noise from './noise.js'
 import { evaluateFormula } from './notation.js'
 import * as numbers from './number-formulas.js'
 
-/** Returns the letters of a form such as `rotate(a, φ) v`, without the rotated v. */
+/** Returns the operands of a form: for `rotate(a, φ) v`, these are a and φ. */
 export const lettersOf = (form) => /\((.*)\)/.exec(form)[1].split(', ')
 
-/** Returns the matrix of a rotation of v. */
+/** Maps the name of a rotation → a function that returns its matrix. */
 export const turns = Object.fromEntries(
   Object.entries(vectorFormulas)
     .filter(([, { form }]) => form.endsWith(') v'))
     .map(([name, { form, value, where }]) => [
       name,
-      (...given) => {
-        const known = Object.fromEntries(lettersOf(form).map((letter, i) => [letter, given[i]]))
+      (...operands) => {
+        const known = Object.fromEntries(lettersOf(form).map((letter, i) => [letter, operands[i]]))
         const rotate = ([x, y, z]) => evaluateFormula(value, { ...known, v: [x, y, z] }, where)
         return transpose([rotate([1, 0, 0]), rotate([0, 1, 0]), rotate([0, 0, 1])])
       },
     ]),
 )
 
+/** Returns the title of an operation in the docs. */
 function titleOf(name, values) {
   if (name === 'atan' && values.length > 1) return 'atan(y, x)'
   if (name !== 'mult' || !values.some(isMatrix)) return name
@@ -50,7 +51,7 @@ function compute(name, values) {
       { ...known, count: values[0].length },
       vector.where,
     )
-    // The docs write `0` for a zero vector too.
+    // The docs also write `0` for a zero vector.
     return result === 0 && title === 'refract' ? values[0].map(() => 0) : result
   }
   const { value, by, where } = formulas[title]
@@ -58,7 +59,7 @@ function compute(name, values) {
   return numbers.evaluateFormula(value, Object.fromEntries(named), where)
 }
 
-const plain = (given) => given?.plain ?? given
+const unwrap = (operand) => operand?.plain ?? operand
 
 /** Wraps a value so that it has operations as methods; `plain` is the value. */
 export const wrap = (value) =>
@@ -78,7 +79,7 @@ export const builder = new Proxy(
   {
     get:
       (_, name) =>
-      (...given) =>
-        wrap(compute(name, given.map(plain))),
+      (...operands) =>
+        wrap(compute(name, operands.map(unwrap))),
   },
 )

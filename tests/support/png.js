@@ -11,8 +11,8 @@ export function png(width, height, pixel) {
   return file(width, height, 2, Buffer.from(rows))
 }
 
-/** Encodes an image: bytes of red, green, blue and alpha, from the top left. */
-export function pngOf({ width, height, data }) {
+/** Encodes an image with bytes of red, green, blue and alpha, from the top left. */
+export function encodeImage({ width, height, data }) {
   const rows = Buffer.alloc(height * (1 + 4 * width))
   for (let y = 0; y < height; y++)
     rows.set(data.subarray(4 * width * y, 4 * width * (y + 1)), y * (1 + 4 * width) + 1)
@@ -35,13 +35,13 @@ function file(width, height, colorType, rows) {
 
 function chunk([type, data]) {
   const body = Buffer.concat([Buffer.from(type, 'latin1'), data])
-  const ends = Buffer.alloc(8)
-  ends.writeUInt32BE(data.length, 0)
-  ends.writeUInt32BE(crc(body) >>> 0, 4)
-  return Buffer.concat([ends.subarray(0, 4), body, ends.subarray(4)])
+  const lengthAndSum = Buffer.alloc(8)
+  lengthAndSum.writeUInt32BE(data.length, 0)
+  lengthAndSum.writeUInt32BE(crc(body) >>> 0, 4)
+  return Buffer.concat([lengthAndSum.subarray(0, 4), body, lengthAndSum.subarray(4)])
 }
 
-/** Replaces `crc32` of Node, which exists since 22.2. */
+/** Replaces Node's `crc32`, which exists only since 22.2. */
 function slowCrc32(bytes) {
   let sum = -1
   for (const byte of bytes) {

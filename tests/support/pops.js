@@ -1,4 +1,4 @@
-// Measures how far drawn surfaces jump on the screen when a mesh is divided anew.
+// Measures how far drawn surfaces jump on the screen when a mesh is subdivided again.
 import { pixelsOf } from './screen-error.js'
 
 /** Points of a triangle: corners, quarters of the sides, and points inside, as weights of the corners. */

@@ -1,4 +1,4 @@
-// Measures how far drawn triangles are from the warped surface on the screen, independently of how the mesh was divided.
+// Measures how far drawn triangles are from the warped surface on the screen, independently of how the mesh was subdivided.
 
 /** Points inside of a triangle and on its sides, as weights of the corners: the lattice of quarters without the corners, and the middle. */
 const lattice = [[1 / 3, 1 / 3, 1 / 3]]
@@ -7,9 +7,9 @@ for (let i = 0; i <= 4; i++)
     if (Math.max(i, j, 4 - i - j) < 4) lattice.push([1 - (i + j) / 4, i / 4, j / 4])
 
 /**
- * Returns the distances, in pixels, of points of the warped surface from the points of the drawn triangles that they are the truth of.
+ * Returns the distances, in pixels, between points of the drawn triangles and the warped points at which they should be.
  * Points outside of the picture are left out. `warpPositions` maps { positions, normals } → warped positions; `view` is
- * { matrix, width, height }, as for `createDetail`; `triangles` are the numbers of those to measure.
+ * { matrix, width, height }, as for `createDetail`; `triangles` are the indices of the triangles to measure.
  */
 export function screenErrors(mesh, warpPositions, view, triangles) {
   const { positions, normals, indices } = mesh
@@ -44,7 +44,7 @@ export function screenErrors(mesh, warpPositions, view, triangles) {
   return errors
 }
 
-/** Returns the place of a point in the picture, from its middle; `undefined` if it is outside. */
+/** Returns the position of a point on the screen in pixels, relative to the middle of the picture; `undefined` if it is outside. */
 export function pixelsOf(numbers, at, { matrix: m, width, height }) {
   const row = (i) =>
     m[i] * numbers[at] + m[i + 4] * numbers[at + 1] + m[i + 8] * numbers[at + 2] + m[i + 12]

@@ -1,12 +1,13 @@
-// Surfaces defined by formulas, and the expected results of warps on them: an oracle in double precision that does not use derivatives of
-// the warp.
+// Surfaces defined by formulas, and the normals that warps should produce on them: an oracle in double precision that does not use
+// derivatives
+// of the warp.
 import { cross, dot, normalize } from './browser/matrix.js'
 
 const { sin, cos, PI } = Math
 
 /**
- * Each returns, at u and v from 0 to 1, { position, normal, shape, uGradient, vGradient }: `shape` is the derivative of the
- * normal, by rows, from the principal curvatures (do Carmo, Differential Geometry of Curves and Surfaces, section 3.3).
+ * Each function returns, at u and v from 0 to 1, { position, normal, shape, uGradient, vGradient }. `shape` has the rows of the derivative
+ * of the normal, which is computed from the principal curvatures (do Carmo, Differential Geometry of Curves and Surfaces, section 3.3).
  */
 export const surfaces = {
   sphere(u, v, radius = 1.2) {
@@ -18,7 +19,7 @@ export const surfaces = {
       position: normal.map((x) => radius * x),
       normal,
       shape: shapeOf([east, 1 / radius], [north, 1 / radius]),
-      // There is none at the poles.
+      // It is undefined at the poles, where zero takes its place.
       uGradient: east.map((x) => (sin(b) > 1e-9 ? x / (2 * PI * radius * sin(b)) : 0)),
       vGradient: north.map((x) => x / (PI * radius)),
     }
@@ -27,24 +28,27 @@ export const surfaces = {
     const [a, b] = [2 * PI * u, 2 * PI * v]
     const normal = [cos(a) * cos(b), sin(a) * cos(b), sin(b)]
     const ring = big + small * cos(b)
-    const along = [-sin(a), cos(a), 0]
-    const around = [-cos(a) * sin(b), -sin(a) * sin(b), cos(b)]
+    const alongRing = [-sin(a), cos(a), 0]
+    const aroundTube = [-cos(a) * sin(b), -sin(a) * sin(b), cos(b)]
     return {
       position: [ring * cos(a), ring * sin(a), small * sin(b)],
       normal,
-      shape: shapeOf([along, cos(b) / ring], [around, 1 / small]),
-      uGradient: along.map((x) => x / (2 * PI * ring)),
-      vGradient: around.map((x) => x / (2 * PI * small)),
+      shape: shapeOf([alongRing, cos(b) / ring], [aroundTube, 1 / small]),
+      uGradient: alongRing.map((x) => x / (2 * PI * ring)),
+      vGradient: aroundTube.map((x) => x / (2 * PI * small)),
     }
   },
 }
 
-const shapeOf = (...parts) =>
+/** Returns the derivative of the normal from pairs of a principal direction and its curvature. */
+const shapeOf = (...directions) =>
   [0, 1, 2].map((i) =>
-    [0, 1, 2].map((k) => parts.reduce((sum, [t, curvature]) => sum + curvature * t[i] * t[k], 0)),
+    [0, 1, 2].map((k) =>
+      directions.reduce((sum, [t, curvature]) => sum + curvature * t[i] * t[k], 0),
+    ),
   )
 
-/** Makes a mesh of a surface; `exact` has its exact derivatives, from the formula. */
+/** Makes a mesh of a surface → { mesh, exact }; `exact` has the exact gradients of normal and uv, from the formula. */
 export function surfaceMesh(surface, columns, rows) {
   const mesh = { positions: [], normals: [], uvs: [], indices: [] }
   const names = [
@@ -71,24 +75,28 @@ export function surfaceMesh(surface, columns, rows) {
   return { mesh, exact }
 }
 
-/** Returns the normal of the surface moved by `offset(position, normal, uv)`, from finite differences of fourth order; `null` at a pole. */
+/**
+ * Returns the normal of the surface that `offset(position, normal, uv)` moves, from finite differences of fourth order; `null` at a pole.
+ */
 export function movedNormal(surface, offset, u, v) {
-  const at = (u, v) => {
+  const movedPoint = (u, v) => {
     const { position, normal } = surface(u, v)
     return offset(position, normal, [u, v]).map((x, k) => position[k] + x)
   }
   const slope = (du, dv) => {
-    const [d2, d1, u1, u2] = [-2, -1, 1, 2].map((s) => at(u + s * du, v + s * dv))
-    return d2.map((_, k) => (8 * (u1[k] - d1[k]) - (u2[k] - d2[k])) / 12e-4)
+    const [twoBefore, before, after, twoAfter] = [-2, -1, 1, 2].map((s) =>
+      movedPoint(u + s * du, v + s * dv),
+    )
+    return before.map((_, k) => (8 * (after[k] - before[k]) - (twoAfter[k] - twoBefore[k])) / 12e-4)
   }
   const normal = cross(slope(1e-4, 0), slope(0, 1e-4))
-  const resting = surface(u, v)
-  const rest = cross(
+  const original = surface(u, v)
+  const originalNormal = cross(
     ...[
       [1e-4, 0],
       [0, 1e-4],
-    ].map(([du, dv]) => surface(u + du, v + dv).position.map((x, k) => x - resting.position[k])),
+    ].map(([du, dv]) => surface(u + du, v + dv).position.map((x, k) => x - original.position[k])),
   )
-  const side = Math.sign(dot(rest, resting.normal))
-  return Math.hypot(...rest) < 1e-12 ? null : normalize(normal.map((x) => side * x))
+  const side = Math.sign(dot(originalNormal, original.normal))
+  return Math.hypot(...originalNormal) < 1e-12 ? null : normalize(normal.map((x) => side * x))
 }

@@ -4,15 +4,16 @@ import * as THREE from 'three'
 export const wave = ({ glsl, position, uniforms, millis }) =>
   glsl.vec3(0, 0, position.x().mult(3).add(millis.div(500)).sin().mult(uniforms.height))
 
-export const plane = (more = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })) =>
-  new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 40, 40), more)
+export const plane = (material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })) =>
+  new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 40, 40), material)
 
-/** Makes a generator of numbers from 0 to 1, the same in each run. */
+/** Returns a generator of random numbers from 0 to 1 that are the same in each run. */
 export function randomNumbers(seed = 1) {
   let state = seed
   return () => (state = (state * 16807) % 2147483647) / 2147483647
 }
 
+/** Makes a ray from a random point at a distance of 8 to a random point near `target`. */
 export const rayFrom = (random, target, spread) => {
   const from = new THREE.Vector3(random() - 0.5, random() - 0.5, random() - 0.5)
     .normalize()
@@ -23,6 +24,7 @@ export const rayFrom = (random, target, spread) => {
   return new THREE.Raycaster(from, to.sub(from).normalize())
 }
 
+/** Moves, rotates and unevenly scales a mesh. */
 export function transform(mesh) {
   mesh.position.set(0.3, -0.2, 0.1)
   mesh.rotation.set(0.4, 0.8, -0.3)
@@ -60,9 +62,9 @@ export function makeSkinnedMesh() {
 
 export function makeMorphingMesh() {
   const mesh = plane()
-  const to = mesh.geometry.attributes.position.clone()
-  for (let i = 0; i < to.count; i++) to.setXYZ(i, 2 * to.getX(i), to.getY(i), 1)
-  mesh.geometry.morphAttributes.position = [to]
+  const target = mesh.geometry.attributes.position.clone()
+  for (let i = 0; i < target.count; i++) target.setXYZ(i, 2 * target.getX(i), target.getY(i), 1)
+  mesh.geometry.morphAttributes.position = [target]
   mesh.updateMorphTargets()
   return mesh
 }

@@ -1,10 +1,11 @@
-// The ranges of `position` on the shapes of p5, as the pictures web/docs/units-….svg show them.
+// The ranges of `position` on p5's shapes, which the pictures web/docs/units-….svg show.
 
-/** Distance from the eye to the canvas. Default of p5. */
+/** The distance from the eye to the canvas in p5, by default. */
 export const eye = 800
 
 /**
- * `call` draws the shape without a translation; `title` is shorter. `local` and `world` have the ranges of x, y and z.
+ * `call` is code that draws the shape without a translation; `title`, if present, is a shorter form for the picture. `local` and `world`
+ * have the ranges of x, y and z.
  */
 export const shapes = [
   {

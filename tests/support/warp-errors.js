@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { WarpError } from 'warpjet'
 
-/** Checks that an error is a `WarpError` whose message is one line, ends with a period or question mark, and matches `pattern`. */
+/** Asserts that an error is a `WarpError` whose message is one line, ends with a period or question mark, and matches `pattern`. */
 export function checkWarpError(error, pattern) {
   assert.ok(error instanceof WarpError, `${error?.stack ?? error}`)
   assert.match(error.message, pattern)
@@ -19,6 +19,6 @@ export const throwsWarpError = (work, pattern) =>
 export const rejectsWithWarpError = (work, pattern) =>
   assert.rejects(work, (error) => checkWarpError(error, pattern))
 
-/** Asserts for each row [work, pattern] what `throwsWarpError` does. */
+/** Asserts `throwsWarpError` for each row [work, pattern]. */
 export const throwWarpErrors = (rows) =>
   rows.forEach(([work, pattern]) => throwsWarpError(work, pattern))

@@ -1,4 +1,4 @@
-// A warp of waves with its normals computed by hand, and the angles between them and what a program reads from a baked map.
+// A warp by waves, its normals from a formula, and the angles between these and the normals that a program reads from a baked map.
 import { compileWarp } from 'warpjet'
 import { bakeNormalMap, exportGLB } from 'warpjet/mesh'
 import { cross, normalize } from './browser/matrix.js'
@@ -22,7 +22,10 @@ export function wavedNormal([x, y, z], normal) {
   return normalize([0, 1, 2].map((c) => cofactors.reduce((sum, k, i) => sum + k[c] * normal[i], 0)))
 }
 
-/** The rounding to 8 bits: half a step for each channel, sqrt(3) / 255, in degrees, and 2% for float32 and the scale of the colour. */
+/**
+ * The bound of errors from rounding to 8 bits, in degrees: half a step in each channel, which is sqrt(3) / 255, plus 2% for float32 and the
+ * scale of the colour.
+ */
 export const rounding = 1.02 * (Math.sqrt(3) / 255) * (180 / Math.PI)
 
 export const plainSphere = (columns = 24, rows = 16) => {
@@ -30,7 +33,7 @@ export const plainSphere = (columns = 24, rows = 16) => {
   return { positions, normals, uvs, indices }
 }
 
-/** A square from 0 to 1 with columns of triangles, and its uvs by `uvAt(x, y)`. */
+/** Makes a square from 0 to 1, of a grid with `columns` × `columns` vertices; `uvAt(x, y)` returns the uv of a vertex. */
 export function square(uvAt = (x, y) => [x, y], columns = 5) {
   const { positions, ...mesh } = grid(columns, columns)
   const scaled = positions.map((x) => x / (columns - 1))
@@ -39,14 +42,18 @@ export function square(uvAt = (x, y) => [x, y], columns = 5) {
   return { ...mesh, positions: scaled, uvs: Float32Array.from(uvs) }
 }
 
-/** Returns the position on the sphere at a vertex, by its uv. */
+/** Returns the position on the sphere at a uv. */
 export const sphereAt = ([u, v]) => {
   const [a, b] = [2 * Math.PI * u, Math.PI * v]
   return [Math.sin(b) * Math.cos(a), Math.cos(b), Math.sin(b) * Math.sin(a)]
 }
+/** Returns the position on the square at a uv. */
 export const squareAt = ([x, y]) => [x, y, 0]
 
-/** Returns the max angles of the map and of interpolated vertex normals from `exact(position, normal)`, in degrees. */
+/**
+ * Returns the max angles, in degrees, between `exact(position, normal)` and two others: the normals of the map (`map`), and interpolated
+ * vertex normals (`vertices`). `restAt` and `normalAt` return the unwarped position and normal at a uv.
+ */
 export function maxAngles(map, restAt, normalAt, exact, read = shownNormal) {
   const { NORMAL, TEXCOORD_0: uvs } = map
   const vertices = Array.from({ length: uvs.length / 2 }, (_, i) => [
@@ -69,6 +76,7 @@ export function maxAngles(map, restAt, normalAt, exact, read = shownNormal) {
   return max
 }
 
+/** Bakes `waves` into a normal map, and returns its `maxAngles`. */
 export function wavedAngles(mesh, restAt, normalAt) {
   const map = readNormalMap(exportGLB(bakeNormalMap(mesh, waves, { size: 128 })))
   return maxAngles(map, restAt, normalAt, wavedNormal)

@@ -1,4 +1,4 @@
-// Culling: bounds contain every drawn object.
+// Bounds of warped objects, and culling by them.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -45,7 +45,7 @@ test('culling never hides anything visible in ten thousand settings, and draws f
           bone.rotation.set(random(), random(), random())
         if (mesh.morphTargetInfluences) mesh.morphTargetInfluences[0] = random()
         mesh.updateMatrixWorld(true)
-        const instances = placesOf(mesh, space, warped)
+        const instances = warpedVertices(mesh, space, warped)
         for (let k = 0; k < 10; k++) {
           settings++
           camera.position.set(random() - 0.5, random() - 0.5, random() - 0.5).multiplyScalar(12)
@@ -57,7 +57,9 @@ test('culling never hides anything visible in ten thousand settings, and draws f
               camera.matrixWorldInverse,
             ),
           )
-          const seen = instances.map((places) => places.some((at) => frustum.containsPoint(at)))
+          const seen = instances.map((points) =>
+            points.some((point) => frustum.containsPoint(point)),
+          )
           const isDrawn = frustum.intersectsObject(mesh)
           assert.ok(isDrawn || !seen.includes(true), `${space}, ${mesh.type}: culled`)
           if (!mesh.isBatchedMesh) {
@@ -95,17 +97,20 @@ test('a skinned mesh is culled by boxes of its bones, without posing its vertice
   assert.ok(frustum.intersectsObject(mesh))
 })
 
-/** Makes a batch of a ball and a ring, each at two positions. */
+/** Makes a batch of two balls and two rings. */
 function makeBatch() {
   const geometries = [
     new THREE.SphereGeometry(1.2, 24, 16),
     new THREE.TorusGeometry(1, 0.4, 12, 32),
   ]
   const [vertices, indices] = ['position', 'index'].map((name) =>
-    geometries.reduce((sum, each) => sum + (each[name] ?? each.attributes[name]).count, 0),
+    geometries.reduce(
+      (sum, geometry) => sum + (geometry[name] ?? geometry.attributes[name]).count,
+      0,
+    ),
   )
   const mesh = new THREE.BatchedMesh(4, vertices, indices, new THREE.MeshBasicMaterial())
-  const ids = geometries.map((each) => mesh.addGeometry(each))
+  const ids = geometries.map((geometry) => mesh.addGeometry(geometry))
   for (const [i, x] of [-3, -1, 1, 3].entries())
     mesh.setMatrixAt(
       mesh.addInstance(ids[i % 2]),
@@ -124,30 +129,33 @@ function drawnInstances(mesh, camera) {
 }
 
 /** Returns the vertices of each instance in world space, computed in double precision. */
-function placesOf(mesh, space, { uniforms }) {
+function warpedVertices(mesh, space, { uniforms }) {
   const height = uniforms.height.value
   const { millis } = mesh.userData
-  const lift = (place) => {
-    place.z += height * Math.sin(3 * place.x + millis / 500)
-    return place
+  const lift = (point) => {
+    point.z += height * Math.sin(3 * point.x + millis / 500)
+    return point
   }
-  const isMany = mesh.isInstancedMesh || mesh.isBatchedMesh
+  const hasInstances = mesh.isInstancedMesh || mesh.isBatchedMesh
   const posed = space === 'rest' ? withLifted(mesh, lift) : mesh
-  return Array.from({ length: isMany ? (mesh.instanceCount ?? mesh.count) : 1 }, (_, instance) => {
-    const matrix = new THREE.Matrix4()
-    if (isMany) mesh.getMatrixAt(instance, matrix)
-    const { vertexStart = 0, vertexCount = mesh.geometry.attributes.position.count } =
-      mesh.isBatchedMesh ? mesh.getGeometryRangeAt(mesh.getGeometryIdAt(instance)) : {}
-    return Array.from({ length: vertexCount }, (_, i) => {
-      const place = posed.getVertexPosition(vertexStart + i, new THREE.Vector3())
-      if (space === 'local') lift(place)
-      place.applyMatrix4(matrix).applyMatrix4(mesh.matrixWorld)
-      return space === 'world' ? lift(place) : place
-    })
-  })
+  return Array.from(
+    { length: hasInstances ? (mesh.instanceCount ?? mesh.count) : 1 },
+    (_, instance) => {
+      const matrix = new THREE.Matrix4()
+      if (hasInstances) mesh.getMatrixAt(instance, matrix)
+      const { vertexStart = 0, vertexCount = mesh.geometry.attributes.position.count } =
+        mesh.isBatchedMesh ? mesh.getGeometryRangeAt(mesh.getGeometryIdAt(instance)) : {}
+      return Array.from({ length: vertexCount }, (_, i) => {
+        const point = posed.getVertexPosition(vertexStart + i, new THREE.Vector3())
+        if (space === 'local') lift(point)
+        point.applyMatrix4(matrix).applyMatrix4(mesh.matrixWorld)
+        return space === 'world' ? lift(point) : point
+      })
+    },
+  )
 }
 
-/** Returns a view of the mesh whose geometry is lifted, before morph targets and bones apply. */
+/** Returns an object that inherits from the mesh, with a geometry that is lifted before morph targets and bones apply. */
 function withLifted(mesh, lift) {
   const position = mesh.geometry.attributes.position.clone()
   for (let i = 0; i < position.count; i++) {

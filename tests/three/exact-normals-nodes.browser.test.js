@@ -1,5 +1,5 @@
-// `exactNormals` for materials of nodes on both backends of WebGPURenderer: shown normals at pixels against differences, in double
-// precision, of the same motion written by hand.
+// `exactNormals` for node materials on both backends of WebGPURenderer: compares normals at pixels with finite differences, in double
+// precision, of the same motion as a function of numbers.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { webgpuFlags } from '../support/browser/browser.js'
@@ -14,7 +14,7 @@ after(() => pages.close())
 
 const maxDegrees = 0.05
 
-/** The evaluations of the height by hand, in the vertex and in the fragment stage. */
+/** Maps a showcase → how often its own normals evaluate the height: [in the vertex stage, in the fragment stage]. */
 const heightsByHand = { sea: [1, 3], terrain: [3, 0] }
 
 for (const backend of ['webgl', 'webgpu'])
@@ -26,7 +26,7 @@ for (const backend of ['webgl', 'webgpu'])
         if (only && !name.includes(only)) continue
         messages.length = 0
         const { covered, skipped, median, max, finite } = await page.evaluate(
-          (given) => exact.measure(...given),
+          (args) => exact.measure(...args),
           [name, { backend }],
         )
         t.diagnostic(
@@ -45,7 +45,7 @@ for (const backend of ['webgl', 'webgpu'])
         const measured = {}
         for (const by of ['hand', 'us'])
           measured[by] = await page.evaluate(
-            (given) => exact.measureShowcase(...given),
+            (args) => exact.measureShowcase(...args),
             [name, { backend, by }],
           )
         const { hand, us } = measured
@@ -54,14 +54,14 @@ for (const backend of ['webgl', 'webgpu'])
         assert.equal(us.covered, 102_400)
         assert.ok(us.skipped < 100, `${us.skipped} pixels at kinks`)
         assert.ok(us.max < maxDegrees, `${us.max}°`)
-        // Three's own shift is tuned.
+        // The example's normals, from heights at shifted points, are not exact.
         assert.ok(hand.mean > 1, `${hand.mean}°`)
       })
 
     for (const [name, byHand] of Object.entries(heightsByHand))
-      test(`the showcase ${name} evaluates its height once in a stage`, async () => {
+      test(`the showcase ${name} evaluates its height once per stage`, async () => {
         const heights = (settings) =>
-          page.evaluate((given) => exact.heightsOf(...given), [name, { backend, ...settings }])
+          page.evaluate((args) => exact.heightsOf(...args), [name, { backend, ...settings }])
         assert.deepEqual(await heights({ by: 'hand' }), byHand)
         assert.deepEqual(await heights({ by: 'us', normals: 'vertex' }), [1, 0])
         assert.deepEqual(await heights({ by: 'us', normals: 'pixel' }), [1, 1])
@@ -74,12 +74,12 @@ for (const backend of ['webgl', 'webgpu'])
           for (const hasTangents of [false, true]) {
             const what = `${name}, ${normals}${hasTangents ? ', tangents' : ''}`
             const { covered, difference, spread, heights } = await page.evaluate(
-              (given) => exact.differenceOfVaryings(...given),
+              (args) => exact.differenceOfVaryings(...args),
               [name, { backend, normals, hasTangents }],
             )
             assert.ok(covered > 800 && spread > 0.5, what)
             assert.ok(difference < 1e-4, `${what}: ${difference}`)
-            // The position itself is evaluated beside our normal there.
+            // With too many varyings for our function, the vertex stage evaluates the position again.
             assert.equal(heights, name === 'too many' && normals === 'vertex' ? 2 : 1, what)
           }
       assert.deepEqual(messages, [])
@@ -89,7 +89,7 @@ for (const backend of ['webgl', 'webgpu'])
       for (const [name, message] of await page.evaluate(() => exact.unsupported)) {
         messages.length = 0
         const changed = await page.evaluate(
-          (given) => exact.countChanges(...given),
+          (args) => exact.countChanges(...args),
           [name, { backend }],
         )
         assert.equal(changed, 0, name)
@@ -106,7 +106,7 @@ for (const backend of ['webgl', 'webgpu'])
       for (const name of await page.evaluate(() => exact.warpsBeside)) {
         messages.length = 0
         const { differing, plain, covered } = await page.evaluate(
-          (given) => exact.besideWarp(...given),
+          (args) => exact.besideWarp(...args),
           [name, { backend }],
         )
         t.diagnostic(
@@ -119,7 +119,7 @@ for (const backend of ['webgl', 'webgpu'])
 
     test('velocities are those of the uniforms in the frame before', async () => {
       messages.length = 0
-      const [first, raised, still] = await page.evaluate((given) => exact.velocities(given), {
+      const [first, raised, still] = await page.evaluate((args) => exact.velocities(args), {
         backend,
       })
       assert.deepEqual(messages, [])
@@ -129,7 +129,7 @@ for (const backend of ['webgl', 'webgpu'])
 
     test('these tests would detect normals that stay as they are', async () => {
       const { median } = await page.evaluate(
-        (given) => exact.measure(...given),
+        (args) => exact.measure(...args),
         ['a sine', { backend, isExact: false }],
       )
       assert.ok(median > 10, `${median}°`)

@@ -1,4 +1,4 @@
-// `exactNormals` for materials of WebGLRenderer: normals at each vertex against differences of formulas in double precision.
+// `exactNormals` for materials of WebGLRenderer: compares normals at each vertex with finite differences of formulas in double precision.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -18,8 +18,8 @@ const atVertices = {
   'instanced grass': /attribute instanceMatrix, which pixels do not have/,
 }
 
-/** Habits with a message. Those that move vertices by an attribute that is constant here are exact. */
-const notes = {
+/** Maps a habit → its warning. (Habits that read an attribute whose values are constant in the test are exact all the same.) */
+const warnings = {
   'gl_Position changes after the projection': /changes gl_Position after projectionMatrix/,
   'a branch without braces that changes gl_Position': /changes gl_Position after projectionMatrix/,
   'tangents of the geometry': /by the attribute tangent, which counts as constant/,
@@ -52,63 +52,63 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     const measure = (table, name, normals) =>
       page.evaluate((row) => exact.measure(...row), [table, name, normals])
 
-    for (const table of ['chunks', 'ofCustomShaderMaterial', 'ofShaderMaterial', 'objects'])
+    for (const table of ['chunks', 'customShaderMaterials', 'shaderMaterials', 'objects'])
       test(`every displacement of ${table}`, async (t) => {
         for (const name of names[table])
           await t.test(name, async (t) => {
             const own = await measure(table, name)
-            assert.ok(own.median > 1, `its own normals are off by ${own.median}°`)
+            assert.ok(own.median > 1, `without exactNormals, normals are only ${own.median}° off`)
             for (const normals of stages) {
               messages.length = 0
               const found = await measure(table, name, normals)
               const { count, skipped, median, worst, farthest, finite } = found
               t.diagnostic(
-                `${normals}: ${count} vertices, ${skipped} at kinks, median ${median}°, at most ${worst}°; without it ${own.median}°`,
+                `${normals}: ${count} vertices, ${skipped} at kinks, median ${median}°, at most ${worst}°; without exactNormals ${own.median}°`,
               )
               assert.ok(finite && count > 140)
               assert.ok(worst < 0.03, `${worst}°`)
               assert.ok(farthest < 1e-3, `the position is off by ${farthest}`)
-              const isNoted =
-                normals === 'pixel' && (table === 'ofShaderMaterial' || name in atVertices)
-              assert.equal(messages.length, Number(isNoted), messages.join('\n'))
-              if (isNoted) assert.match(messages[0], /at vertices, although/)
-              if (isNoted && name in atVertices) assert.match(messages[0], atVertices[name])
+              const hasWarning =
+                normals === 'pixel' && (table === 'shaderMaterials' || name in atVertices)
+              assert.equal(messages.length, Number(hasWarning), messages.join('\n'))
+              if (hasWarning) assert.match(messages[0], /at vertices, although/)
+              if (hasWarning && name in atVertices) assert.match(messages[0], atVertices[name])
             }
           })
       })
 
-    test('other habits: exact, or with a message', async (t) => {
+    test('shaders with other habits have exact normals, or a warning', async (t) => {
       for (const name of names.habits)
         await t.test(name, async (t) => {
           messages.length = 0
           const {
             own,
             exact: error,
-            isSamePlace,
+            hasSamePositions,
           } = await page.evaluate((name) => exact.measureHabit(name), name)
           t.diagnostic(`${error}° at 95%; without exactNormals ${own}°`)
-          assert.ok(isSamePlace)
-          const note = notes[name]
-          assert.equal(messages.length, Number(note !== undefined), messages.join('\n'))
-          if (note) assert.match(messages[0], note)
-          // The differences themselves are off by 0.16°.
+          assert.ok(hasSamePositions)
+          const warning = warnings[name]
+          assert.equal(messages.length, Number(warning !== undefined), messages.join('\n'))
+          if (warning) assert.match(messages[0], warning)
+          // The finite differences themselves are up to 0.16° off.
           else assert.ok(own > 1 && error < 0.2, `${error}°`)
         })
     })
 
-    test('what cannot be read stays as it is, with a message', async (t) => {
+    test('shaders that cannot be read stay as they are, with a message', async (t) => {
       for (const name of names.unsupported)
         await t.test(name, async () => {
           messages.length = 0
           const { message, isSame } = await page.evaluate((name) => exact.unsupported(name), name)
           assert.ok(isSame)
-          const own = messages.filter((text) => text.startsWith('exactNormals: '))
-          assert.equal(own.length, 1, messages.join('\n'))
-          assert.match(own[0], new RegExp(message))
+          const ours = messages.filter((text) => text.startsWith('exactNormals: '))
+          assert.equal(ours.length, 1, messages.join('\n'))
+          assert.match(ours[0], new RegExp(message))
         })
     })
 
-    test('shadows follow a mesh', async (t) => {
+    test('the shadow of a mesh follows the displacement', async (t) => {
       for (const kind of ['directional', 'spot', 'point']) {
         messages.length = 0
         const { isSame, differing, moved } = await page.evaluate((kind) => exact.shadow(kind), kind)
@@ -117,10 +117,13 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         assert.ok(moved > 1000 && differing <= 10, `${differing} of ${moved}`)
       }
       const { differing } = await page.evaluate(() => exact.shadow('directional', false))
-      assert.ok(differing > 100, 'the shadow of a mesh whose material alone is exact')
+      assert.ok(
+        differing > 100,
+        'if only the material has exactNormals, the shadow does not follow',
+      )
     })
 
-    test('a displacement map moves a shadow once', async (t) => {
+    test('a displacement map moves a shadow only once', async (t) => {
       messages.length = 0
       const { differing, moved } = await page.evaluate(() => exact.shadowOfMap())
       t.diagnostic(`${differing} pixels differ, ${moved} without the displacement`)
@@ -128,21 +131,21 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       assert.ok(moved > 200 && differing <= 10, `${differing} of ${moved}`)
     })
 
-    test('shadows and rays follow a material that is compiled again', async (t) => {
+    test('shadows and rays follow a material that is recompiled', async (t) => {
       for (const kind of ['onBeforeCompile', 'defines']) {
         messages.length = 0
         const { differing, stale, ray, expected } = await page.evaluate(
           (k) => exact.recompile(k),
           kind,
         )
-        t.diagnostic(`${kind}: ${differing} pixels differ, ${stale} from those before`)
+        t.diagnostic(`${kind}: ${differing} pixels differ, ${stale} differ from the picture before`)
         assert.deepEqual(messages, [])
         assert.ok(stale > 500 && differing <= 10, `${differing} of ${stale}`)
-        assert.ok(Math.abs(ray - expected) < 1e-3, `${ray} instead of ${expected}`)
+        assert.ok(Math.abs(ray - expected) < 1e-3, `expected a hit at ${expected}, got ${ray}`)
       }
     })
 
-    test('rays and bounds follow a mesh, also before it is drawn', async () => {
+    test('rays and bounds follow the displacement, also before the mesh is drawn', async () => {
       const found = await page.evaluate(() => exact.cpu())
       assert.ok(Math.abs(found.later - found.expected) < 1e-3, JSON.stringify(found))
       assert.ok(Math.abs(found.before - found.after) < 1e-6, JSON.stringify(found))
@@ -150,12 +153,14 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       assert.deepEqual([found.covers, found.isTight], [true, true], JSON.stringify(found))
     })
 
-    test('a mesh is culled by where it is drawn', async () => {
-      const drawn = await page.evaluate(() => [true, false].map((is) => exact.culling(is)))
+    test('culling follows the displacement', async () => {
+      const drawn = await page.evaluate(() =>
+        [true, false].map((isFollowing) => exact.culling(isFollowing)),
+      )
       assert.deepEqual(drawn, [true, false])
     })
 
-    test('a warp on top transforms the exact normals', async (t) => {
+    test('a warp of the same mesh transforms the exact normals', async (t) => {
       for (const normals of ['vertex', 'pixel']) {
         messages.length = 0
         const { differing, moved } = await page.evaluate((n) => exact.warpOnTop(n), normals)

@@ -1,4 +1,4 @@
-// 'warpjet/three' with packages that have their own rendering, deformation or instancing; each row works like those of company.browser.test.js.
+// 'warpjet/three' with packages that have their own rendering, deformation or instancing. Rows work as in company.browser.test.js.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { bundledPage } from '../support/browser/bundled-page.js'
@@ -28,7 +28,7 @@ test('each package draws a warp like vertices moved on the CPU', async (t) => {
 })
 
 test('rays hit warped instances of @three.ez/instanced-mesh where they are drawn', async () => {
-  const heights = await page.evaluate(() => company.heights())
+  const heights = await page.evaluate(() => company.hitHeights())
   for (const space of ['local', 'world'])
     for (const [i, expected] of [3, 5].entries())
       assert.ok(Math.abs(heights[space][i] - expected) < 1e-3, JSON.stringify(heights))

@@ -1,4 +1,4 @@
-// Rays of three.js on objects whose warp mirrors them hit what they hit on a mirrored object.
+// A ray hits an object that a warp mirrors where it hits the same object mirrored by its matrix.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -13,14 +13,14 @@ describe('rays of three.js', () => {
     DoubleSide: THREE.DoubleSide,
   }
 
-  /** A mesh that differs from its mirror image, and one that three.js mirrors by its matrix. */
-  function pair(side) {
+  /** Makes an asymmetric mesh, and the same mesh mirrored by its matrix. */
+  function makePair(side) {
     const geometry = new THREE.ConeGeometry(0.7, 1.4, 24, 6).rotateZ(0.6).translate(0.3, 0, 0)
     const [mesh, other] = [0, 1].map(
       () => new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side })),
     )
     other.scale.x = -1
-    for (const each of [mesh, other]) each.updateMatrixWorld(true)
+    for (const object of [mesh, other]) object.updateMatrixWorld(true)
     return [mesh, other]
   }
 
@@ -34,7 +34,7 @@ describe('rays of three.js', () => {
     for (const space of ['local', 'rest', 'world'])
       for (const [sideName, side] of Object.entries(sides))
         test(`${name}, ${space}, ${sideName}`, () => {
-          const [mesh, other] = pair(side)
+          const [mesh, other] = makePair(side)
           const warped = warpObject(mesh, offset, { space, uniforms })
           let count = 0
           for (const ray of rays) {
@@ -44,7 +44,7 @@ describe('rays of three.js', () => {
               count++
               assert.equal(faceIndex, expected[i].faceIndex)
               assert.ok(point.distanceTo(expected[i].point) < 1e-5)
-              // Local points of the other mesh, before its matrix is applied.
+              // Face normals are in the local space of `other`, to which its mirroring matrix is not applied yet.
               const mirrorX = (v) => v.clone().set(-v.x, v.y, v.z)
               assert.ok(face.normal.distanceTo(mirrorX(expected[i].face.normal)) < 1e-4)
               assert.ok(normal.normalize().angleTo(mirrorX(expected[i].normal)) < 1e-3)
@@ -55,22 +55,22 @@ describe('rays of three.js', () => {
         })
 
   test('in world space, rays hit an object that its matrix mirrors', () => {
-    const [mesh, other] = pair(THREE.FrontSide)
-    const [, still] = pair(THREE.FrontSide)
+    const [mesh, other] = makePair(THREE.FrontSide)
+    const [, mirroredByMatrix] = makePair(THREE.FrontSide)
     other.scale.x = 1
     other.updateMatrixWorld(true)
     mesh.scale.x = -1
     mesh.updateMatrixWorld(true)
     for (const [offset, expected] of [
       [mirror, other],
-      [({ glsl }) => glsl.vec3(0, 0, 0), still],
+      [({ glsl }) => glsl.vec3(0, 0, 0), mirroredByMatrix],
     ]) {
       const warped = warpObject(mesh, offset, { space: 'world' })
       for (const ray of rays) {
-        const [hits, others] = [ray.intersectObject(mesh), ray.intersectObject(expected)]
+        const [hits, expectedHits] = [ray.intersectObject(mesh), ray.intersectObject(expected)]
         assert.deepEqual(
           hits.map(({ faceIndex }) => faceIndex),
-          others.map(({ faceIndex }) => faceIndex),
+          expectedHits.map(({ faceIndex }) => faceIndex),
         )
       }
       warped.dispose()

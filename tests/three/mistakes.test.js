@@ -6,7 +6,7 @@ import { WarpError } from 'warpjet'
 import { warp, warpMaterial } from 'warpjet/three'
 import { plane } from '../support/three-meshes.js'
 
-test('uniforms have the form of those of three.js, and reject invalid values with a message', () => {
+test('uniforms have a value, as in three.js, and reject invalid values with a message', () => {
   const { uniforms, dispose } = warp(
     plane(),
     ({ uniforms }) =>
@@ -40,7 +40,7 @@ test('uniforms have the form of those of three.js, and reject invalid values wit
 })
 
 describe('warp throws a message, and changes nothing, for', () => {
-  const none = ({ position }) => position
+  const still = ({ position }) => position
   const mesh = plane()
   const { material } = mesh
   const group = new THREE.Group().add(new THREE.Sprite())
@@ -50,21 +50,21 @@ describe('warp throws a message, and changes nothing, for', () => {
   )
   const cases = {
     'a sprite': [
-      () => warp(new THREE.Sprite(), none),
+      () => warp(new THREE.Sprite(), still),
       /^warp: this Sprite always faces the camera/,
     ],
-    'a group of sprites': [() => warp(group, none), /^warp: this Sprite /],
+    'a group of sprites': [() => warp(group, still), /^warp: this Sprite /],
     'a detail of 0': [
-      () => warp(mesh, none, { detail: 0 }),
+      () => warp(mesh, still, { detail: 0 }),
       /^warp: .*expected a number of pixels above 0, 'auto', false or \{ tolerance, curved \}.* got the number 0/,
     ],
-    'a detail of a material': [
-      () => warpMaterial(material, none, { detail: 1 }),
+    'the option detail for a material': [
+      () => warpMaterial(material, still, { detail: 1 }),
       /^warpMaterial: the option detail divides meshes/,
     ],
-    nothing: [() => warp(undefined, none), /^warp: expected a Mesh, .* got undefined\.$/],
+    nothing: [() => warp(undefined, still), /^warp: expected a Mesh, .* got undefined\.$/],
     'an empty group': [
-      () => warp(new THREE.Group(), none),
+      () => warp(new THREE.Group(), still),
       /^warp: there is nothing to draw in this Group/,
     ],
     'a value that is not an offset function': [
@@ -76,10 +76,10 @@ describe('warp throws a message, and changes nothing, for', () => {
       /^warp: the offset function must return a vec3/,
     ],
     'an unknown space': [
-      () => warp(mesh, none, { space: 'view' }),
+      () => warp(mesh, still, { space: 'view' }),
       /^warp: expected 'local', 'rest' or 'world' for the option "space", got the text "view"\.$/,
     ],
-    'a geometry': [() => warp(mesh.geometry, none), /got a PlaneGeometry\.$/],
+    'a geometry': [() => warp(mesh.geometry, still), /got a PlaneGeometry\.$/],
     'an offset along a missing normal': [
       () => warp(new THREE.Mesh(bare, material), ({ normal }) => normal),
       /^warp: the offset reads normal, but the geometry of this Mesh has no attribute "normal"; call geometry\.computeVertexNormals\(\) first\.$/,
@@ -88,12 +88,12 @@ describe('warp throws a message, and changes nothing, for', () => {
       () => warp(new THREE.Points(bare), ({ glsl, uv }) => glsl.vec3(uv, 0)),
       /^warp: the offset reads uv, but the geometry of this Points has no attribute "uv"/,
     ],
-    'an offset that reads the number of an instance': [
+    'an offset that reads the index of an instance': [
       () => warp(mesh, ({ glsl, instance }) => glsl.vec3(instance, 0, 0)),
       /^warp: the offset reads instance, which three\.js does not have; place instances by their matrices/,
     ],
     'an unknown option': [
-      () => warp(mesh, none, { colour: 1 }),
+      () => warp(mesh, still, { colour: 1 }),
       /^warp: there is no option "colour"/,
     ],
     'an offset that reads the mouse': [
@@ -108,20 +108,20 @@ describe('warp throws a message, and changes nothing, for', () => {
       () =>
         warpMaterial(
           new THREE.ShaderMaterial({ vertexShader: 'void main() { gl_Position = vec4( 1.0 ); }' }),
-          none,
+          still,
         ),
       /^warpMaterial: the ShaderMaterial cannot be warped: its vertex shader neither reads the attribute position/,
     ],
-    'a material of WebGPURenderer': [
+    'a node material of WebGPURenderer': [
       () =>
         warpMaterial(
           Object.assign(new THREE.Material(), { isNodeMaterial: true, type: 'MeshNode' }),
-          none,
+          still,
         ),
       /the MeshNode cannot be warped: only WebGPURenderer draws it; import 'warpjet\/three\/webgpu'\.$/,
     ],
     'a mesh instead of a material': [
-      () => warpMaterial(mesh, none),
+      () => warpMaterial(mesh, still),
       /^warpMaterial: expected a material of three\.js, got a Mesh\.$/,
     ],
   }
@@ -136,21 +136,20 @@ describe('warp throws a message, and changes nothing, for', () => {
       assert.equal(Object.hasOwn(mesh, 'raycast'), false)
     })
 
-  test('an unsupported object alone; in a group, it warns once and warps the others', async (t) => {
-    const said = t.mock.method(console, 'warn', () => {})
+  test('an unsupported object; but in a group, it warns once and warps the other objects', async (t) => {
+    const warn = t.mock.method(console, 'warn', () => {})
     const { LineMaterial } = await import('three/addons/lines/LineMaterial.js')
     const { LineSegments2 } = await import('three/addons/lines/LineSegments2.js')
     const { LineSegmentsGeometry } = await import('three/addons/lines/LineSegmentsGeometry.js')
-    const wide = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial())
-    wide.name = 'route'
+    const wideLine = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial())
+    wideLine.name = 'route'
     const sprite = new THREE.Sprite()
-    const part = plane()
-    const parts = new THREE.Group().add(part, sprite, wide)
-    const warped = warp(parts, ({ glsl }) => glsl.vec3(0, 0, 2))
-    assert.deepEqual(warped.skipped, [sprite, wide])
+    const group = new THREE.Group().add(plane(), sprite, wideLine)
+    const warped = warp(group, ({ glsl }) => glsl.vec3(0, 0, 2))
+    assert.deepEqual(warped.skipped, [sprite, wideLine])
     assert.ok(warped.bounds().max.z > 1.9)
-    assert.equal(said.mock.callCount(), 1)
-    const [message] = said.mock.calls[0].arguments
+    assert.equal(warn.mock.callCount(), 1)
+    const [message] = warn.mock.calls[0].arguments
     assert.match(message, /^warp: drawn without the warp: this Sprite always faces the camera/)
     assert.match(
       message,
@@ -158,48 +157,48 @@ describe('warp throws a message, and changes nothing, for', () => {
     )
     warped.dispose()
     assert.throws(
-      () => warp(wide, none),
+      () => warp(wideLine, still),
       /^WarpError: warp: the LineMaterial of the LineSegments2 "route"/,
     )
   })
 
   test('a mesh that is already warped', () => {
-    const warped = warp(mesh, none)
-    assert.throws(() => warp(mesh, none), /^WarpError: warp: this Mesh is warped already/)
+    const warped = warp(mesh, still)
+    assert.throws(() => warp(mesh, still), /^WarpError: warp: this Mesh is warped already/)
     warped.dispose()
-    warp(mesh, none).dispose()
+    warp(mesh, still).dispose()
   })
 })
 
 describe('a second warp of the same object throws', () => {
-  const none = ({ position }) => position
+  const still = ({ position }) => position
   const cases = {
     'on a clone of a warped mesh, which is warped, too'(mesh) {
-      warp(mesh, none)
+      warp(mesh, still)
       return [
-        [() => warp(mesh.clone(), none), /this Mesh is warped already, or a clone of a warped/],
-        [() => warp(new THREE.Group().add(mesh.clone()), none), /is warped already/],
+        [() => warp(mesh.clone(), still), /this Mesh is warped already, or a clone of a warped/],
+        [() => warp(new THREE.Group().add(mesh.clone()), still), /is warped already/],
       ]
     },
     'after warpMaterial'(mesh) {
-      const { material } = warpMaterial(mesh.material, none)
+      const { material } = warpMaterial(mesh.material, still)
       mesh.material = material
       const message =
         /the MeshBasicMaterial( of this Mesh)? cannot be warped: a call of warpMaterial/
       return [
-        [() => warp(mesh, none), message],
-        [() => warpMaterial(material, none), message],
+        [() => warp(mesh, still), message],
+        [() => warpMaterial(material, still), message],
       ]
     },
     'after warpMaterial with the option share'(mesh) {
-      warpMaterial(mesh.material, none, { share: true })
-      return [[() => warp(mesh, none), /a call of warpMaterial/]]
+      warpMaterial(mesh.material, still, { share: true })
+      return [[() => warp(mesh, still), /a call of warpMaterial/]]
     },
   }
-  for (const [name, make] of Object.entries(cases))
+  for (const [name, warpOnce] of Object.entries(cases))
     test(name, () => {
-      for (const [again, message] of make(plane()))
-        assert.throws(again, (error) => {
+      for (const [warpAgain, message] of warpOnce(plane()))
+        assert.throws(warpAgain, (error) => {
           assert.equal(error.name, 'WarpError')
           assert.match(error.message, message)
           return true
@@ -208,22 +207,22 @@ describe('a second warp of the same object throws', () => {
 
   test('unless the first one was disposed of', () => {
     const mesh = plane()
-    warp(mesh, none, { share: true }).dispose()
-    warp(mesh, none, { share: true }).dispose()
-    const warped = warp(mesh, none)
+    warp(mesh, still, { share: true }).dispose()
+    warp(mesh, still, { share: true }).dispose()
+    const warped = warp(mesh, still)
     const clone = mesh.clone()
     warped.dispose()
-    warp(clone, none)
+    warp(clone, still)
   })
 
-  test('unless the objects only share their material', () => {
+  test('unless another object has the same material', () => {
     const mesh = plane()
-    warp(mesh, none)
-    warp(new THREE.Mesh(mesh.geometry, mesh.material), none)
+    warp(mesh, still)
+    warp(new THREE.Mesh(mesh.geometry, mesh.material), still)
   })
 })
 
-test("messages explain the difference from three.js's own notation of uniforms", () => {
+test('messages explain how uniforms are written, if they are written as in three.js', () => {
   const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.a, 0, 0)
   const expectError = (work, message) => assert.throws(work, { name: 'WarpError', message })
   expectError(

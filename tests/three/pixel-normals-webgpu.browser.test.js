@@ -1,4 +1,4 @@
-// Normals at each pixel with WebGPURenderer, on both its backends: what pixel-normals.browser.test.js shows for WebGLRenderer.
+// Normals at each pixel with WebGPURenderer, on both backends: does what pixel-normals.browser.test.js does with WebGLRenderer.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { webgpuFlags } from '../support/browser/browser.js'
@@ -16,7 +16,7 @@ for (const backend of ['webgl', 'webgpu'])
     const measure = (settings) =>
       page.evaluate((settings) => pixels.measure(settings), { backend, ...settings })
 
-    async function isExact(t, settings) {
+    async function assertExact(t, settings) {
       messages.length = 0
       const { covered, skipped, median, max, finite } = await measure(settings)
       t.diagnostic(
@@ -33,29 +33,29 @@ for (const backend of ['webgl', 'webgpu'])
       test(`a ${shape}`, async (t) => {
         const names = await page.evaluate(() => pixels.warps)
         for (const name of names.slice(0, shape === 'plane' ? 4 : undefined))
-          await isExact(t, { shape, name })
+          await assertExact(t, { shape, name })
       })
 
     test('interpolated normals of the same pictures are wrong by degrees', async (t) => {
-      for (const [name, least] of [
+      for (const [name, minError] of [
         ['fbm', 15],
         ['simplex', 10],
         ['waves', 1.5],
       ]) {
         const { median } = await measure({ name, normals: 'vertex' })
         t.diagnostic(`${name}: ${median}°`)
-        assert.ok(median > least, `${name}: ${median}°`)
+        assert.ok(median > minError, `${name}: ${median}°`)
       }
     })
 
-    test('negative scales, skins, morph targets, instances and batches, in the spaces of a warp', async (t) => {
+    test('negative scales, skins, morph targets, instances and batches, in each space', async (t) => {
       for (const kind of ['negative scale', 'skin', 'morphs', 'instances', 'batch'])
-        await isExact(t, { kind, name: 'simplex' })
-      await isExact(t, { kind: 'instances', name: 'blob along the normal' })
+        await assertExact(t, { kind, name: 'simplex' })
+      await assertExact(t, { kind: 'instances', name: 'blob along the normal' })
       for (const kind of ['plain', 'skin'])
-        await isExact(t, { space: 'world', name: 'simplex', kind })
+        await assertExact(t, { space: 'world', name: 'simplex', kind })
       for (const kind of ['plain', 'instances'])
-        await isExact(t, { space: 'rest', name: 'simplex', kind })
+        await assertExact(t, { space: 'rest', name: 'simplex', kind })
     })
 
     test('both sides and the back', async (t) => {
@@ -63,33 +63,36 @@ for (const backend of ['webgl', 'webgpu'])
         for (const isBehind of [false, true]) {
           if (side === 'BackSide' && !isBehind) continue
           const settings = { shape: 'plane', name: 'simplex', side, isBehind }
-          await isExact(t, settings)
+          await assertExact(t, settings)
           assert.equal((await measure(settings)).facing, 1)
         }
-      await isExact(t, { name: 'simplex', side: 'BackSide' })
+      await assertExact(t, { name: 'simplex', side: 'BackSide' })
     })
 
-    test('the frame of vertex tangents', async (t) => {
+    test('normal maps in the frame of vertex tangents', async (t) => {
       for (const map of [
         [0.6, 0, 0.8],
         [0, 0.6, 0.8],
       ])
         for (const kind of ['plain', 'negative scale', 'instances'])
-          await isExact(t, { name: 'simplex', kind, map })
-      await isExact(t, { name: 'simplex', space: 'world', map: [0.48, 0.36, 0.8] })
+          await assertExact(t, { name: 'simplex', kind, map })
+      await assertExact(t, { name: 'simplex', space: 'world', map: [0.48, 0.36, 0.8] })
     })
 
     test('facets stay facets', async () => {
-      assert.equal(await page.evaluate((backend) => pixels.facets(backend, 'simplex'), backend), 0)
+      assert.equal(
+        await page.evaluate((backend) => pixels.countFacetDifferences(backend, 'simplex'), backend),
+        0,
+      )
     })
 
-    test('a surface that collapses is lit as its triangles are', async (t) => {
+    test('a surface that collapses is lit by the normals of its triangles', async (t) => {
       for (const name of ['floor', 'pinch'])
         for (const normals of ['pixel', 'vertex'])
           for (const side of ['FrontSide', 'DoubleSide', 'BackSide']) {
             messages.length = 0
             const found = await page.evaluate(
-              (given) => pixels.collapse(...given),
+              (args) => pixels.collapse(...args),
               [backend, name, { normals, side }],
             )
             t.diagnostic(`${name}, ${normals}, ${side}: ${JSON.stringify(found)}`)
@@ -101,10 +104,10 @@ for (const backend of ['webgl', 'webgpu'])
           }
     })
 
-    test('maps, clearcoats, anisotropy, transmission and reflections follow, and are finite', async (t) => {
+    test('maps, clearcoats, anisotropy, transmission and reflections use normals at pixels, and are finite', async (t) => {
       for (const name of await page.evaluate(() => pixels.mapNames)) {
         messages.length = 0
-        const found = await page.evaluate((given) => pixels.drawWithMap(...given), [backend, name])
+        const found = await page.evaluate((args) => pixels.drawWithMap(...args), [backend, name])
         t.diagnostic(`${name}: ${JSON.stringify(found)}`)
         assert.deepEqual([messages, found.wrong], [[], 0], name)
         assert.ok(found.differing > 0.5 * found.covered, name)
@@ -121,14 +124,14 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(worst < 1e-3, `${worst}`)
     })
 
-    test('where it cannot be, normals are those of vertices: with a warning if they were asked for', async () => {
+    test("if normals at pixels are impossible, they are computed at vertices, with a warning if the option is 'pixel'", async () => {
       for (const [normals, warnings] of [
         ['auto', 0],
         ['pixel', 1],
       ]) {
         messages.length = 0
         const differing = await page.evaluate(
-          (given) => pixels.obstacle(...given),
+          (args) => pixels.obstacle(...args),
           [backend, normals],
         )
         assert.deepEqual([messages.length, differing], [warnings, 0], messages.join())

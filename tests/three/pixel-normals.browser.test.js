@@ -1,4 +1,5 @@
-// Normals at each pixel with WebGLRenderer: what MeshNormalMaterial shows against differences in double, at the interpolated vertex.
+// Normals at each pixel with WebGLRenderer: compares the normals that MeshNormalMaterial draws with finite differences, in double, at the
+// interpolated vertex.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -21,7 +22,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
 
     const measure = (settings) => page.evaluate((settings) => pixels.measure(settings), settings)
 
-    async function isExact(t, settings) {
+    async function assertExact(t, settings) {
       messages.length = 0
       const { covered, skipped, median, max, finite } = await measure(settings)
       t.diagnostic(
@@ -38,30 +39,30 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       test(`a ${shape}`, async (t) => {
         const names = await page.evaluate(() => pixels.warps)
         for (const name of names.slice(0, shape === 'plane' ? 4 : undefined))
-          await isExact(t, { shape, name })
+          await assertExact(t, { shape, name })
       })
 
     test('interpolated normals of the same pictures are wrong by degrees', async (t) => {
-      for (const [name, least] of [
+      for (const [name, minError] of [
         ['fbm', 15],
         ['simplex', 10],
         ['waves', 1.5],
       ]) {
         const { median } = await measure({ name, normals: 'vertex' })
         t.diagnostic(`${name}: ${median}°`)
-        assert.ok(median > least, `${name}: ${median}°`)
+        assert.ok(median > minError, `${name}: ${median}°`)
       }
     })
 
-    test('negative scales, skins, morph targets, instances and batches, in the spaces of a warp', async (t) => {
+    test('negative scales, skins, morph targets, instances and batches, in each space', async (t) => {
       for (const kind of ['negative scale', 'skin', 'morphs', 'instances', 'batch'])
         for (const name of ['simplex', 'blob along the normal']) {
-          // Batches of three.js 0.159 have no instances, and none copies attributes that share a buffer.
+          // In three.js 0.159, batches have no instances. In no version do they copy attributes that share a buffer.
           if (kind === 'batch' && (version !== 'three' || name !== 'simplex')) continue
-          await isExact(t, { kind, name })
+          await assertExact(t, { kind, name })
         }
-      for (const name of ['simplex', 'waves']) await isExact(t, { space: 'world', name })
-      await isExact(t, { space: 'rest', name: 'simplex' })
+      for (const name of ['simplex', 'waves']) await assertExact(t, { space: 'world', name })
+      await assertExact(t, { space: 'rest', name: 'simplex' })
     })
 
     test('both sides and the back', async (t) => {
@@ -69,27 +70,27 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         for (const isBehind of [false, true]) {
           if (side === 'BackSide' && !isBehind) continue
           const settings = { shape: 'plane', name: 'simplex', side, isBehind }
-          await isExact(t, settings)
+          await assertExact(t, settings)
           assert.equal((await measure(settings)).facing, 1)
         }
-      await isExact(t, { name: 'simplex', side: 'BackSide' })
+      await assertExact(t, { name: 'simplex', side: 'BackSide' })
     })
 
-    test('the frame of vertex tangents', async (t) => {
+    test('normal maps in the frame of vertex tangents', async (t) => {
       for (const map of [
         [0.6, 0, 0.8],
         [0, 0.6, 0.8],
       ])
         for (const kind of ['plain', 'negative scale', 'instances'])
-          await isExact(t, { name: 'simplex', kind, map })
-      await isExact(t, { name: 'simplex', space: 'world', map: [0.48, 0.36, 0.8] })
+          await assertExact(t, { name: 'simplex', kind, map })
+      await assertExact(t, { name: 'simplex', space: 'world', map: [0.48, 0.36, 0.8] })
     })
 
     test('facets stay facets', async () => {
-      assert.equal(await page.evaluate(() => pixels.facets('simplex')), 0)
+      assert.equal(await page.evaluate(() => pixels.countFacetDifferences('simplex')), 0)
     })
 
-    test('a surface that collapses is lit as its triangles are', async (t) => {
+    test('a surface that collapses is lit by the normals of its triangles', async (t) => {
       for (const name of ['floor', 'pinch'])
         for (const normals of ['pixel', 'vertex'])
           for (const side of ['FrontSide', 'DoubleSide', 'BackSide']) {
@@ -100,7 +101,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
             )
             t.diagnostic(`${name}, ${normals}, ${side}: ${JSON.stringify(found)}`)
             assert.deepEqual([messages, found.wrong, found.finite], [[], 0, true])
-            // Some triangles at the edge of the shape really face away from the light.
+            // Some triangles at the outline do face away from the light.
             assert.ok(found.dark < 0.03 * found.covered, `${found.dark} dark pixels`)
             assert.ok(found.covered > 400)
             if (name === 'pinch') continue
@@ -109,7 +110,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
           }
     })
 
-    test('maps, clearcoats, anisotropy and transmission follow, and are finite', async (t) => {
+    test('maps, clearcoats, anisotropy and transmission use normals at pixels, and are finite', async (t) => {
       for (const name of await page.evaluate(() => pixels.mapNames)) {
         messages.length = 0
         const found = await page.evaluate((name) => pixels.drawWithMap(name), name)
@@ -119,7 +120,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       }
     })
 
-    test('where it cannot be, normals are those of vertices: with a warning if they were asked for', async () => {
+    test("if normals at pixels are impossible, they are computed at vertices, with a warning if the option is 'pixel'", async () => {
       for (const name of await page.evaluate(() => pixels.obstacles))
         for (const [normals, warnings] of [
           ['auto', 0],
@@ -136,7 +137,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         }
     })
 
-    test('the vertex shader of normals at vertices has nothing of this', async () => {
+    test('shaders with normals at vertices have no code for normals at pixels', async () => {
       const [vertex, pixel] = await page.evaluate(() => [
         pixels.sources('vertex'),
         pixels.sources('pixel'),

@@ -1,4 +1,4 @@
-// Rays hit the warped surface.
+// Rays hit warped surfaces where they are drawn.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -10,27 +10,31 @@ import { addSurfaceVariation, warp } from 'warpjet/three'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { plane, randomNumbers, rayFrom, transform, wave } from '../support/three-meshes.js'
 
-/** Makes a plain mesh whose vertices have the expected warped positions, computed in double precision. */
-function makeReference(mesh, place, instance = new THREE.Matrix4()) {
+/** Makes an unwarped mesh whose vertices `move(x, y, z)` moves in double precision. */
+function makeReference(mesh, move, instance = new THREE.Matrix4()) {
   const geometry = mesh.geometry.toNonIndexed()
   const { position } = geometry.attributes
   for (let i = 0; i < position.count; i++) {
     const [x, y, z] = [position.getX(i), position.getY(i), position.getZ(i)]
-    position.setXYZ(i, ...place(x, y, z))
+    position.setXYZ(i, ...move(x, y, z))
   }
   geometry.computeBoundingSphere()
-  const made = new THREE.Mesh(geometry, mesh.material)
-  made.matrixWorld.multiplyMatrices(mesh.matrixWorld, instance)
-  return made
+  const reference = new THREE.Mesh(geometry, mesh.material)
+  reference.matrixWorld.multiplyMatrices(mesh.matrixWorld, instance)
+  return reference
 }
 
-/** Asserts that rays hit a mesh at the same points as the other objects, or hit neither. */
-function assertSameHits(mesh, others, { rays = 200, spread = 1.5, random = randomNumbers() } = {}) {
+/** Asserts that rays hit a mesh at the same points as the references, or hit neither. */
+function assertSameHits(
+  mesh,
+  references,
+  { rays = 200, spread = 1.5, random = randomNumbers() } = {},
+) {
   let hits = 0
   for (let i = 0; i < rays; i++) {
     const ray = rayFrom(random, new THREE.Vector3(0.3, -0.2, 0.1), spread)
     const found = ray.intersectObject(mesh)
-    const expected = others.flatMap((other) => ray.intersectObject(other, false))
+    const expected = references.flatMap((reference) => ray.intersectObject(reference, false))
     expected.sort((a, b) => a.distance - b.distance)
     assert.equal(found.length, expected.length, `ray ${i}`)
     found.forEach((hit, k) => {
@@ -47,7 +51,7 @@ function assertSameHits(mesh, others, { rays = 200, spread = 1.5, random = rando
 
 describe('rays hit the warped surface', () => {
   const height = 0.3
-  const at = (millis) => (x, y, z) => [x, y, z + height * Math.sin(3 * x + millis / 500)]
+  const moveAt = (millis) => (x, y, z) => [x, y, z + height * Math.sin(3 * x + millis / 500)]
 
   test('of a mesh, also after uniforms change', () => {
     const mesh = transform(plane())
@@ -55,12 +59,12 @@ describe('rays hit the warped surface', () => {
     // The last time is after a week.
     for (const millis of [0, 700, 6e8 + 700]) {
       warped.update(millis)
-      assertSameHits(mesh, [makeReference(mesh, at(millis))])
+      assertSameHits(mesh, [makeReference(mesh, moveAt(millis))])
     }
     warped.uniforms.height.value = 0
-    assertSameHits(mesh, [makeReference(mesh, (...place) => place)])
+    assertSameHits(mesh, [makeReference(mesh, (...point) => point)])
     warped.dispose()
-    assertSameHits(mesh, [makeReference(mesh, (...place) => place)])
+    assertSameHits(mesh, [makeReference(mesh, (...point) => point)])
   })
 
   test('of instances, and report the instanceId', () => {
@@ -77,7 +81,7 @@ describe('rays hit the warped surface', () => {
     const warped = warp(mesh, wave, { uniforms: { height } })
     assertSameHits(
       mesh,
-      matrices.map((matrix) => makeReference(mesh, at(0), matrix)),
+      matrices.map((matrix) => makeReference(mesh, moveAt(0), matrix)),
     )
     const ray = new THREE.Raycaster(new THREE.Vector3(0, 0, 9), new THREE.Vector3(0, 0, -1))
     for (const hit of ray.intersectObject(mesh)) assert.ok(hit.instanceId in matrices)
@@ -86,29 +90,29 @@ describe('rays hit the warped surface', () => {
 
   test('in world space, of a mesh and of instances', () => {
     const offset = ({ glsl, position }) => glsl.vec3(0, position.x().mult(3).sin().mult(0.3), 0)
-    const inWorld = (mesh, instance = new THREE.Matrix4()) => {
-      const all = new THREE.Matrix4().multiplyMatrices(mesh.matrixWorld, instance)
-      const made = makeReference(mesh, (x, y, z) => {
-        const place = new THREE.Vector3(x, y, z).applyMatrix4(all)
-        return [place.x, place.y + 0.3 * Math.sin(3 * place.x), place.z]
+    const makeReferenceInWorld = (mesh, instance = new THREE.Matrix4()) => {
+      const toWorld = new THREE.Matrix4().multiplyMatrices(mesh.matrixWorld, instance)
+      const reference = makeReference(mesh, (x, y, z) => {
+        const point = new THREE.Vector3(x, y, z).applyMatrix4(toWorld)
+        return [point.x, point.y + 0.3 * Math.sin(3 * point.x), point.z]
       })
-      made.matrixWorld.identity()
-      return made
+      reference.matrixWorld.identity()
+      return reference
     }
     const mesh = transform(plane())
     warp(mesh, offset, { space: 'world' })
-    assertSameHits(mesh, [inWorld(mesh)])
-    const many = transform(new THREE.InstancedMesh(mesh.geometry, mesh.material, 2))
+    assertSameHits(mesh, [makeReferenceInWorld(mesh)])
+    const instanced = transform(new THREE.InstancedMesh(mesh.geometry, mesh.material, 2))
     const matrices = [
       new THREE.Matrix4().makeTranslation(1, 0, 0),
       new THREE.Matrix4().makeScale(0.5, 1, 1),
     ]
-    matrices.forEach((matrix, i) => many.setMatrixAt(i, matrix))
-    many.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
-    warp(many, offset, { space: 'world' })
+    matrices.forEach((matrix, i) => instanced.setMatrixAt(i, matrix))
+    instanced.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
+    warp(instanced, offset, { space: 'world' })
     assertSameHits(
-      many,
-      matrices.map((matrix) => inWorld(many, matrix)),
+      instanced,
+      matrices.map((matrix) => makeReferenceInWorld(instanced, matrix)),
     )
   })
 
@@ -154,8 +158,8 @@ describe('rays hit the warped surface', () => {
     }
   })
 
-  test('never of a warp that only the GPU can evaluate, which causes one warning', (t) => {
-    const said = t.mock.method(console, 'warn', () => {})
+  test('but miss a warp that only the GPU can evaluate, with one warning', (t) => {
+    const warn = t.mock.method(console, 'warn', () => {})
     const mesh = plane()
     const map = new THREE.DataTexture(new Uint8Array(4), 1, 1)
     const warped = warp(mesh, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
@@ -164,21 +168,21 @@ describe('rays hit the warped surface', () => {
     })
     const ray = new THREE.Raycaster(new THREE.Vector3(0, 0, 9), new THREE.Vector3(0, 0, -1))
     assert.equal(ray.intersectObject(mesh).length + ray.intersectObject(mesh).length, 0)
-    assert.equal(said.mock.callCount(), 1)
-    assert.match(said.mock.calls[0].arguments[0], /^warp: rays miss a warp that/)
+    assert.equal(warn.mock.callCount(), 1)
+    assert.match(warn.mock.calls[0].arguments[0], /^warp: rays miss a warp that/)
     assert.equal(mesh.boundingSphere.radius, Infinity)
     warped.dispose()
   })
 })
 
-describe('in world space rays hit a warp along the normal, with the same normals as for a geometry in world coordinates:', () => {
+describe('in world space, rays hit a warped object at the same points, and with the same normals, as a geometry in world coordinates:', () => {
   const offsets = {
     'along the normal': ({ glsl, normal, position }) =>
       normal.mult(position.x().mult(3).sin().mult(0.2)).add(glsl.vec3(0, 0, 0.1)),
     'by uv': ({ normal, uv }) => normal.mult(uv.x().mult(20).sin().mult(0.1)),
   }
-  const turned = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(0.7, -1.1, 0.4))
-  const stretched = turned
+  const rotation = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(0.7, -1.1, 0.4))
+  const stretched = rotation
     .clone()
     .multiply(new THREE.Matrix4().makeScale(1.5, 0.8, 2))
     .setPosition(1, 2, -1)
@@ -205,7 +209,7 @@ describe('in world space rays hit a warp along the normal, with the same normals
 
   for (const [name, offset] of Object.entries(offsets))
     test(`${name}, rotated and scaled`, async () => {
-      const matrix = turned
+      const matrix = rotation
         .clone()
         .scale(new THREE.Vector3(2, 2, 2))
         .setPosition(1, 2, -1)
@@ -220,7 +224,7 @@ describe('in world space rays hit a warp along the normal, with the same normals
     const geometry = new THREE.SphereGeometry(1, 80, 60)
     const inWorld = geometry.clone().applyMatrix4(stretched)
     const back = new THREE.Matrix3().setFromMatrix4(stretched).invert()
-    // The ellipsoid is q · S q = 1 with S = B^T B; its normal is S q / |S q|.
+    // With q relative to the center, the ellipsoid is q · S q = 1 with S = B^T B, where B is `back`. Its normal is S q / |S q|.
     const shape = back.clone().transpose().multiply(back)
     const center = new THREE.Vector3().setFromMatrixPosition(stretched)
     addGradients(geometry, new THREE.Matrix3(), new THREE.Vector3())
@@ -233,7 +237,7 @@ describe('in world space rays hit a warp along the normal, with the same normals
   })
 })
 
-/** Adds the gradients of the normal of the surface q · S q = 1, derived by hand. */
+/** Adds the gradients of the normal of the surface q · S q = 1, where `shape` is S; their formula was derived by hand. */
 function addGradients(geometry, shape, center) {
   const { position } = geometry.attributes
   const gradients = [0, 1, 2].map(() => new Float32Array(3 * position.count))
@@ -272,10 +276,10 @@ const tenWarps = [
   ({ normal }) => normal.mult(0.3),
 ]
 
-/** The number of rays for each of the ten warps. */
-const rays = isRun('a thousand rays') ? 1000 : 100
+/** The number of rays per warp. */
+const rayCount = isRun('a thousand rays') ? 1000 : 100
 
-test('a thousand rays hit ten warps where they hit the baked meshes', () => {
+test('rays hit each of ten warps where they hit the baked mesh', () => {
   const { min, max } = Math
   const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, 64, 12)
   const random = randomNumbers(3)
@@ -283,42 +287,42 @@ test('a thousand rays hit ten warps where they hit the baked meshes', () => {
     const mesh = transform(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial()))
     const warped = warp(mesh, offset, { surfaceVariation: false })
     const compiled = compileWarp(offset, { surfaceVariation: false })
-    const other = new THREE.Mesh(bakeWarp(geometry, compiled), mesh.material)
-    other.matrixWorld.copy(mesh.matrixWorld)
-    const { array } = other.geometry.attributes.position
+    const reference = new THREE.Mesh(bakeWarp(geometry, compiled), mesh.material)
+    reference.matrixWorld.copy(mesh.matrixWorld)
+    const { array } = reference.geometry.attributes.position
     assert.ok(max(...array) - min(...array) < 20, `warp ${i}`)
-    assertSameHits(mesh, [other], { rays, random })
+    assertSameHits(mesh, [reference], { rays: rayCount, random })
     warped.dispose()
   }
 })
 
-test('a thousand rays hit ten warps within 1e-4 of the size of the mesh from the hits of a denser baked mesh', (t) => {
+test('rays hit each of ten warps where they hit a denser baked mesh, within 1e-4 of its size', (t) => {
   const random = randomNumbers(5)
-  const both = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
-  const patch = (along, down) => new THREE.SphereGeometry(1, along, down, 0, 2, 0.5, 1.4)
-  const [fine, finer] = [patch(170, 120), patch(340, 240)]
-  const spread = () => new THREE.Vector3(random(), random(), random()).subScalar(0.5)
+  const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
+  const makePatch = (columns, rows) => new THREE.SphereGeometry(1, columns, rows, 0, 2, 0.5, 1.4)
+  const [fine, finer] = [makePatch(170, 120), makePatch(340, 240)]
+  const randomVector = () => new THREE.Vector3(random(), random(), random()).subScalar(0.5)
   let worst = 0
   for (const offset of tenWarps) {
-    const mesh = transform(new THREE.Mesh(fine, both))
+    const mesh = transform(new THREE.Mesh(fine, material))
     const warped = warp(mesh, offset, { surfaceVariation: false })
     const baked = bakeWarp(finer, compileWarp(offset, { surfaceVariation: false }))
     baked.boundsTree = new MeshBVH(baked)
-    const dense = new THREE.Mesh(baked, both)
+    const dense = new THREE.Mesh(baked, material)
     dense.raycast = acceleratedRaycast
     dense.matrixWorld.copy(mesh.matrixWorld)
     const size = warped.bounds().getSize(new THREE.Vector3()).length()
     const { position, normal } = baked.attributes
-    for (let i = 0; i < rays / 10; i++) {
-      // From somewhere above the surface to a point away from the edge.
+    for (let i = 0; i < rayCount / 10; i++) {
+      // Casts a ray from a random point above the surface to a vertex that is not near the edge.
       const [u, v] = [0.1 + 0.8 * random(), 0.1 + 0.8 * random()]
       const vertex = Math.round(340 * u) + 341 * Math.round(240 * v)
       const to = new THREE.Vector3()
         .fromBufferAttribute(position, vertex)
-        .add(spread().multiplyScalar(1e-3))
+        .add(randomVector().multiplyScalar(1e-3))
       const from = new THREE.Vector3()
         .fromBufferAttribute(normal, vertex)
-        .add(spread())
+        .add(randomVector())
         .multiplyScalar(3)
         .add(to)
       for (const point of [to, from]) point.applyMatrix4(mesh.matrixWorld)
@@ -357,9 +361,9 @@ test('bounds and rays follow the visibility of batch instances and the draw rang
   const mesh = plane()
   const { index } = mesh.geometry
   mesh.geometry.setDrawRange(0, 3)
-  const partly = warp(mesh, up)
+  const partlyDrawn = warp(mesh, up)
   const down = new THREE.Raycaster(new THREE.Vector3(), new THREE.Vector3(0, 0, -1))
-  const hits = () => {
+  const countHits = () => {
     let count = 0
     for (const x of [-0.9, 0.9])
       for (const y of [-0.9, 0.9]) {
@@ -368,8 +372,8 @@ test('bounds and rays follow the visibility of batch instances and the draw rang
       }
     return count
   }
-  const before = hits()
+  const before = countHits()
   mesh.geometry.setDrawRange(0, index.count)
-  assert.ok(hits() > before, `${before} hits of four before, ${hits()} after`)
-  partly.dispose()
+  assert.ok(countHits() > before, `${before} hits of four before, ${countHits()} after`)
+  partlyDrawn.dispose()
 })

@@ -16,7 +16,7 @@ import { createElement as e, Suspense, StrictMode, act } from 'react'
 import { createRoot, extend, useFrame } from '@react-three/fiber'
 import * as THREE from 'three'
 import { Warp } from 'warpjet/react'
-import { settledHeap } from '../../tests/support/browser/three/heap.js'
+import { measureHeap } from '../../tests/support/browser/three/heap.js'
 
 extend(THREE)
 globalThis.IS_REACT_ACT_ENVIRONMENT = true
@@ -34,9 +34,12 @@ await root.configure({
 })
 
 let state
-/** An invisible mesh that keeps the program for unwarped meshes alive, which would otherwise be recompiled each time. */
+/**
+ * Stores react-three-fiber's state. Its invisible mesh keeps the program for unwarped meshes, which would otherwise be recompiled each
+ * time.
+ */
 const Spy = () => {
-  useFrame((now) => (state = now))
+  useFrame((current) => (state = current))
   return e('mesh', { scale: 0, frustumCulled: false }, e('sphereGeometry'), e('meshBasicMaterial'))
 }
 
@@ -49,15 +52,16 @@ const offsets = {
 const ball = (...more) =>
   e('mesh', {}, e('sphereGeometry', { args: [0.3, 16, 12] }), e('meshBasicMaterial', { color: 'white' }), ...more)
 
-const shared = new THREE.MeshBasicMaterial()
+/** A material that is passed to a mesh as a property. */
+const passedMaterial = new THREE.MeshBasicMaterial()
 
 const pages = {
   plain: () => ball(),
   in: ({ offset = 'right', amount = 0 }) => ball(e(Warp, { offset: offsets[offset], uniforms: { amount } })),
   around: ({ offset = 'right', amount = 0 }) =>
     e(Warp, { offset: offsets[offset], uniforms: { amount } }, ball()),
-  given: ({ amount = 0 }) =>
-    e('mesh', { material: shared }, e('sphereGeometry', { args: [0.3, 16, 12] }), e(Warp, { offset: offsets.right, uniforms: { amount } })),
+  'with a passed material': ({ amount = 0 }) =>
+    e('mesh', { material: passedMaterial }, e('sphereGeometry', { args: [0.3, 16, 12] }), e(Warp, { offset: offsets.right, uniforms: { amount } })),
 }
 
 const late = { promise: null, done: false }
@@ -68,7 +72,7 @@ const Late = () => {
 pages.suspended = ({ amount = 0 }) =>
   e(Suspense, { fallback: null }, e(Warp, { offset: offsets.right, uniforms: { amount } }, ball(), e(Late)))
 
-/** Draws → the centre of the white pixels, from -1 to 1, and their number. */
+/** Renders a page → the centre of the bright pixels, from -1 to 1, and their number. */
 window.show = async (name, props = {}) => {
   await act(async () => root.render(e(StrictMode, null, e(Spy), name && e(pages[name], props))))
   const { advance } = await import('@react-three/fiber')
@@ -85,18 +89,19 @@ window.show = async (name, props = {}) => {
     }
   return { x: x / count, y: y / count, count }
 }
-/** Mounts and unmounts → the counts of three.js and the size of the heap. Draws every tenth time, which compiles the shaders. */
+
+/** Mounts and unmounts → three's counts of resources and the size of the heap. Draws every tenth time, which compiles the shaders. */
 window.cycle = async (times) => {
   for (let i = 0; i < times; i++) {
     if (i % 10 === 0) await show('around', { amount: i / times })
     else await act(async () => root.render(e(StrictMode, null, e(Spy), e(pages.around, { amount: i / times }))))
     await show('plain')
   }
-  const heap = await settledHeap()
+  const heap = await measureHeap()
   const { memory, programs } = state.gl.info
   return { ...memory, programs: programs.length, heap }
 }
-window.isShared = () => !Object.hasOwn(shared, 'onBeforeCompile')
+window.isMaterialUnchanged = () => !Object.hasOwn(passedMaterial, 'onBeforeCompile')
 document.title = 'ready'
 `
 
@@ -137,12 +142,12 @@ after(async () => {
 
 const show = (name, props) => page.evaluate(([name, props]) => show(name, props), [name, props])
 
-/** Half the extent of the camera's view at the distance of the ball. */
+/** Half the height of the camera's view at the distance of the ball. */
 const half = 3 * Math.tan((75 / 2) * (Math.PI / 180))
 
-for (const name of ['in', 'around', 'given', 'suspended'])
+for (const name of ['in', 'around', 'with a passed material', 'suspended'])
   test(`${name}: the ball follows the offset, a new uniform value, and another offset`, async () => {
-    const isAt = async (props, x, y) => {
+    const assertBallAt = async (props, x, y) => {
       const first = await show(name, props)
       // A suspended component appears only after its promise has resolved.
       const shown = Number.isNaN(first.x)
@@ -154,10 +159,11 @@ for (const name of ['in', 'around', 'given', 'suspended'])
       )
       assert.ok(shown.count > 50)
     }
-    await isAt({ amount: 0 }, 0, 0)
-    await isAt({ amount: 1 }, 1, 0)
-    if (name === 'in' || name === 'around') await isAt({ amount: 1, offset: 'up' }, 0, 1)
-    if (name === 'given') assert.ok(await page.evaluate(() => isShared()))
+    await assertBallAt({ amount: 0 }, 0, 0)
+    await assertBallAt({ amount: 1 }, 1, 0)
+    if (name === 'in' || name === 'around') await assertBallAt({ amount: 1, offset: 'up' }, 0, 1)
+    if (name === 'with a passed material')
+      assert.ok(await page.evaluate(() => isMaterialUnchanged()))
     await show(null)
   })
 
@@ -168,6 +174,6 @@ test('mounting and unmounting a thousand times leaks nothing', async (t) => {
   const { heap, ...countsAfter } = await cycle(1000)
   t.diagnostic(`heap ${before} before, ${heap} after; ${JSON.stringify(counts)}`)
   assert.deepEqual(countsAfter, counts)
-  // A leaked warp would have about ten kilobytes, and React's StrictMode mounts each twice.
+  // A leaked warp would take about 10 KB, and React's StrictMode mounts each twice.
   assert.ok(heap < before + 2e6, `the heap grew from ${before} to ${heap}`)
 })

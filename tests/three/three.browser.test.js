@@ -25,7 +25,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     const compare = (name, settings = {}) =>
       page.evaluate(([name, settings]) => three.compare(name, settings), [name, settings])
 
-    async function isSame(name, settings) {
+    async function assertSame(name, settings) {
       messages.length = 0
       const { differing, moved, afterwards } = await compare(name, settings)
       assert.deepEqual(messages, [])
@@ -36,7 +36,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       assert.equal(afterwards, 0, 'pixels that differ from the original after dispose()')
     }
 
-    test('every shape and every material looks the same in local space', async () => {
+    test('shapes and materials look the same in local space', async () => {
       const all = await page.evaluate(() => three.names)
       assert.ok(all.length > 25)
       const names = isRun('every material of three')
@@ -44,31 +44,34 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         : ['vertex tangents', 'skin', 'morphs', 'instances', 'batch', 'line', 'MeshNormalMaterial']
       const lights = ['directional', 'spot', 'point']
       for (const [i, name] of names.entries())
-        await isSame(name, { light: lights[i % 3] }).catch((error) => {
+        await assertSame(name, { light: lights[i % 3] }).catch((error) => {
           error.message = `${name}: ${error.message}`
           throw error
         })
     })
 
-    test('every shape and material looks the same with normals at pixels', async () => {
+    test('shapes and materials look the same with normals at pixels', async () => {
       const names = await page.evaluate(() => three.names)
-      // Three.js interpolates the normals of the motion in view space, and the warp interpolates those before it. Both are wrong between
-      // the vertices of a coarse mesh, and the colours of this matcap change within a few degrees.
-      const mostOf = (name) => (name === 'MeshMatcapMaterial' ? 130 : 12)
+      // Three.js interpolates normals after the motion, and the warp interpolates them before. Both are wrong between the vertices of a
+      // coarse mesh, and the colours of the matcap change within a few degrees.
+      const maxDiffering = (name) => (name === 'MeshMatcapMaterial' ? 130 : 12)
       for (const name of names)
         for (const space of ['local', 'world']) {
           messages.length = 0
           const { differing, moved } = await compare(name, { space, normals: 'pixel' })
           const warnings = name === 'environment map' ? 1 : 0
           assert.equal(messages.length, warnings, `${name}: ${messages}`)
-          assert.ok(differing <= mostOf(name), `${name}, ${space}: ${differing} pixels differ`)
+          assert.ok(
+            differing <= maxDiffering(name),
+            `${name}, ${space}: ${differing} pixels differ`,
+          )
           assert.ok(moved > minMoved)
         }
     })
 
-    test('an object with its own shadow materials looks the same', async () => {
+    test('an object with custom shadow materials looks the same', async () => {
       for (const light of ['directional', 'point'])
-        await isSame('its own shadow materials', { light })
+        await assertSame('custom shadow materials', { light })
     })
 
     test('a warp in world space looks the same', async () => {
@@ -81,15 +84,15 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         'group',
         'points',
       ])
-        await isSame(name, { space: 'world', light: name === 'skin' ? 'point' : 'spot' })
+        await assertSame(name, { space: 'world', light: name === 'skin' ? 'point' : 'spot' })
     })
 
-    test('a warp at rest, before morph targets and bones, looks the same', async () => {
+    test("a warp in the space 'rest', before morph targets and bones, looks the same", async () => {
       for (const name of ['plain', 'vertex tangents', 'morphs', 'skin'])
-        await isSame(name, { space: 'rest', light: 'spot' })
+        await assertSame(name, { space: 'rest', light: 'spot' })
     })
 
-    test('a mirroring motion looks the same on both sides', async () => {
+    test('a motion that mirrors looks the same on both sides', async () => {
       const names = ['plain', 'normal map', 'bump map', 'vertex tangents', 'skin', 'instances']
       const more = ['batch', 'group', 'morphs', 'flat shading', 'MeshPhysicalMaterial', 'clipping']
       for (const name of [...names, ...more, 'MeshNormalMaterial', 'MeshMatcapMaterial'])
@@ -115,19 +118,19 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         for (const light of map === 'VSM'
           ? ['directional', 'spot']
           : ['directional', 'spot', 'point'])
-          await isSame('plain', { light, map })
+          await assertSame('plain', { light, map })
     })
 
     test('logarithmic and reversed depth buffers work', async () => {
-      await isSame('plain', { options: { logarithmicDepthBuffer: true } })
-      if (version === 'three') await isSame('plain', { options: { reversedDepthBuffer: true } })
+      await assertSame('plain', { options: { logarithmicDepthBuffer: true } })
+      if (version === 'three') await assertSame('plain', { options: { reversedDepthBuffer: true } })
     })
 
     test('MeshNormalMaterial shows the exact normals of a wave, also after a week', async () => {
       const { worst, unwarped } = await page.evaluate(() => three.normals())
       assert.ok(
         Math.max(...worst) <= 3 && unwarped > 30,
-        `${worst} of 255, ${unwarped} without the warp`,
+        `errors of ${worst} of 255, ${unwarped} without the warp`,
       )
     })
 
@@ -165,7 +168,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       ['30 times', 30, {}],
       [`${manyTimes} times beside another warped mesh`, manyTimes, { hasTwin: true }],
     ])
-      test(`warping and disposing ${title} leaks nothing`, async () => {
+      test(`warping and disposing of a mesh ${title} leaks nothing`, async () => {
         const { before, after } = await page.evaluate(
           ([times, settings]) => three.churn(times, settings),
           [times, settings],
@@ -204,10 +207,10 @@ for (const file of ['web/docs/how-to-three.md', 'web/docs/three.md'])
     const { page, messages } = await pages.listing(code)
     const countBrightPixels = () =>
       page.evaluate(async () => {
-        const canvas = await new Promise(function look(found) {
+        const canvas = await new Promise(function look(resolve) {
           const canvas = document.querySelector('canvas')
-          if (canvas) found(canvas)
-          else requestAnimationFrame(() => look(found))
+          if (canvas) resolve(canvas)
+          else requestAnimationFrame(() => look(resolve))
         })
         await new Promise(requestAnimationFrame)
         await new Promise(requestAnimationFrame)

@@ -1,5 +1,5 @@
-// Tests the parts of 'warpjet/three' that need no rendering: rays, bounds, uniforms, error messages, and that dispose() restores
-// everything.
+// Tests parts of 'warpjet/three' that need no GPU: what dispose() restores, which materials a renderer draws, and conversions of
+// geometries.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -12,31 +12,31 @@ import { makeSkinnedMesh, plane, wave } from '../support/three-meshes.js'
 test('dispose() restores everything, and a second call does nothing', () => {
   for (const mesh of [plane(), makeSkinnedMesh(), new THREE.Points(plane().geometry)])
     for (const share of [false, true]) {
-      // Three.js keeps an empty list of listeners.
-      const own = (object) =>
+      // Three.js leaves an empty list of listeners.
+      const ownProperties = (object) =>
         Object.entries(Object.getOwnPropertyDescriptors(object)).filter(
           ([name]) => name !== '_listeners',
         )
-      const [before, materialBefore] = [own(mesh), own(mesh.material)]
+      const [before, materialBefore] = [ownProperties(mesh), ownProperties(mesh.material)]
       const { material } = mesh
       const warped = warp(mesh, wave, { uniforms: { height: 1 }, share })
-      assert.notDeepEqual(own(mesh), before)
+      assert.notDeepEqual(ownProperties(mesh), before)
       assert.equal(mesh.material, material)
-      assert.deepEqual(own(material), materialBefore)
+      assert.deepEqual(ownProperties(material), materialBefore)
       warped.dispose()
       warped.dispose()
-      assert.deepEqual(own(mesh), before)
-      assert.deepEqual(own(material), materialBefore)
+      assert.deepEqual(ownProperties(mesh), before)
+      assert.deepEqual(ownProperties(material), materialBefore)
     }
 })
 
 describe('a renderer draws', () => {
-  const none = ({ position }) => position
+  const still = ({ position }) => position
   const mockRenderer = () => {
     const drawn = []
     const renderer = {
       drawn,
-      renderBufferDirect: (...given) => drawn.push(given[3]),
+      renderBufferDirect: (_camera, _scene, _geometry, material) => drawn.push(material),
       compile() {},
       properties: { get: () => ({}) },
     }
@@ -47,7 +47,7 @@ describe('a renderer draws', () => {
 
   test('a warped object with a live view of its current material, and other objects unchanged', (t) => {
     const mesh = plane()
-    const warped = warp(mesh, none)
+    const warped = warp(mesh, still)
     const renderer = mockRenderer()
     mesh.onBeforeShadow(renderer)
     mesh.onBeforeRender(renderer)
@@ -79,8 +79,8 @@ describe('a renderer draws', () => {
   })
 
   test('a live view that reads and writes every property of each material', () => {
-    const isOwn = (name) => /^(id|uuid|_listeners|type|version|is[A-Z].*)$/.test(name)
-    const otherThan = (value) =>
+    const isOfView = (name) => /^(id|uuid|_listeners|type|version|is[A-Z].*)$/.test(name)
+    const differentFrom = (value) =>
       typeof value === 'number' ? 0.625 : typeof value === 'boolean' ? !value : {}
     const materials = Object.values(THREE)
       .filter((Type) => Type?.prototype instanceof THREE.Material)
@@ -90,14 +90,14 @@ describe('a renderer draws', () => {
     for (const material of materials) {
       const names = Object.keys(material).map((name) => name.replace(/^_(?=[a-z])/, ''))
       const mesh = new THREE.Mesh(new THREE.PlaneGeometry(), material)
-      const warped = warp(mesh, none)
+      const warped = warp(mesh, still)
       const renderer = mockRenderer()
       mesh.onBeforeRender(renderer)
       draw(renderer, mesh)
       const [view] = renderer.drawn
-      for (const name of names.filter((each) => !isOwn(each))) {
+      for (const name of names.filter((property) => !isOfView(property))) {
         assert.equal(view[name], material[name], `${material.type}: ${name}`)
-        const other = otherThan(material[name])
+        const other = differentFrom(material[name])
         view[name] = other
         assert.equal(material[name], other, `${material.type}: ${name}`)
       }
@@ -106,37 +106,37 @@ describe('a renderer draws', () => {
   })
 
   test('a material that cannot be warped unchanged, and logs one error', (t) => {
-    const said = t.mock.method(console, 'error', () => {})
+    const error = t.mock.method(console, 'error', () => {})
     const mesh = plane()
     mesh.name = 'flag'
-    const warped = warp(mesh, none)
+    const warped = warp(mesh, still)
     const renderer = mockRenderer()
     mesh.onBeforeRender(renderer)
     mesh.material = new THREE.SpriteMaterial()
     draw(renderer, mesh)
     draw(renderer, mesh)
     assert.deepEqual(renderer.drawn, [mesh.material, mesh.material])
-    assert.equal(said.mock.callCount(), 1)
+    assert.equal(error.mock.callCount(), 1)
     assert.match(
-      said.mock.calls[0].arguments[0],
+      error.mock.calls[0].arguments[0],
       /^warp: the SpriteMaterial of the Mesh "flag" is drawn without the warp: a sprite always/,
     )
     warped.dispose()
   })
 
-  test('an unwarped object with at most 0.2 microseconds of overhead', (t) => {
+  test('an unwarped object with less than 0.2 microseconds of overhead', (t) => {
     const mesh = plane()
-    const warped = warp(mesh, none)
+    const warped = warp(mesh, still)
     const renderer = { renderBufferDirect() {}, compile() {} }
-    const times = (object) => {
+    const measure = (object) => {
       const start = performance.now()
       for (let i = 0; i < 200_000; i++) draw(renderer, object)
       return performance.now() - start
     }
     const other = plane()
-    const plainTime = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    const plainTime = Math.min(...Array.from({ length: 5 }, () => measure(other)))
     mesh.onBeforeRender(renderer)
-    const wrappedTime = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    const wrappedTime = Math.min(...Array.from({ length: 5 }, () => measure(other)))
     const overhead = (1000 * (wrappedTime - plainTime)) / 200_000
     t.diagnostic(
       `${overhead.toFixed(3)} microseconds more than ${((1000 * plainTime) / 200_000).toFixed(3)}`,
@@ -153,9 +153,9 @@ test('a callback assigned while an object is warped is preserved, and may call t
   const warped = warp(mesh, ({ position }) => position)
   const renderer = () => ({ renderBufferDirect() {}, compile() {} })
   const { onBeforeRender } = mesh
-  const second = (mesh.onBeforeRender = (...given) => {
+  const second = (mesh.onBeforeRender = (...args) => {
     calls.push('second')
-    onBeforeRender.call(mesh, ...given)
+    onBeforeRender.call(mesh, ...args)
   })
   mesh.onBeforeRender(renderer())
   assert.deepEqual(calls, ['second', 'first'])
@@ -184,12 +184,12 @@ test('toBufferGeometry restores what a baked mesh cannot hold, such as groups an
     fromBufferGeometry(geometry),
     compileWarp(({ glsl }) => glsl.vec3(0, 0, 1)),
   )
-  const made = toBufferGeometry(baked, geometry)
-  assert.equal(made.attributes.position.getZ(5), 1)
-  assert.equal(made.index.count, geometry.index.count)
-  assert.deepEqual([...made.attributes.uv1.array], [...geometry.attributes.uv1.array])
-  assert.deepEqual(made.attributes.color.array.slice(0, 4), new Float32Array([1, 1, 1, 1]))
-  assert.deepEqual(made.groups, geometry.groups)
+  const result = toBufferGeometry(baked, geometry)
+  assert.equal(result.attributes.position.getZ(5), 1)
+  assert.equal(result.index.count, geometry.index.count)
+  assert.deepEqual([...result.attributes.uv1.array], [...geometry.attributes.uv1.array])
+  assert.deepEqual(result.attributes.color.array.slice(0, 4), new Float32Array([1, 1, 1, 1]))
+  assert.deepEqual(result.groups, geometry.groups)
   assert.throws(() => toBufferGeometry(baked, new THREE.BoxGeometry()), WarpError)
   assert.throws(() => fromBufferGeometry(new THREE.BufferGeometry()), WarpError)
   assert.throws(() => fromBufferGeometry(3), WarpError)
@@ -198,7 +198,7 @@ test('toBufferGeometry restores what a baked mesh cannot hold, such as groups an
 test('addSurfaceVariation adds the gradients of the normals to a geometry', async () => {
   const geometry = await addSurfaceVariation(new THREE.SphereGeometry(2, 40, 30))
   const { position, aWarpjet_normalXGradient: gradient } = geometry.attributes
-  // The normal of a sphere is position / radius: its gradients are the axes, projected, over the radius.
+  // The normal of a sphere is position / radius. So its gradients are the axes, projected onto the surface, divided by the radius.
   for (const i of [300, 500, 700]) {
     const normal = new THREE.Vector3().fromBufferAttribute(position, i).normalize()
     const expected = new THREE.Vector3(1, 0, 0).addScaledVector(normal, -normal.x).divideScalar(2)
@@ -207,7 +207,7 @@ test('addSurfaceVariation adds the gradients of the normals to a geometry', asyn
   await assert.rejects(addSurfaceVariation(5), WarpError)
 })
 
-test('GLSL source can be an offset, too', () => {
+test('a glslOffset can be the offset', () => {
   const mesh = plane()
   const warped = warp(
     mesh,

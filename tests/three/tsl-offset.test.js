@@ -1,4 +1,4 @@
-// `tslOffset`: offset functions from functions of TSL, evaluated on the CPU, and its messages.
+// `tslOffset` makes offset functions from functions in TSL: evaluates these on the CPU, and tests messages.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -10,12 +10,12 @@ import { noise } from '../support/browser/three/exact-normals/materialx.js'
 const { Fn, Loop, float, mx_noise_float, normalLocal, sin, time, uniform, uniformArray, uv, vec3 } =
   TSL
 
-const near = (found, expected, tolerance = 1e-5) =>
+const assertNear = (actual, expected, tolerance = 1e-5) =>
   expected.forEach((x, i) =>
-    assert.ok(Math.abs(found[i] - x) < tolerance, `${found} instead of ${expected}`),
+    assert.ok(Math.abs(actual[i] - x) < tolerance, `expected ${expected}, got ${actual}`),
   )
 
-test('time is millis in seconds, and uniforms have their present values', () => {
+test('time is millis in seconds, and uniforms have their current values', () => {
   const height = uniform(0.3).setName('height')
   const wave = tslOffset((p) => vec3(0, sin(p.x.mul(3).add(time)).mul(height), 0))
   assert.deepEqual(Object.keys(wave.uniforms), ['height'])
@@ -24,9 +24,9 @@ test('time is millis in seconds, and uniforms have their present values', () => 
   for (const value of [0.3, 0.6]) {
     height.value = value
     const { positions, normals } = warped.evaluate(vertices, { uniforms: { millis: 500 } })
-    near(positions, [1, value * Math.sin(3.5), 0])
+    assertNear(positions, [1, value * Math.sin(3.5), 0])
     const slope = 3 * value * Math.cos(3.5)
-    near(normals, [-slope / Math.hypot(slope, 1), 1 / Math.hypot(slope, 1), 0])
+    assertNear(normals, [-slope / Math.hypot(slope, 1), 1 / Math.hypot(slope, 1), 0])
   }
   assert.ok(
     warped.bounds({ min: [-1, 0, 0], max: [1, 0, 0] }, { uniforms: { millis: 500 } }).max[1] >=
@@ -34,13 +34,13 @@ test('time is millis in seconds, and uniforms have their present values', () => 
   )
 })
 
-test('MaterialX noise is that of its specification', () => {
+test('MaterialX noise has the values of its specification', () => {
   const moved = compileWarp(tslOffset((p) => vec3(0, 0, mx_noise_float(p.mul(2)))))
   for (const p of [
     [0.3, 0.2, 0.1],
     [-1.7, 4.1, 2.6],
   ])
-    near(moved.evaluate({ positions: p }).positions, [
+    assertNear(moved.evaluate({ positions: p }).positions, [
       p[0],
       p[1],
       p[2] + noise(p.map((x) => 2 * x)),
@@ -64,10 +64,10 @@ test('vectors, colours, matrices and arrays are uniforms', () => {
   const { positions } = compileWarp(offset, { uniforms: offset.uniforms }).evaluate({
     positions: [1, 1, 1],
   })
-  near(positions, [1 + 2 + 1 + 0.5 + 30, 1 + 3 + 2 + 30, 1 + 4 + 3 + 30])
+  assertNear(positions, [1 + 2 + 1 + 0.5 + 30, 1 + 3 + 2 + 30, 1 + 4 + 3 + 30])
 })
 
-test('names of uniforms that are named like those without a name', () => {
+test('an unnamed uniform never gets the name of another, such as uniform1', () => {
   const [named, unnamed, other] = [0.5, 0.25, 0.125].map((value) => uniform(value))
   named.setName('uniform1')
   const offset = tslOffset((p) => vec3(named, unnamed, other).mul(p))
@@ -75,18 +75,18 @@ test('names of uniforms that are named like those without a name', () => {
   const { positions } = compileWarp(offset, { uniforms: offset.uniforms }).evaluate({
     positions: [1, 1, 1],
   })
-  near(positions, [1.5, 1.25, 1.125])
+  assertNear(positions, [1.5, 1.25, 1.125])
 })
 
-test('a new position in place of an offset, and normal and uv', () => {
+test("returns: 'position' works, and the function may read normalLocal and uv()", () => {
   const { positions } = compileWarp(
     tslOffset((p) => p.add(normalLocal.mul(uv().x)), { returns: 'position' }),
     { surfaceVariation: false },
   ).evaluate({ positions: [1, 2, 3], normals: [0, 0, 1], uvs: [0.5, 0] })
-  near(positions, [1, 2, 3.5])
+  assertNear(positions, [1, 2, 3.5])
 })
 
-test('warp takes it with its uniforms', () => {
+test('warp accepts a tslOffset with its uniforms, and throws without them', () => {
   const height = uniform(0.2)
   const wave = tslOffset((p) => vec3(0, sin(p.x).mul(height), 0))
   const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 8, 6), new THREE.MeshNormalMaterial())
@@ -99,7 +99,7 @@ test('warp takes it with its uniforms', () => {
   )
 })
 
-test('messages', () => {
+test('messages of tslOffset', () => {
   for (const [work, message] of [
     [() => 3, /^tslOffset: expected a node that is a vec3 for the function, got the number 3\.$/],
     [3, /^tslOffset: expected a function, got the number 3/],

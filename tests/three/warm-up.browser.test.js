@@ -1,4 +1,4 @@
-// The compiler starts in idle callbacks after the import of 'warpjet/three/webgpu', which the pages here call themselves.
+// After 'warpjet/three/webgpu' is imported, the compiler starts in idle callbacks. The pages of these tests call the callbacks themselves.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { threePages } from '../support/browser/three/open.js'
@@ -7,15 +7,18 @@ let pages
 before(async () => (pages = await threePages()))
 after(() => pages.close())
 
-/** Opens a page that counts modules of WebAssembly, and keeps idle callbacks. `code` follows the import, and has `draw()` and `idle()`. */
+/**
+ * Opens a page that counts wasm modules, and queues idle callbacks → what `code` passes to `note()`. `code` runs after the import, and may
+ * call `draw()` and `idle()`.
+ */
 async function run(code) {
   const { page, messages } = await pages.listing(`
     const { Module } = WebAssembly
     let modules = 0
-    WebAssembly.Module = class extends Module { constructor(...given) { super(...given); modules++ } }
+    WebAssembly.Module = class extends Module { constructor(...args) { super(...args); modules++ } }
     const callbacks = []
     window.requestIdleCallback = (work) => callbacks.push(work)
-    /** Calls callbacks, and those that they add, and returns their number. */
+    /** Calls the callbacks, including those that they add; returns their number. */
     function idle() {
       let count = 0
       for (; callbacks.length; count++) callbacks.shift()()
@@ -33,7 +36,7 @@ async function run(code) {
       renderer.render(scene, new THREE.PerspectiveCamera())
     }
     const result = []
-    const note = (...given) => result.push(given)
+    const note = (...values) => result.push(values)
     ${code}
     window.result = result`)
   await page.waitForFunction(() => window.result, null, { timeout: 30_000 })
@@ -50,7 +53,7 @@ test('an idle page starts the front end and the compiler, in short steps', async
   ])
 })
 
-test('a position that is drawn before ends it', async () => {
+test('drawing a positionNode first starts the compiler at once, so that nothing is left to do when idle', async () => {
   const code = `await draw(); note('drawn', modules); note('steps', idle(), modules)`
   assert.deepEqual(await run(code), [
     ['drawn', 2],
@@ -58,7 +61,7 @@ test('a position that is drawn before ends it', async () => {
   ])
 })
 
-test('a page that forbids WebAssembly has no message of it', async () => {
+test('a page that forbids WebAssembly gets no message when idle', async () => {
   const code = `WebAssembly.Module = () => { throw new Error('forbidden') }; note('steps', idle())`
   const [[, steps]] = await run(code)
   assert.ok(steps < 4, `${steps} steps`)

@@ -1,11 +1,11 @@
-// Tests WebGPURenderer on both its backends: a warp combined with other people's code draws the same picture as the motion without a warp.
+// Tests WebGPURenderer on both backends: a warp combined with other code draws the same picture as the same motion without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { webgpuFlags } from '../support/browser/browser.js'
 import { threePages } from '../support/browser/three/open.js'
 
-/** Pixels that may differ by more than 12 of 255 in a channel. */
-const allowed = 5
+/** The number of pixels that may differ by more than 12 of 255 in a channel. */
+const maxDiffering = 5
 const minMoved = 200
 
 let pages, page, messages
@@ -26,42 +26,45 @@ for (const backend of ['webgl', 'webgpu'])
       for (const name of await evaluate(() => company.names))
         await t.test(name, async () => {
           const { differing, moved } = await evaluate(
-            ([name, on]) => company.compare(name, on),
+            ([name, backend]) => company.compare(name, backend),
             name,
           )
           assert.deepEqual(messages, [])
-          assert.ok(differing <= allowed, `${differing} pixels differ from the motion by three.js`)
+          assert.ok(
+            differing <= maxDiffering,
+            `${differing} pixels differ from the motion by three.js`,
+          )
           assert.ok(moved > minMoved, `${moved} pixels are moved`)
         })
     })
 
-    test('velocities are right', async (t) => {
+    test('velocities equal those of the same motion without a warp', async (t) => {
       for (const name of await evaluate(() => company.velocities))
         await t.test(name, async () => {
           const { wrong, drawn, moving } = await evaluate(
-            ([name, on]) => company.velocity(name, on),
+            ([name, backend]) => company.velocity(name, backend),
             name,
           )
           assert.deepEqual(messages, [])
-          assert.ok(wrong <= allowed, `${wrong} velocities are wrong`)
+          assert.ok(wrong <= maxDiffering, `${wrong} velocities are wrong`)
           assert.ok(drawn > minMoved, `${drawn} pixels are drawn`)
           if (name.includes('moves')) assert.ok(moving > minMoved, `${moving} pixels move`)
         })
     })
 
-    test('a wave of uv along the normals of a torus has exact normals', async (t) => {
+    test('a wave over uv along the normals of a torus has exact normals', async (t) => {
       for (const hasTangents of [false, true])
         await t.test(hasTangents ? 'with tangents and a second uv' : 'plain', async () => {
           const { differing, moved } = await evaluate(
-            ([settings, on]) => company.torus(on, settings),
+            ([settings, backend]) => company.torus(backend, settings),
             {
               hasTangents,
             },
           )
           assert.deepEqual(messages, [])
-          assert.ok(differing <= allowed, `${differing} pixels differ`)
+          assert.ok(differing <= maxDiffering, `${differing} pixels differ`)
           assert.ok(moved > minMoved, `${moved} pixels are moved`)
-          const rough = await evaluate(([settings, on]) => company.torus(on, settings), {
+          const rough = await evaluate(([settings, backend]) => company.torus(backend, settings), {
             hasTangents,
             exact: false,
           })

@@ -1,4 +1,4 @@
-// 'warpjet/three/webgpu': the tests of three.browser.test.js for WebGPURenderer, on both its backends.
+// Tests 'warpjet/three/webgpu' like three.browser.test.js, with WebGPURenderer on both backends.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -18,10 +18,10 @@ before(async () => {
 })
 after(() => pages.close())
 
-/** Shapes that WebGPURenderer draws differently, or not at all. */
+/** Shapes of scenes.js that WebGPURenderer itself draws differently, or not at all. */
 const unsupported = new Set([
-  'a shader that the user has changed',
-  "a ShaderMaterial of three's chunks",
+  'a shader that onBeforeCompile changes',
+  "a ShaderMaterial with three's chunks",
   'clipping',
   'environment map',
   'MeshDepthMaterial',
@@ -30,7 +30,7 @@ const unsupported = new Set([
 
 for (const backend of ['webgl', 'webgpu'])
   describe(`the backend ${backend}`, () => {
-    async function isSame(name, settings) {
+    async function assertSame(name, settings) {
       messages.length = 0
       const { differing, moved, afterwards } = await page.evaluate(
         ([name, settings]) => three.compare(name, settings),
@@ -53,15 +53,15 @@ for (const backend of ['webgl', 'webgpu'])
         ? all.filter((name) => !unsupported.has(name))
         : ['vertex tangents', 'skin', 'instances', 'batch']
       const lights = ['directional', 'spot', 'point']
-      for (const [i, name] of names.entries()) await isSame(name, { light: lights[i % 3] })
+      for (const [i, name] of names.entries()) await assertSame(name, { light: lights[i % 3] })
     })
 
     test('a warp in world space looks the same', async () => {
       for (const name of ['vertex tangents', 'instances', 'skin'])
-        await isSame(name, { space: 'world' })
+        await assertSame(name, { space: 'world' })
     })
 
-    test('a mirroring motion looks the same on both sides', async () => {
+    test('a motion that mirrors looks the same on both sides', async () => {
       for (const name of ['plain', 'normal map', 'bump map', 'skin', 'instances'])
         for (const isKnown of [true, false]) {
           messages.length = 0
@@ -76,14 +76,14 @@ for (const backend of ['webgl', 'webgpu'])
 
     test('a normal in world space has length 1, whatever the scale of the object', async () => {
       messages.length = 0
-      const { differing, moved } = await page.evaluate((given) => three.alongNormal(given), {
+      const { differing, moved } = await page.evaluate((settings) => three.alongNormal(settings), {
         backend,
       })
       assert.deepEqual([messages, differing], [[], 0])
       assert.ok(moved > minMoved)
     })
 
-    test('MeshNormalMaterial shows the exact normals of a wave, also after a week, and so does a node material', async () => {
+    test('MeshNormalMaterial and MeshNormalNodeMaterial show the exact normals of a wave, also after a week', async () => {
       for (const asNode of [false, true]) {
         const { worst, unwarped } = await page.evaluate((settings) => three.normals(settings), {
           backend,
@@ -91,7 +91,7 @@ for (const backend of ['webgl', 'webgpu'])
         })
         assert.ok(
           Math.max(...worst) <= 3 && unwarped > 30,
-          `${worst} of 255, ${unwarped} without the warp`,
+          `errors of ${worst} of 255, ${unwarped} without the warp`,
         )
       }
     })
@@ -105,13 +105,16 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(moved > minMoved)
     })
 
-    test('warps that share their code have their own uniforms', async () => {
+    test('warps with the same code have separate uniforms', async () => {
       const [small, large, again] = await page.evaluate(
-        ([all, settings]) => three.amounts(all, settings),
+        ([factors, settings]) => three.amounts(factors, settings),
         [[0, 0.3, 0], { backend }],
       )
-      // In perspective the radius of the outline of a sphere grows almost as much as the radius of the sphere.
-      assert.ok(large > 1.5 * small, `${large} pixels beside ${small}`)
+      // The radius grows by 1.3, and so the covered area by about 1.3² = 1.69.
+      assert.ok(
+        large > 1.5 * small,
+        `${large} pixels are covered with the amount 0.3, ${small} with 0`,
+      )
       assert.equal(again, small)
     })
 
@@ -135,12 +138,12 @@ for (const backend of ['webgl', 'webgpu'])
         for (const light of map === 'VSM'
           ? ['directional', 'spot']
           : ['directional', 'spot', 'point'])
-          await isSame('plain', { light, map })
+          await assertSame('plain', { light, map })
     })
 
     test('WebGLRenderer and WebGPURenderer can draw the same warp', async () => {
       messages.length = 0
-      const found = await page.evaluate((given) => three.both(given), { backend })
+      const found = await page.evaluate((settings) => three.both(settings), { backend })
       for (const [name, { differing, moved }] of Object.entries(found)) {
         assert.equal(differing, 0, name)
         assert.ok(moved > minMoved, name)
@@ -149,8 +152,8 @@ for (const backend of ['webgl', 'webgpu'])
     })
 
     // A manual run of a thousand cycles, which takes six minutes, gave the same result.
-    test('warping and disposing many times leaks nothing', async () => {
-      const { before, after } = await page.evaluate((given) => three.churn(given), {
+    test('warping and disposing of a mesh many times leaks nothing', async () => {
+      const { before, after } = await page.evaluate((settings) => three.churn(settings), {
         backend,
         times: 30,
       })

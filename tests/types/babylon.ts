@@ -9,13 +9,13 @@ const warp = new BabylonWarp(
   { uniforms: { height: 0.5, center: new Vector3() }, normals: 'auto' },
 )
 export const stage: 'vertex' | 'pixel' = warp.normals
-// @ts-expect-error the warp decides
+// @ts-expect-error read-only
 warp.normals = 'pixel'
 warp.values.height = 0.7
 warp.values.height = () => 0.7
 warp.values.center = new Vector3(1, 2, 3)
 warp.values.center = [1, 2, 3]
-// @ts-expect-error a number
+// @ts-expect-error its value is a number
 warp.values.height = 'high'
 // @ts-expect-error there is no such uniform
 warp.values.hieght
@@ -25,6 +25,6 @@ new BabylonWarp(new StandardMaterial('other'), ({ position }) => position, {
   normals: 'pixels',
 })
 new BabylonWarp(new StandardMaterial('other'), ({ position }) => position, {
-  // @ts-expect-error false would leave normals out
+  // @ts-expect-error normals cannot be left out
   normals: false,
 })

@@ -56,7 +56,7 @@ export const composed: OffsetFunction = chain(
 compileWarp(composed)
 compileWarp((inputs) => twist({ angle: inputs.millis, center: inputs.glsl.vec3(1, 2, 3) })(inputs))
 
-// With its own uniforms.
+// A composition with uniforms of its own.
 createWarp(
   {},
   chain(twist(), ({ uniforms, glsl }: WarpInputs<{ far: number }>) =>
@@ -75,17 +75,17 @@ export const vector: VectorOption = [1, 2, 3]
 twist({ amout: 1 })
 // @ts-expect-error no such axis
 twist({ axis: 'w' })
-// @ts-expect-error two numbers
+// @ts-expect-error a point has three numbers
 twist({ center: [0, 0] })
 // @ts-expect-error a vec3 is no angle
 twist({ angle: ({ position }) => position })
 // @ts-expect-error a string is not an amount
 taper({ amount: '1' })
-// @ts-expect-error only true or false
+// @ts-expect-error it is true or false, not a function
 stretch({ keepVolume: () => true })
 // @ts-expect-error a seed is a constant
 noiseDisplace({ seed: () => 1 })
-// @ts-expect-error a deformer is no offset function before it is called
+// @ts-expect-error twist must be called to make an offset function
 chain(twist)
 // @ts-expect-error a mask has a weight
 mask(twist())

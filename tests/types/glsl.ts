@@ -24,7 +24,7 @@ import {
   type Vec3,
 } from '../../js-bindings/warpjet.js'
 
-// Its offset functions are accepted wherever offset functions are.
+// A GlslOffset is accepted wherever an offset function is.
 const offsetOptions: GlslOffsetOptions = {
   function: 'moved',
   maxIterations: 64,
@@ -37,7 +37,7 @@ compileWarp(waves, { target: 'wgsl', uniforms: { amount: 0.5, many: 3, isOn: tru
 compileWarp(chain(moved, twist()))
 warpThree(new Mesh(), waves, { uniforms: { amount: 0.5 } })
 export const read: string[] = compileWarp(waves).uniforms.map(({ name, type }) => `${type} ${name}`)
-// With its uniforms.
+// Its uniforms can be declared.
 const needing: OffsetFunction<{ amount: number }> = glslOffset<{ amount: number }>('…')
 compileWarp(needing, { uniforms: { amount: 1 } })
 
@@ -54,16 +54,16 @@ wgslOffset()
 
 // @ts-expect-error source is required
 glslOffset()
-// @ts-expect-error not a string
+// @ts-expect-error a number is not source
 glslOffset(5)
 // @ts-expect-error no such result
 glslOffset('', { returns: 'normal' })
 // @ts-expect-error no such option
 glslOffset('', { name: 'offset' })
-// @ts-expect-error a number of iterations
+// @ts-expect-error it is a number
 glslOffset('', { maxIterations: '8' })
 
-// Returns source.
+// differentiate() returns source.
 const derivativeOptions: DifferentiateOptions = {
   function: 'map',
   by: 'p',
@@ -79,13 +79,13 @@ export const texts: string[] = [
 ]
 // @ts-expect-error no such language
 differentiate('', { target: 'hlsl' })
-// @ts-expect-error by its name
+// @ts-expect-error the variable is named, not numbered
 differentiate('', { by: 0 })
 // @ts-expect-error only an offset can return a position
 differentiate('', { returns: 'position' })
 export const shared: GlslOptions = { function: 'map', maxIterations: 3 }
 
-// The type of a shader is unchanged.
+// exactNormals() preserves the type of a shader.
 const shader = { setUniform: (name: string, value: number) => [name, value] }
 exactNormals(shader).setUniform('amount', 1)
 // @ts-expect-error no shader
@@ -93,7 +93,7 @@ exactNormals('shader')
 // @ts-expect-error a shader is needed
 exactNormals()
 
-// Functions of GLSL source in expressions: with numbers, vectors and matrices.
+// glsl.source() makes functions of numbers, vectors and matrices.
 compileWarp(({ glsl, position, millis, uniforms }) => {
   const ripple = glsl.source('float ripple(vec2 p, float t) { return p.x * t; }', { uniforms })
   const height: Scalar = ripple(position.xy(), millis).mult(2)

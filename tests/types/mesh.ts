@@ -23,9 +23,9 @@ export async function use(file: File) {
   const mesh: Mesh = await loadMesh(file)
   await loadMesh('model.gltf', { resolve })
   await loadMesh('packed.glb', { decoders: { meshopt: MeshoptDecoder, draco: async () => draco } })
-  // @ts-expect-error
+  // @ts-expect-error a number is no decoder
   await loadMesh('packed.glb', { decoders: { meshopt: 7 } })
-  // @ts-expect-error
+  // @ts-expect-error no such decoder
   await loadMesh('packed.glb', { decoders: { basis: MeshoptDecoder } })
   await loadMesh(new URL('https://a.b/c.glb'), { resolve: async () => new ArrayBuffer(1) })
   const [first]: number[] = [...mesh.positions, ...(mesh.uvs ?? []), ...(mesh.indices ?? [])]
@@ -58,7 +58,7 @@ export async function use(file: File) {
   exportGLB(loadMesh(file))
   // @ts-expect-error no warp
   bakeWarp(mesh, { millis: 1200 })
-  // @ts-expect-error a uniform is numbers
+  // @ts-expect-error a uniform is a number or numbers
   bakeWarp(mesh, warp, { uniforms: { millis: '1200' } })
   // @ts-expect-error no warp
   bakeNormalMap(mesh, { size: 512 })
@@ -66,7 +66,7 @@ export async function use(file: File) {
   bakeNormalMap(mesh, warp, { size: '512' })
   // @ts-expect-error no such option
   bakeNormalMap(mesh, warp, { width: 512 })
-  // @ts-expect-error neither a tolerance nor levels
+  // @ts-expect-error a tolerance or levels are required
   subdivide(mesh, { warp })
   // @ts-expect-error a mesh has positions
   exportGLB({ normals: [0, 0, 1] })

@@ -9,7 +9,7 @@ import {
   type Vec4,
 } from '../../js-bindings/warpjet.js'
 
-// Operations by component return a number for numbers, otherwise the type of the vectors.
+// Componentwise operations return a number if all operands are numbers, otherwise the type of the vectors.
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
   const numbers: Scalar[] = [
@@ -49,20 +49,20 @@ compile((glsl) => {
   const vector: Vec3 = glsl.pow(x, 2)
   // @ts-expect-error two sizes
   glsl.pow(p, q)
-  // @ts-expect-error two sizes, beside a number
+  // @ts-expect-error vectors of two sizes, although x is a number
   x.clamp(p, q)
   // @ts-expect-error one operand too many
   x.pow(2, 3)
-  // @ts-expect-error one too few
+  // @ts-expect-error one operand too few
   glsl.mod(x)
-  // @ts-expect-error atan takes two at most
+  // @ts-expect-error atan takes at most two operands
   glsl.atan(x, 1, 2)
   // @ts-expect-error no such operation
   x.sine()
   return { y: glsl.sum(...numbers), z: glsl.sum(...vectors), number, vector }
 })
 
-// Vectors have different types by size, and components in any order.
+// The type of a vector depends on its size; its components can be read in any order.
 compile((glsl) => {
   const [x, p, q, c] = [
     glsl.param('x'),
@@ -71,12 +71,12 @@ compile((glsl) => {
     glsl.vec4Param('c'),
   ]
   const numbers: Scalar[] = [p.dot(p), q.length(), glsl.dist(p, p), c.a(), p.b(), q.t(), q.v()]
-  const parts: Vec3[] = [p.zyx(), q.xxy(), c.rgb(), p.xy().ttt(), p.cross(p), p.reflect(p)]
+  const vectors: Vec3[] = [p.zyx(), q.xxy(), c.rgb(), p.xy().ttt(), p.cross(p), p.reflect(p)]
   const four: Vec4 = glsl.vec4(q, p.xx()).add(q.xyxy())
   const bent: Vec2 = glsl.refract(q, q.normalize(), 1.5).faceforward(q, q)
-  // @ts-expect-error a cross product is of vec3s
+  // @ts-expect-error a cross product needs two vec3s
   q.cross(q)
-  // @ts-expect-error as a function too
+  // @ts-expect-error the same with glsl.cross
   glsl.cross(p, q)
   // @ts-expect-error a number has no length
   x.length()
@@ -90,7 +90,7 @@ compile((glsl) => {
   p.w()
   // @ts-expect-error letters of two sets
   p.xg()
-  return { n: numbers[0]!, v: parts[0]!, four, bent }
+  return { n: numbers[0]!, v: vectors[0]!, four, bent }
 })
 
 // Matrices have only the operations that apply to them.
@@ -136,19 +136,19 @@ compile((glsl) => {
   m.mult(q)
   // @ts-expect-error a row of another size
   q.mult(m)
-  // @ts-expect-error as functions too
+  // @ts-expect-error a vector of another size
   glsl.mult(m, q)
-  // @ts-expect-error the other way round
+  // @ts-expect-error a row of another size
   glsl.mult(q, m)
-  // @ts-expect-error two matrices
+  // @ts-expect-error matrices of two sizes
   glsl.mult(m, n)
-  // @ts-expect-error a matrix does not divide
+  // @ts-expect-error a matrix is no divisor
   glsl.div(2, m)
-  // @ts-expect-error nor by a method
+  // @ts-expect-error the same with the method
   x.div(m)
   // @ts-expect-error no sine of a matrix
   m.sin()
-  // @ts-expect-error as a function too
+  // @ts-expect-error the same with glsl.sin
   glsl.sin(m)
   // @ts-expect-error a vector has no inverse
   p.inverse()
@@ -158,7 +158,7 @@ compile((glsl) => {
   glsl.vec3(m)
   // @ts-expect-error the index of a column is a number, not an expression
   m.column(x)
-  // @ts-expect-error about an axis, not an angle
+  // @ts-expect-error a vector is no angle
   x.rotate(p)
   return { m: same[0]!, v: vectors[0]!, x: numbers[0]!, n }
 })

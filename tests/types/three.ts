@@ -73,31 +73,33 @@ warpMaterial(new MeshStandardMaterial(), ({ position }) => position, { normals: 
 warp(new Group(), ({ position }) => position, { normals: true })
 // @ts-expect-error three.js has no mouse
 warp(new Group(), ({ mouse, glsl }) => glsl.vec3(mouse, 0))
-// @ts-expect-error nor its components
+// @ts-expect-error the same with the mouse's components
 warp(new Group(), ({ mouseX, glsl }) => glsl.vec3(mouseX, 0, 0))
 // @ts-expect-error instances are placed by matrices
 warp(new Group(), ({ instance, glsl }) => glsl.vec3(instance, 0, 0))
-// @ts-expect-error an offset is a vec3
+// @ts-expect-error an offset must be a vec3
 warp(new Group(), ({ position }) => position.x())
 
-const made = warpMaterial(new MeshStandardMaterial(), ({ position }) => position, { share: true })
-made.material.roughness = 1
+const warpedMaterial = warpMaterial(new MeshStandardMaterial(), ({ position }) => position, {
+  share: true,
+})
+warpedMaterial.material.roughness = 1
 export const options: WarpOptions = { space: 'world', surfaceVariation: false }
 new MeshStandardNodeMaterial().positionNode = warpNode(({ position }) => position.mult(2)).node
 
 createElement(Warp, { offset: ({ position }) => position, space: 'rest', normals: 'vertex' })
-// @ts-expect-error there must be an offset
+// @ts-expect-error an offset is required
 createElement(Warp, {})
 
-// exactNormals returns what it got.
+// exactNormals returns the type of its argument.
 const exactMaterial: MeshStandardMaterial = exactNormals(new MeshStandardMaterial(), {
   normals: 'pixel',
   surfaceVariation: false,
 })
 const exactMesh: Mesh = exactNormals(new Mesh(undefined, exactMaterial))
-// @ts-expect-error It takes a material or a mesh.
+// @ts-expect-error it takes a material or a mesh
 exactNormals(new Vector3())
-// @ts-expect-error There is no such stage.
+// @ts-expect-error there is no such stage
 exactNormals(exactMesh, { normals: 'face' })
 
 const nodeMaterial: MeshStandardNodeMaterial = exactNodeNormals(new MeshStandardNodeMaterial(), {

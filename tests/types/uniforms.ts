@@ -40,7 +40,7 @@ import {
       const center: Vec3 = uniforms.center.add(uniforms.vector, uniforms.target)
       const tint: Vec4 = uniforms.tint.add(uniforms.color)
       const turn: Mat3 = uniforms.turn
-      // TypeScript does not know the lengths of these.
+      // TypeScript does not know the lengths of these arrays.
       const any: (Vector | Mat3 | Mat4)[] = [uniforms.list, uniforms.numbers]
       // @ts-expect-error a number has no components
       uniforms.amount.x()
@@ -74,15 +74,15 @@ import {
   distort()
   createWarp({}, still, { uniforms: { amount: 0.5 } })({ amount: 1 })
   createWarp({}, still)({ anything: 1 })
-  // @ts-expect-error a number
+  // @ts-expect-error its value is a number
   distort({ amount: [1] })
-  // @ts-expect-error no number
+  // @ts-expect-error its value is three numbers
   distort({ at: 1 })
   // @ts-expect-error the warp reads "amount"
   createWarp({}, twist, { uniforms: { at: 1 } })
 }
 
-// An image among the uniforms.
+// A uniform can be an image.
 {
   const [image, graphics] = [
     { width: 3, height: 2, pixels: [1] },
@@ -99,6 +99,6 @@ import {
     { uniforms: { picture: image, layer: () => graphics, amount: 2 } },
   )
   distort({ picture: graphics })
-  // @ts-expect-error an image
+  // @ts-expect-error its value is an image
   distort({ picture: 3 })
 }

@@ -1,4 +1,4 @@
-// Checks which uses the shipped types allow and reject. Compiled only, never run.
+// Checks which uses the types of 'warpjet' and 'warpjet/p5' allow and reject. Compiled only, never run.
 import { type Loading, type WarpModel } from '../../js-bindings/p5.js'
 import {
   compile,
@@ -45,7 +45,7 @@ compileWarp(({ normal }) => normal, {
   surfaceVariation: true,
   names: { normalXGradient: 'aByX', uGradient: 'aU' },
 })
-// @ts-expect-error neither true nor false
+// @ts-expect-error it is true or false
 compileWarp(({ normal }) => normal, { surfaceVariation: 'yes' })
 // @ts-expect-error no such target
 compileWarp(({ position }) => position, { target: 'hlsl' })
@@ -78,26 +78,26 @@ compile((glsl) => {
     glsl.mult(p, tall),
   ]
   const parts: [Vec3, Vec2] = [tall.column(0), tall.row(2)]
-  const turned: Vec3 = p.adjustNormal(p, p)
-  // @ts-expect-error by one input, not by three
+  const warpedNormal: Vec3 = p.adjustNormal(p, p)
+  // @ts-expect-error a derivative is with respect to a number
   x.derivative(p)
-  // @ts-expect-error a gradient is of a number
+  // @ts-expect-error only a number has a gradient
   glsl.gradient(p, p)
-  // @ts-expect-error a Jacobian is of a vector
+  // @ts-expect-error only a vector has a Jacobian
   glsl.jacobian(x, p)
-  // @ts-expect-error of two sizes, so no mat3
+  // @ts-expect-error the Jacobian of a vec3 with respect to a vec2 is no mat3
   const wrong: Mat3 = glsl.jacobian(p, q)
-  // @ts-expect-error these two do not fit
+  // @ts-expect-error the sizes do not match
   tall.mult(tall)
-  // @ts-expect-error nor as a function
+  // @ts-expect-error the same with glsl.mult
   glsl.mult(tall, tall)
-  // @ts-expect-error only square ones have it
+  // @ts-expect-error only square matrices have an inverse
   tall.inverse()
   // @ts-expect-error the position is a vec3
   glsl.adjustNormal(p, p, q)
   square.output('J')
   square.outputDeriv('dJ', x)
-  return { slope, second, ascent, square, tall, v: products[2], w: parts[1], turned, wrong }
+  return { slope, second, ascent, square, tall, v: products[2], w: parts[1], warpedNormal, wrong }
 })
 
 // Warps on the CPU.
@@ -108,22 +108,22 @@ compile((glsl) => {
     { positions, normals: [0, 1, 0] },
     { uniforms: { millis: 3, at: [1, 2] } },
   )
-  const all: [Float32Array, Float32Array | undefined] = [moved.positions, moved.tangents]
-  const at: number[] = warp.evaluateAt([1, 2, 3], { normal: [0, 1, 0], uniforms: {} }).position
+  const arrays: [Float32Array, Float32Array | undefined] = [moved.positions, moved.tangents]
+  const point: number[] = warp.evaluateAt([1, 2, 3], { normal: [0, 1, 0], uniforms: {} }).position
   const box: { min: number[]; max: number[] } = warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] })
   const folded: { mask: Uint8Array; count: number } = warp.foldover(
     { positions },
     { uniforms: { millis: 0 } },
   )
-  // @ts-expect-error positions must be there
+  // @ts-expect-error positions are required
   warp.evaluate({ normals: [0, 1, 0] })
-  // @ts-expect-error no text
+  // @ts-expect-error a uniform is no string
   warp.evaluate({ positions }, { uniforms: { millis: '3' } })
-  // @ts-expect-error beside the mesh
+  // @ts-expect-error uniforms are in the second argument
   warp.evaluate({ positions, uniforms: { millis: 3 } })
   // @ts-expect-error a box has two corners
   warp.bounds({ min: [0, 0, 0] })
-  void [all, at, box, folded]
+  void [arrays, point, box, folded]
 }
 
 // Images.
@@ -131,7 +131,7 @@ compile((glsl) => {
   const [uv, p] = [glsl.vec2Param('uv'), glsl.vec3Param('p')]
   const options: TextureOptions = { filter: 'bspline', wrap: 'mirror' }
   const color: Vec4 = glsl.texture('heightMap', uv, options).add(glsl.texture('other', uv))
-  // @ts-expect-error a place has two coordinates
+  // @ts-expect-error a point in an image has two coordinates
   glsl.texture('heightMap', p)
   // @ts-expect-error the name comes first
   glsl.texture(uv, 'heightMap')
@@ -142,7 +142,7 @@ compile((glsl) => {
   return { color }
 })
 
-// Functions of the host.
+// Functions of the host, made by glsl.fn().
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
   const bump: OwnFunction<1> = glsl.fn({
@@ -170,9 +170,9 @@ compile((glsl) => {
   blend(p, q)
   // @ts-expect-error one argument too few
   blend(x)
-  // @ts-expect-error one too many
+  // @ts-expect-error one argument too many
   bump(x, x)
-  // @ts-expect-error without arguments there is nothing to derive
+  // @ts-expect-error at least one argument
   glsl.fn({ name: 'f', source: '', arity: 0 })
   // @ts-expect-error at most 16 arguments
   glsl.fn({ name: 'f', source: '', arity: 17 })
@@ -200,12 +200,12 @@ export async function load(sketch: Loading): Promise<number> {
   // @ts-expect-error no such option
   await sketch.loadWarpModel('bunny.glb', { size: 2 })
   const varied: WarpModel = await sketch.addSurfaceVariation(model)
-  // @ts-expect-error no shape
+  // @ts-expect-error a number is no model
   await sketch.addSurfaceVariation(varied.vertices.length)
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }
 
-// A component is a value that can also be called; aliases exist.
+// A component is a value that can also be called. Operations have aliases.
 compileWarp(({ glsl, position, uv }) => {
   const y: Scalar = position.y.mul(2).oneMinus().saturate()
   const pair: Vec2 = position.zx.add(uv.yx(), position.y())

@@ -1,6 +1,6 @@
 /**
- * Measures the GPU time of a frame. A timer query measures the GPU alone, and is used if the driver's timer proves trustworthy.
- * Otherwise a pixel is read back: that returns only after the frame is complete, and adds the same round trip to every method.
+ * Measures the GPU time of a frame. A timer query measures the GPU alone, and is used if the driver's timer is right.
+ * Otherwise a pixel is read back: this ends only after the frame is complete, and adds the same round trip to every method.
  */
 
 /** Returns the milliseconds from the call until the GPU is done. */
@@ -29,12 +29,12 @@ async function timeByQuery(scene, extension, draw) {
 
 /** Repeats `draw` until it takes 20 ms, so that the round trip of a fence is negligible. */
 function repeatFrames(scene, draw) {
-  const times = (count) => () => {
+  const drawTimes = (count) => () => {
     for (let i = 0; i < count; i++) draw()
   }
   let count = 1
-  while (count < 1024 && timeByFence(scene, times(count)) < 20) count *= 2
-  return times(count)
+  while (count < 1024 && timeByFence(scene, drawTimes(count)) < 20) count *= 2
+  return drawTimes(count)
 }
 
 /**
@@ -46,12 +46,12 @@ export async function openClock(scene, draw) {
   const fence = { kind: 'readback fence', time: async (frame) => timeByFence(scene, frame) }
   if (!extension) return fence
 
-  // Some drivers answer immediately, with zero, or with the time to submit the work.
+  // The timers of some drivers return at once, zero or the time to submit the work, so compare them with the readback.
   const work = repeatFrames(scene, draw)
   const ratios = []
   for (let i = 0; i < 5; i++) {
-    const own = await timeByQuery(scene, extension, work)
-    ratios.push(own / timeByFence(scene, work))
+    const byQuery = await timeByQuery(scene, extension, work)
+    ratios.push(byQuery / timeByFence(scene, work))
   }
   ratios.sort((a, b) => a - b)
   if (!(ratios[2] > 0.5 && ratios[2] < 1.2)) return fence

@@ -1,7 +1,7 @@
 /** The plots of frame cost. Each takes points of series.js and a width in pixels, and returns an element. */
 import * as Plot from '@observablehq/plot'
 import { make } from './dom.js'
-import { plain, short, whole } from './figures.js'
+import { formatExact, formatInteger, formatShort } from './figures.js'
 import { spread } from './labels.js'
 import { methodNames, notes } from './method-notes.js'
 import { LINE, axisX, axisY, common, decimalTicks, maxOf, minOf, widthOf } from './plot-parts.js'
@@ -16,7 +16,7 @@ const endsOf = (points) =>
   methodNames.map((name) => points.filter(({ method }) => method === name).at(-1)).filter(Boolean)
 
 /** Puts each name beside the end of its line with a thin leader, and moves names apart if they would overlap. */
-function endLabels(points, x, y, [top, bottom]) {
+function labelEnds(points, x, y, [top, bottom]) {
   const ends = endsOf(points)
   const [scaleX, scaleY] = [Plot.scale({ x }), Plot.scale({ y })]
   const places = spread(
@@ -63,8 +63,8 @@ const legend = (points) =>
 function costPlot(points, { width, x, y, about }) {
   const isNarrow = width < NARROW
   const widest = Math.max(...points.map(({ method }) => widthOf(method)))
-  const beside = isNarrow ? 20 : LEADER + 12 + widest
-  const [left, right, top, bottom] = [46, beside, 30, HEIGHT - 42]
+  const labelSpace = isNarrow ? 20 : LEADER + 12 + widest
+  const [left, right, top, bottom] = [46, labelSpace, 30, HEIGHT - 42]
   const [low, high] = [minOf(points, 'x'), maxOf(points, 'x')]
   const scaleX = {
     type: x.type,
@@ -110,12 +110,12 @@ function costPlot(points, { width, x, y, about }) {
         r: 4.5,
         strokeWidth: 1,
       }),
-      ...(isNarrow ? [] : endLabels(points, scaleX, scaleY, [top, bottom])),
+      ...(isNarrow ? [] : labelEnds(points, scaleX, scaleY, [top, bottom])),
       Plot.tip(
         points,
         Plot.pointer({
           ...place,
-          title: (point) => `${point.method}\n${about(point)}: ${short(point.y)} ms`,
+          title: (point) => `${point.method}\n${about(point)}: ${formatShort(point.y)} ms`,
         }),
       ),
     ],
@@ -135,9 +135,9 @@ export function plotAgainstNodes(points, width) {
   const high = 1.05 * maxOf(points, 'y')
   return costPlot(points, {
     width,
-    x: { type: 'linear', label: 'nodes of the warp →', write: whole },
-    y: { type: 'linear', domain: [0, high], ticks: linearTicks(high), write: plain },
-    about: ({ x }) => `${whole(x)} nodes`,
+    x: { type: 'linear', label: 'nodes of the warp →', write: formatInteger },
+    y: { type: 'linear', domain: [0, high], ticks: linearTicks(high), write: formatExact },
+    about: ({ x }) => `${formatInteger(x)} nodes`,
   })
 }
 
@@ -150,7 +150,7 @@ export function plotAgainstVertices(points, width) {
   return costPlot(points, {
     width,
     x: { type: 'log', label: 'vertices, logarithmic →', write: thousands },
-    y: { type: 'log', domain, ticks: decimalTicks(domain), write: plain },
-    about: ({ x }) => `${whole(x)} vertices`,
+    y: { type: 'log', domain, ticks: decimalTicks(domain), write: formatExact },
+    about: ({ x }) => `${formatInteger(x)} vertices`,
   })
 }

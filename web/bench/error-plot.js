@@ -1,6 +1,6 @@
 /** The plot of normal error against cost: takes points of series.js and a width in pixels, and returns an SVG element. */
 import * as Plot from '@observablehq/plot'
-import { MIN_ERROR, degrees, plain, times } from './figures.js'
+import { MIN_ERROR, formatDegrees, formatExact, formatRatio } from './figures.js'
 import { placeBeside } from './labels.js'
 import { LINE, axisY, common, decimalTicks, maxOf, minOf, widthOf } from './plot-parts.js'
 
@@ -64,7 +64,7 @@ export function plotErrorAgainstCost(points, width) {
       label: 'frame, relative to positions only →',
       tickSize: 4,
       ticks: Math.min(8, width / 80),
-      tickFormat: plain,
+      tickFormat: formatExact,
     },
     y,
     r: { type: 'identity' },
@@ -97,7 +97,7 @@ export function plotErrorAgainstCost(points, width) {
           x: 'x',
           y: 'y',
           title: ({ method, x, error }) =>
-            `${method}\n${times(x)} × positions only\n${degrees(error)}°`,
+            `${method}\n${formatRatio(x)} × positions only\n${formatDegrees(error)}°`,
         }),
       ),
     ],

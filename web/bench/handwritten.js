@@ -3,7 +3,7 @@
  * and `millis`, `vec3 offset` and the columns `vec3 dx, dy, dz` of its Jacobian.
  */
 
-const text = (number) => (Number.isInteger(number) ? `${number}.0` : String(number))
+const floatLiteral = (number) => (Number.isInteger(number) ? `${number}.0` : String(number))
 const axes = ['x', 'y', 'z']
 
 /** The waves of tests/warps/stress.js: per wave one line for the angle, one for the sum and one for the slope. */
@@ -13,10 +13,10 @@ export const stackedSines = (waves) => `
 ${waves
   .map(({ component, coordinate, frequency, speed, amplitude }) => {
     const [to, from] = [axes[component], axes[coordinate]]
-    const share = amplitude / waves.length
-    return `  angle = position.${from} * ${text(frequency)} + millis * ${text(speed)};
-  offset.${to} += sin(angle) * ${text(share)};
-  d${from}.${to} += cos(angle) * ${text(share * frequency)};`
+    const scale = amplitude / waves.length
+    return `  angle = position.${from} * ${floatLiteral(frequency)} + millis * ${floatLiteral(speed)};
+  offset.${to} += sin(angle) * ${floatLiteral(scale)};
+  d${from}.${to} += cos(angle) * ${floatLiteral(scale * frequency)};`
   })
   .join('\n')}`
 

@@ -28,7 +28,7 @@ export function spread(wanted, gap, [low, high]) {
 const overlap = (a, b) =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
 
-const around = (x, y, width, height) => ({
+const boxAround = (x, y, width, height) => ({
   left: x - width / 2,
   right: x + width / 2,
   top: y - height / 2,
@@ -58,7 +58,7 @@ const distances = [0, 10, 20, 32, 46, 62, 80]
  * @returns [{ x, y, isFar }]: the centers of the texts; `isFar` labels need a line to their dot
  */
 export function placeBeside(labels, frame) {
-  const taken = labels.map(({ x, y }) => around(x, y, DOT, DOT))
+  const taken = labels.map(({ x, y }) => boxAround(x, y, DOT, DOT))
   return labels.map(({ x, y, width, height }) => {
     const candidates = distances.flatMap((distance) =>
       directions.map(([right, down]) => ({
@@ -68,7 +68,7 @@ export function placeBeside(labels, frame) {
       })),
     )
     const isFree = (place) => {
-      const box = around(place.x, place.y, width, height)
+      const box = boxAround(place.x, place.y, width, height)
       const isInside =
         box.left >= frame.left &&
         box.right <= frame.right &&
@@ -77,7 +77,7 @@ export function placeBeside(labels, frame) {
       return isInside && !taken.some((other) => overlap(box, other))
     }
     const place = candidates.find(isFree) ?? candidates[0]
-    taken.push(around(place.x, place.y, width, height))
+    taken.push(boxAround(place.x, place.y, width, height))
     return place
   })
 }

@@ -3,12 +3,12 @@ import { measureErrors } from './accuracy.js'
 import { openClock } from './clock.js'
 import { watchMemory } from './memory.js'
 import { generate, methods } from './methods.js'
-import { fragmentShader, newNumber, vertexShader } from './shaders.js'
-import { middle, ratio, shuffled, summary } from './statistics.js'
+import { fragmentShader, nextNumber, vertexShader } from './shaders.js'
+import { medianRatio, quantile, shuffle, summarize } from './statistics.js'
 
 /** Returns the program and the milliseconds from its source to the first finished frame. */
 function compileAndDraw(scene, { method, parts, h }) {
-  const unique = newNumber()
+  const unique = nextNumber()
   const vertex = vertexShader(parts, unique)
   const fragment = fragmentShader(method.flat, unique)
   scene.finish()
@@ -19,11 +19,11 @@ function compileAndDraw(scene, { method, parts, h }) {
   return { program, time: performance.now() - start }
 }
 
-/** Counts the characters that a method writes, without the surrounding shader, which all methods share. */
+/** Counts the characters of a method's source, without the surrounding shader, which all methods share. */
 const countCharacters = ({ parts: { declarations = '', body } }) =>
   declarations.length + body.length
 
-async function trustedClock(scene, cell) {
+async function chooseClock(scene, cell) {
   const { program } = compileAndDraw(scene, cell)
   const clock = await openClock(scene, () => scene.draw(program, { millis: 0, h: cell.h }))
   scene.gl.deleteProgram(program)
@@ -31,23 +31,24 @@ async function trustedClock(scene, cell) {
 }
 
 /** Returns the median time in milliseconds to generate the warp, after a warm-up run. */
-function generationTime(workload, options, runs) {
+function timeGeneration(workload, options, runs) {
   generate(workload, options)
-  return middle(Array.from({ length: runs }, () => generate(workload, options).generation))
+  return quantile(Array.from({ length: runs }, () => generate(workload, options).generation))
 }
 
 const yieldToPage = () => new Promise((later) => setTimeout(later))
 
 /**
- * @param settings { rounds, frames, turn?, runs, samples, millis }: rounds per row; max frames per method and round; max
- * milliseconds per method and round (default: no limit); runs of the generator; max number of compared vertices; the warp's
- * time at which normals are compared and frames are drawn
+ * @param settings { rounds, frames, turn?, runs, samples, millis }: the number of rounds; max frames per method and round; max
+ * milliseconds per method and round (default: no limit); runs of the generator; max number of compared vertices; the time at
+ * which the warp is compared and drawn
  * @param progress called with a short message
  * @returns { clock, vertices, triangles, memory: { heap, wasm }, results }. `results` has per method
  * { method, frame, toPositions, toWarpjet, first, firstToPositions, firstToByHand, characters, charactersToByHand, generation,
- * error: { largest, median, h } }. `characters` counts the method's own source. Times are milliseconds, { median, low, high }
- * with half of the values between low and high; `first` is the time from source to the first finished frame; ratios are taken
- * within a round; errors are degrees; `generation` is null if nothing is generated.
+ * error: { largest, median, h } }. `characters` counts the method's own source. `frame` and `first` are times
+ * in milliseconds, { median, low, high }, with half of the values between low and high; `first` is the time from source to the first
+ * finished frame; ratios are taken within a round; errors are degrees; `generation`, in
+ * milliseconds, is null if nothing is generated.
  */
 export async function measureRow(scene, workload, settings, progress = () => {}) {
   const memory = watchMemory()
@@ -57,20 +58,20 @@ export async function measureRow(scene, workload, settings, progress = () => {})
 
   progress('normals')
   const errors = measureErrors(scene, workload, mesh, settings.millis, settings.samples)
-  memory.look()
+  memory.record()
   const cells = methods.map((method) => {
     const { h } = errors.get(method.name)
     return { method, parts: method.program(workload), h, firsts: [], frames: [], medians: [] }
   })
-  const withNormals = generationTime(workload, {}, settings.runs)
-  const positionsAlone = generationTime(workload, { normals: false }, settings.runs)
-  memory.look()
+  const withNormals = timeGeneration(workload, {}, settings.runs)
+  const withoutNormals = timeGeneration(workload, { normals: false }, settings.runs)
+  memory.record()
 
-  const clock = await trustedClock(scene, cells.at(-1))
+  const clock = await chooseClock(scene, cells.at(-1))
   for (let round = 0; round < settings.rounds; round++) {
     progress(`round ${round + 1} of ${settings.rounds}`)
     // Each round compiles new programs, because recompiling the same source can change the frame time by 7%.
-    for (const cell of shuffled(cells)) {
+    for (const cell of shuffle(cells)) {
       const { program, time } = compileAndDraw(scene, cell)
       const times = []
       const end = performance.now() + (settings.turn ?? Infinity)
@@ -81,10 +82,10 @@ export async function measureRow(scene, workload, settings, progress = () => {})
       scene.gl.deleteProgram(program)
       cell.firsts.push(time)
       cell.frames.push(...times)
-      cell.medians.push(middle(times))
+      cell.medians.push(quantile(times))
       await yieldToPage()
     }
-    memory.look()
+    memory.record()
   }
 
   const cellOf = (name) => cells.find(({ method }) => method.name === name)
@@ -98,21 +99,21 @@ export async function measureRow(scene, workload, settings, progress = () => {})
     memory: memory.peaks(),
     results: cells.map((cell) => ({
       method: cell.method.name,
-      frame: summary(cell.frames),
-      toPositions: ratio(cell.medians, positions?.medians),
-      toWarpjet: ratio(cell.medians, warpjet?.medians),
-      first: summary(cell.firsts),
-      firstToPositions: ratio(cell.firsts, positions?.firsts),
-      firstToByHand: ratio(cell.firsts, byHand?.firsts),
+      frame: summarize(cell.frames),
+      toPositions: medianRatio(cell.medians, positions?.medians),
+      toWarpjet: medianRatio(cell.medians, warpjet?.medians),
+      first: summarize(cell.firsts),
+      firstToPositions: medianRatio(cell.firsts, positions?.firsts),
+      firstToByHand: medianRatio(cell.firsts, byHand?.firsts),
       characters: countCharacters(cell),
       charactersToByHand: byHand && countCharacters(cell) / countCharacters(byHand),
-      generation: generationOf(cell),
+      generation: medianGeneration(cell),
       error: errors.get(cell.method.name),
     })),
   }
 
-  function generationOf({ method, parts }) {
+  function medianGeneration({ method, parts }) {
     if (parts.generation === undefined) return null
-    return method.name === 'warpjet' ? withNormals : positionsAlone
+    return method.name === 'warpjet' ? withNormals : withoutNormals
   }
 }

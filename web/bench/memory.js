@@ -1,6 +1,6 @@
-/** Records the peaks of the page's JavaScript heap and of WebAssembly memory, in bytes, at the moments `look` is called. */
+/** Records the peaks of the page's JavaScript heap and of WebAssembly memory, in bytes, at the moments `record` is called. */
 
-/** Every memory exported by a WebAssembly module of this page. Import this file before any such module. */
+/** The memories exported by a WebAssembly module of this page. Import this file before any such module. */
 const memories = new Set()
 
 const { Instance } = WebAssembly
@@ -12,17 +12,17 @@ WebAssembly.Instance = class extends Instance {
   }
 }
 
-/** @returns { look, peaks }; `peaks()` → { heap, wasm }, where heap is NaN in browsers that do not report it */
+/** @returns { record, peaks }; `peaks()` returns { heap, wasm }, where `heap` is NaN in browsers that do not report it */
 export function watchMemory() {
   let heap = 0
   let wasm = 0
-  const look = () => {
+  const record = () => {
     heap = Math.max(heap, performance.memory?.usedJSHeapSize ?? NaN)
     wasm = Math.max(
       wasm,
       [...memories].reduce((sum, { buffer }) => sum + buffer.byteLength, 0),
     )
   }
-  look()
-  return { look, peaks: () => (look(), { heap, wasm }) }
+  record()
+  return { record, peaks: () => (record(), { heap, wasm }) }
 }

@@ -1,8 +1,8 @@
 /**
- * The columns of the benchmark: every way in which a user can draw a warped mesh. Each computes from a workload the parts of a
- * program that differ: `declarations` above main; `body`, which computes `vec3 moved, turned` (the warped position and normal)
- * from `position` and `normal`; and `flat`, true if the fragment stage computes the normal. `generation` is the time of the
- * compiler in milliseconds.
+ * The methods of the benchmark: every way in which a user can draw a warped mesh. `program(workload)` returns the parts in which
+ * the programs differ: `declarations` above main; `body`, which computes `vec3 moved, turned` (the warped position and normal)
+ * from `position` and `normal`; and `generation`, the time of the compiler in milliseconds. `flat` is true if the fragment stage
+ * computes the normal.
  */
 import { compileWarp } from '../../dist/warpjet.js'
 
@@ -17,8 +17,8 @@ export function generate(workload, options = {}) {
   return { ...warp, generation: performance.now() - start }
 }
 
-/** Wraps the offset alone in a function, which finite differences call several times. */
-function offsetFunction(workload) {
+/** Wraps the offset, without normals, in a function, which finite differences call several times. */
+function writeOffsetFunction(workload) {
   const { code, declarations, generation } = generate(workload, { normals: false })
   return {
     generation,
@@ -47,17 +47,17 @@ const forward = `${tangents}
   vec3 dv = h * v + offsetAt(position + h * v) - offset;
   vec3 moved = position + offset, turned = normalize(cross(du, dv));`
 
-/** The steps tried in the search for the best h, in units of the mesh. */
+/** The steps among which the best h is searched for, in units of the mesh. */
 const steps = Array.from({ length: 18 }, (_, i) => 10 ** (i / 3 - 3))
 
-const finiteDifferences = (body) => (workload) => ({ ...offsetFunction(workload), body })
+const finiteDifferences = (body) => (workload) => ({ ...writeOffsetFunction(workload), body })
 
 function positionsOnly(workload) {
   const { code, declarations, generation } = generate(workload, { normals: false })
   return { declarations, body: `${code}\n  vec3 turned = normal;`, generation }
 }
 
-/** M = I + J transforms tangents, and its cofactor matrix transforms normals. */
+/** I + J, where J is the Jacobian of the offset, transforms tangents, and its cofactor matrix transforms normals. */
 const byHand = (workload) => `${workload.handwritten}
   dx.x += 1.0;
   dy.y += 1.0;

@@ -10,7 +10,7 @@ const links = Array.from({ length: LENGTH }, (_, i) => ({
 const axes = ['x', 'y', 'z']
 const sources = [2, 0, 1]
 
-const text = (number) => String(Number.isInteger(number) ? `${number}.0` : number)
+const floatLiteral = (number) => String(Number.isInteger(number) ? `${number}.0` : number)
 
 export const nestedSines = {
   warp({ glsl, position, millis }) {
@@ -36,14 +36,17 @@ export const nestedSines = {
   /** Computes all three chains and their slopes together, as vec3. */
   handwritten: `
   float seconds = millis / 1000.0;
-  vec3 v = position.${sources.map((source) => axes[source]).join('')}, slope = vec3(${text(AMPLITUDE)}), angle;
+  vec3 v = position.${sources.map((source) => axes[source]).join('')}, slope = vec3(${floatLiteral(AMPLITUDE)}), angle;
 ${links
   .map(
-    ({ frequency, speed }) => `  angle = v * ${text(frequency)} + seconds * ${text(speed)};
+    ({
+      frequency,
+      speed,
+    }) => `  angle = v * ${floatLiteral(frequency)} + seconds * ${floatLiteral(speed)};
   v = sin(angle);
-  slope *= cos(angle) * ${text(frequency)};`,
+  slope *= cos(angle) * ${floatLiteral(frequency)};`,
   )
   .join('\n')}
-  vec3 offset = v * ${text(AMPLITUDE)};
+  vec3 offset = v * ${floatLiteral(AMPLITUDE)};
   vec3 dx = vec3(0.0, slope.y, 0.0), dy = vec3(0.0, 0.0, slope.z), dz = vec3(slope.x, 0.0, 0.0);`,
 }

@@ -18,8 +18,8 @@ const load = (src) =>
 const triples = (values) =>
   Array.from({ length: values.length / 3 }, (_, i) => [...values.subarray(3 * i, 3 * i + 3)])
 
-/** @param move maps a position to the drawn one */
-const geometry = (p5, name, { positions, normals, indices }, move) =>
+/** @param move maps a position → the position that is drawn */
+const createGeometry = (p5, name, { positions, normals, indices }, move) =>
   new p5.Geometry(1, 1, function () {
     const vector = (xyz) => new p5.Vector(...xyz)
     this.gid = name
@@ -32,7 +32,7 @@ const geometry = (p5, name, { positions, normals, indices }, move) =>
 /** Starts the sketch and resolves when its first frame is drawn. */
 function open(p5, size, millis) {
   const version = p5.VERSION ?? p5.prototype.VERSION
-  let still, moved, warp
+  let unwarpedModel, warpedModel, warp
   let isWarped = false
   return new Promise((opened) => {
     new p5((sketch) => {
@@ -45,9 +45,9 @@ function open(p5, size, millis) {
         sketch.setAttributes('antialias', false)
         sketch.noLoop()
         const mesh = workload.mesh()
-        still = geometry(p5, 'still', mesh, (p) => p)
-        // p5 spends most of its time on pixels, so both pictures must cover the same ones.
-        moved = geometry(p5, 'moved', mesh, (p) => {
+        unwarpedModel = createGeometry(p5, 'unwarped', mesh, (p) => p)
+        // p5 spends most of its time on pixels, so the pictures with and without the warp must cover the same pixels.
+        warpedModel = createGeometry(p5, 'warped', mesh, (p) => {
           const offset = workload.offset(p, { millis })
           return p.map((value, i) => value + offset[i])
         })
@@ -69,9 +69,9 @@ function open(p5, size, millis) {
         // The warp applies until pop().
         sketch.push()
         if (isWarped) warp()
-        sketch.model(isWarped ? still : moved)
+        sketch.model(isWarped ? unwarpedModel : warpedModel)
         sketch.pop()
-        opened({ version, vertices: still.vertices.length, draw })
+        opened({ version, vertices: unwarpedModel.vertices.length, draw })
       }
 
       async function draw(withWarp) {

@@ -1,6 +1,6 @@
-/** Measures the cost of a warp in a sketch for each supported p5: the same sketch with and without it, interleaved. */
+/** Measures the cost of a warp in a sketch for each supported version of p5: draws the same sketch with and without the warp, in turn. */
 import { framesPerSecond } from './frame-rate.js'
-import { middle, ratio, shuffled, summary } from './statistics.js'
+import { medianRatio, quantile, shuffle, summarize } from './statistics.js'
 
 /** Paths on the benchmark's server. */
 const libraries = ['/node_modules/p5-v1/lib/p5.min.js', '/node_modules/p5/lib/p5.min.js']
@@ -16,7 +16,10 @@ async function openSketch(p5, size, millis) {
   return { frame, ...(await frame.contentWindow.sketch) }
 }
 
-/** Opens the sketches, passes them to `work`, each with and without the warp, and closes them. All are hidden until their show(). */
+/**
+ * Opens the sketches, passes them to `work`, each with and without the warp, and closes them. A sketch is hidden until its show() is
+ * called.
+ */
 async function withSketches({ size, millis }, work) {
   const sketches = []
   const show = (shown) => {
@@ -25,15 +28,15 @@ async function withSketches({ size, millis }, work) {
   try {
     for (const p5 of libraries) sketches.push(await openSketch(p5, size, millis))
     show(undefined)
-    const both = (sketch) =>
+    const variants = (sketch) =>
       [false, true].map((isWarped) => ({
         method: nameOf(sketch, isWarped),
-        plain: nameOf(sketch, false),
+        unwarped: nameOf(sketch, false),
         vertices: sketch.vertices,
         show: () => show(sketch),
         draw: () => sketch.draw(isWarped),
       }))
-    return await work(sketches.flatMap(both))
+    return await work(sketches.flatMap(variants))
   } finally {
     for (const { frame } of sketches) frame.remove()
   }
@@ -42,7 +45,7 @@ async function withSketches({ size, millis }, work) {
 const nameOf = ({ version }, isWarped) => `p5 ${version}, ${isWarped ? 'warpjet' : 'no warp'}`
 
 /** Measures frames in milliseconds from the call of p5's redraw() until the GPU is done. Returns at least one time. */
-async function frameTimes({ draw }, { frames, turn = Infinity }) {
+async function timeFrames({ draw }, { frames, turn = Infinity }) {
   const times = []
   const end = performance.now() + turn
   while (!times.length || (times.length < frames && performance.now() < end)) {
@@ -65,26 +68,26 @@ export async function measureP5(settings) {
     // Each round opens new sketches, because recompiling the same source can change the frame time.
     await withSketches(settings, async (sketches) => {
       for (const sketch of sketches) {
-        const { method, plain } = sketch
-        if (!cells.has(method)) cells.set(method, { method, plain, times: [], medians: [] })
+        const { method, unwarped } = sketch
+        if (!cells.has(method)) cells.set(method, { method, unwarped, times: [], medians: [] })
         vertices = sketch.vertices
         await sketch.draw()
       }
-      for (const sketch of shuffled(sketches)) {
-        const times = await frameTimes(sketch, settings)
+      for (const sketch of shuffle(sketches)) {
+        const times = await timeFrames(sketch, settings)
         const cell = cells.get(sketch.method)
         cell.times.push(...times)
-        cell.medians.push(middle(times))
+        cell.medians.push(quantile(times))
       }
     })
   }
   return {
     clock: 'readback fence',
     vertices,
-    results: [...cells.values()].map(({ method, plain, times, medians }) => ({
+    results: [...cells.values()].map(({ method, unwarped, times, medians }) => ({
       method,
-      frame: summary(times),
-      toNoWarp: ratio(medians, cells.get(plain).medians),
+      frame: summarize(times),
+      toNoWarp: medianRatio(medians, cells.get(unwarped).medians),
     })),
   }
 }

@@ -19,12 +19,12 @@ import { workloads } from './workloads.js'
 /** The canvas size of the paper, in pixels; `?size=` overrides it. */
 const SIZE = 1200
 /** Milliseconds between two measurements of frame time and normals, and before the first one. */
-const LOOK_EVERY = 1000
-const FIRST_LOOK = 250
+const MEASURING_INTERVAL = 1000
+const FIRST_INTERVAL = 250
 /** The max fraction of time spent on measuring. */
-const MAX_LOOK_SHARE = 0.1
+const MAX_MEASURING_FRACTION = 0.1
 
-/** A row takes some seconds on a GPU, half a minute without one. `turn` is in milliseconds. */
+/** The settings of `measureRow`: a row takes some seconds on a GPU, half a minute without one. */
 const moderate = { rounds: 5, frames: 8, turn: 300, runs: 10, samples: 400 }
 
 const find = (selector) => document.querySelector(selector)
@@ -49,7 +49,7 @@ let millis = 1200
 /** Work to do between two frames, if any. */
 let pendingWork
 let isMeasuring = false
-let stopped = false
+let mustStop = false
 let isLost = false
 
 const nextFrame = () => new Promise(requestAnimationFrame)
@@ -61,12 +61,12 @@ async function say(text) {
   await nextFrame()
 }
 
-const complain = (error) => (find('[role=alert]').textContent = error?.message ?? '')
+const showError = (error) => (find('[role=alert]').textContent = error?.message ?? '')
 
 const uniforms = () => ({ millis, h: 10 ** settings.exponent })
 
 async function loadRow(picture) {
-  complain()
+  showError()
   await say('Making the mesh…')
   shown.row = settings.row
   // Prevents compiling if loading fails.
@@ -83,7 +83,7 @@ async function loadRow(picture) {
 }
 
 async function compile(picture) {
-  complain()
+  showError()
   await say('Compiling…')
   shown.method = settings.method
   find('figcaption').replaceChildren(
@@ -113,7 +113,7 @@ async function findStep(picture) {
 
 async function measure(picture) {
   isMeasuring = true
-  stopped = false
+  mustStop = false
   button.textContent = 'Stop measuring'
   try {
     await say('Measuring…')
@@ -124,7 +124,7 @@ async function measure(picture) {
       { ...workload, mesh: () => mesh },
       { ...moderate, millis },
       (text) => {
-        if (stopped) throw new Stopped()
+        if (mustStop) throw new Stopped()
         status.textContent = `Measuring: ${text}…`
       },
     )
@@ -151,11 +151,11 @@ function showMeasured({ scene }, records, { clock }) {
 
 /** Draws frame after frame and does the panel's work in between, so that nothing runs concurrently. */
 async function run(picture) {
-  let [before, start, frames, look] = [performance.now(), 0, 0, 0]
-  const startCounting = (duration = FIRST_LOOK) => {
+  let [before, start, frames, nextMeasurement] = [performance.now(), 0, 0, 0]
+  const startCounting = (duration = FIRST_INTERVAL) => {
     start = before = performance.now()
     frames = 0
-    look = start + duration
+    nextMeasurement = start + duration
   }
   while (!isLost) {
     await nextFrame()
@@ -175,18 +175,18 @@ async function run(picture) {
         before = now
         picture.draw(uniforms())
         frames++
-        if (now < look) continue
-        // Frames still in the GPU's queue are not visible yet.
+        if (now < nextMeasurement) continue
+        // Waits for the frames in the GPU's queue, since they are not visible yet.
         picture.scene.finish()
         showReadOuts({ rate: (1000 * frames) / (performance.now() - start) })
         const frame = await picture.frameTime(uniforms())
         const { largest, median } = picture.error(uniforms())
         showReadOuts({ frame, clock: picture.clock.kind, error: largest, median })
-        startCounting(LOOK_EVERY + (performance.now() - now) / MAX_LOOK_SHARE)
+        startCounting(MEASURING_INTERVAL + (performance.now() - now) / MAX_MEASURING_FRACTION)
       }
     } catch (error) {
       status.textContent = ''
-      complain(error)
+      showError(error)
     }
   }
 }
@@ -197,18 +197,18 @@ try {
   const picture = new Picture(find('canvas'), size)
   panel = makePanel(find('.panel'), settings, () => (pendingWork = findStep))
   button.addEventListener('click', () => {
-    if (isMeasuring) stopped = true
+    if (isMeasuring) mustStop = true
     else pendingWork = measure
   })
   find('canvas').addEventListener('webglcontextlost', () => {
     isLost = true
-    complain(new Error('The GPU lost this picture: reload the page and choose a smaller row.'))
+    showError(new Error('The GPU lost this picture: reload the page and choose a smaller row.'))
   })
   void run(picture)
 } catch (error) {
   const still = { src: '../posters/airplane-twist.webp', alt: 'The airplane at rest, twisted' }
   find('.hand').replaceWith(make('img', still))
-  complain(error)
+  showError(error)
 }
 
 keepForOffline(new URL('../', location.href))

@@ -1,6 +1,6 @@
 /** The panel of the interactive benchmark: the row, the method, and the speed of time. */
 import GUI from 'lil-gui'
-import { plain } from './figures.js'
+import { formatExact } from './figures.js'
 import { methods } from './methods.js'
 import { workloads } from './workloads.js'
 
@@ -40,7 +40,7 @@ export function makePanel(container, settings, findStep) {
   function refresh() {
     const { steps } = methods.find(({ name }) => name === settings.method)
     step
-      .name(`h = ${plain(10 ** settings.exponent)}`)
+      .name(`h = ${formatExact(10 ** settings.exponent)}`)
       .enable(Boolean(steps))
       .updateDisplay()
     find.enable(Boolean(steps))

@@ -1,15 +1,15 @@
 /** Draws one row with one method and measures its cost. */
-import { bestStep, errorsOf, exactNormals, pixelErrors } from './accuracy.js'
+import { computeExactNormals, errorsOf, findBestStep, pixelErrors } from './accuracy.js'
 import { openClock } from './clock.js'
 import { frameMesh } from './framing.js'
 import { orbit } from './orbit.js'
-import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
+import { compileVertexProbe, probePixels, probeVertices, sampleVertices } from './probe.js'
 import { Scene } from './scene.js'
-import { fragmentShader, newNumber, vertexShader } from './shaders.js'
+import { fragmentShader, nextNumber, vertexShader } from './shaders.js'
 
 /** The number of vertices or pixels whose normals are compared: few enough to do so while the picture moves. */
 const SAMPLES = 300
-/** Opening a clock takes tens of frames. If a frame takes this many milliseconds, the previous row's clock is reused. */
+/** Opening a clock takes tens of frames. If a frame takes this many milliseconds or more, the previous row's clock is reused. */
 const SLOW = 250
 
 export class Picture {
@@ -26,7 +26,7 @@ export class Picture {
     this.scene.load(this.mesh)
     this.sample = sampleVertices(this.mesh, SAMPLES)
     this.framing = frameMesh(workload, this.mesh)
-    this.isClockOfRow = false
+    this.isClockForRow = false
   }
 
   /**
@@ -39,11 +39,11 @@ export class Picture {
     if (method.name === 'by hand' && !this.workload.handwritten)
       throw new Error('This row has no derivatives by hand: choose another method or row.')
     const { scene } = this
-    // Discard the first run, in which the compiler itself is cold.
+    // Discard the first run, in which the JavaScript engine has not optimized the compiler yet.
     method.program(this.workload)
     const parts = method.program(this.workload)
     this.method = method
-    const unique = newNumber()
+    const unique = nextNumber()
     this.#aim(uniforms)
     scene.finish()
     const start = performance.now()
@@ -56,11 +56,11 @@ export class Picture {
     scene.finish()
     const first = performance.now() - start
 
-    if (!method.flat) this.probe = vertexProbe(scene, parts)
+    if (!method.flat) this.probe = compileVertexProbe(scene, parts)
     this.parts = parts
-    if (!this.isClockOfRow && (first < SLOW || !this.clock)) {
+    if (!this.isClockForRow && (first < SLOW || !this.clock)) {
       this.clock = await openClock(scene, () => scene.draw(this.program, uniforms))
-      this.isClockOfRow = true
+      this.isClockForRow = true
     }
     return { first, generation: parts.generation }
   }
@@ -85,13 +85,13 @@ export class Picture {
     if (method.flat)
       return pixelErrors(workload, probePixels(scene, parts, millis, SAMPLES), millis)
     const places = probeVertices(scene, probe, sample, uniforms)
-    return errorsOf(places, exactNormals(workload, places, millis))
+    return errorsOf(places, computeExactNormals(workload, places, millis))
   }
 
   /** Finds the step of finite differences whose largest error is smallest. */
   bestStep(millis) {
     const { scene, workload, method, probe, sample } = this
-    return bestStep(scene, workload, { probe, sample, steps: method.steps, millis }).h
+    return findBestStep(scene, workload, { probe, sample, steps: method.steps, millis }).h
   }
 
   /** Makes the camera follow the mesh. */

@@ -1,7 +1,7 @@
-/** Reads the normals that a method computes back from the GPU, with their places on the unwarped mesh. */
+/** Reads back from the GPU the normals that a method computes, with their places on the unwarped mesh. */
 import { probeShader, vertexShader } from './shaders.js'
 
-/** Picks every n-th vertex, `limit` at most → { positions, normals }. */
+/** Picks every n-th vertex, `limit` at most. Returns { positions, normals }. */
 export function sampleVertices({ positions, normals }, limit) {
   const count = positions.length / 3
   const step = Math.ceil(count / limit)
@@ -15,10 +15,10 @@ const triples = (values) =>
   Array.from({ length: values.length / 3 }, (_, i) => [...values.subarray(3 * i, 3 * i + 3)])
 
 /** Compiles a program for `probeVertices`. */
-export const vertexProbe = (scene, parts) =>
+export const compileVertexProbe = (scene, parts) =>
   scene.program(vertexShader(parts), '#version 300 es\nvoid main() {}', ['surfaceNormal'])
 
-/** Reads the normals that the vertex shader computes → [{ position, normal, found }]. */
+/** Reads the normals that the vertex shader computes. Returns [{ position, normal, measured }]. */
 export function probeVertices(scene, program, sample, uniforms) {
   const { gl } = scene
   const count = sample.positions.length / 3
@@ -44,8 +44,8 @@ export function probeVertices(scene, program, sample, uniforms) {
   gl.drawArrays(gl.POINTS, 0, count)
   gl.endTransformFeedback()
   gl.disable(gl.RASTERIZER_DISCARD)
-  const found = new Float32Array(count * 3)
-  gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, found)
+  const measured = new Float32Array(count * 3)
+  gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, measured)
 
   gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null)
   gl.bindVertexArray(before)
@@ -54,16 +54,16 @@ export function probeVertices(scene, program, sample, uniforms) {
 
   const positions = triples(sample.positions)
   const normals = triples(sample.normals)
-  return triples(found).map((normal, i) => ({
+  return triples(measured).map((normal, i) => ({
     position: positions[i],
     normal: normals[i],
-    found: normal,
+    measured: normal,
   }))
 }
 
 /**
- * Reads the normals that light the pixels, for a method that computes them in the fragment stage → about `limit` or fewer
- * [{ position, normal, found }], where `position` and `normal` are interpolated from the unwarped mesh.
+ * Reads the normals that light the pixels, for a method that computes them in the fragment stage. Returns up to `limit`
+ * [{ position, normal, measured }], where `position` and `normal` are interpolated from the unwarped mesh.
  */
 export function probePixels(scene, parts, millis, limit) {
   const { gl } = scene
@@ -72,7 +72,7 @@ export function probePixels(scene, parts, millis, limit) {
   const program = scene.program(vertexShader(parts), probeShader(true))
   const framebuffer = gl.createFramebuffer()
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer)
-  const storage = (format, attachment) => {
+  const attachBuffer = (format, attachment) => {
     const buffer = gl.createRenderbuffer()
     gl.bindRenderbuffer(gl.RENDERBUFFER, buffer)
     gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height)
@@ -80,14 +80,14 @@ export function probePixels(scene, parts, millis, limit) {
     return buffer
   }
   const attachments = [0, 1, 2].map((i) => gl.COLOR_ATTACHMENT0 + i)
-  const buffers = attachments.map((attachment) => storage(gl.RGBA32F, attachment))
-  buffers.push(storage(gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT))
+  const buffers = attachments.map((attachment) => attachBuffer(gl.RGBA32F, attachment))
+  buffers.push(attachBuffer(gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT))
   gl.drawBuffers(attachments)
   const color = gl.getParameter(gl.COLOR_CLEAR_VALUE)
   gl.clearColor(0, 0, 0, 0)
   scene.draw(program, { millis })
   gl.clearColor(...color)
-  const [found, positions, normals] = attachments.map((attachment) => {
+  const [measured, positions, normals] = attachments.map((attachment) => {
     const values = new Float32Array(width * height * 4)
     gl.readBuffer(attachment)
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, values)
@@ -99,11 +99,15 @@ export function probePixels(scene, parts, millis, limit) {
   gl.deleteProgram(program)
 
   const covered = Array.from({ length: width * height }, (_, i) => i).filter(
-    (i) => found[4 * i + 3] === 1,
+    (i) => measured[4 * i + 3] === 1,
   )
   const step = Math.ceil(covered.length / limit)
-  const at = (values, i) => [...values.subarray(4 * i, 4 * i + 3)]
+  const readVector = (values, i) => [...values.subarray(4 * i, 4 * i + 3)]
   return covered
     .filter((_, i) => i % step === 0)
-    .map((i) => ({ position: at(positions, i), normal: at(normals, i), found: at(found, i) }))
+    .map((i) => ({
+      position: readVector(positions, i),
+      normal: readVector(normals, i),
+      measured: readVector(measured, i),
+    }))
 }

@@ -1,22 +1,22 @@
 /** Shows the numbers beside the picture. */
 import { make } from './dom.js'
-import { degrees, short, whole } from './figures.js'
+import { formatDegrees, formatInteger, formatShort } from './figures.js'
 
 /** Maps a value's name to [label, formatter, unit]. */
 const outputs = {
-  rate: ['frames a second', short],
-  frame: ['GPU-complete frame', short, ' ms'],
-  first: ['compile + first draw', short, ' ms'],
-  generation: ['generation of the source', short, ' ms'],
-  error: ['largest normal error', degrees, '°'],
-  median: ['median normal error', degrees, '°'],
-  vertices: ['vertices', whole],
-  triangles: ['triangles', whole],
-  nodes: ['nodes of the warp', whole],
+  rate: ['frames a second', formatShort],
+  frame: ['GPU-complete frame', formatShort, ' ms'],
+  first: ['compile + first draw', formatShort, ' ms'],
+  generation: ['generation of the source', formatShort, ' ms'],
+  error: ['largest normal error', formatDegrees, '°'],
+  median: ['median normal error', formatDegrees, '°'],
+  vertices: ['vertices', formatInteger],
+  triangles: ['triangles', formatInteger],
+  nodes: ['nodes of the warp', formatInteger],
   clock: ['clock of the frame', String],
 }
 
-/** @returns show(values): updates the given values, keyed by the names above, and leaves the others unchanged */
+/** @returns show(values): updates the read-outs that `values` names, and leaves the others unchanged */
 export function makeReadOuts(list) {
   const cells = {}
   for (const [name, [label]] of Object.entries(outputs)) {

@@ -5,7 +5,7 @@ import { keepForOffline } from '../offline.js'
 import { plotAgainstNodes, plotAgainstVertices } from './cost-plots.js'
 import { make } from './dom.js'
 import { plotErrorAgainstCost } from './error-plot.js'
-import { short } from './figures.js'
+import { formatShort } from './figures.js'
 import { listMethods } from './method-list.js'
 import { deviceOf, parseRecords, runsOf } from './records.js'
 import { costAgainstNodes, costAgainstVertices, errorAgainstCost, rowsOf } from './series.js'
@@ -20,7 +20,10 @@ const runs = runsOf(parseRecords(text))
 let run = runs[0]
 let row
 
-/** Redrawn whenever the width changes, so that letters keep the page's font size. */
+/**
+ * The plots: [selector, function that draws, its points]. They are redrawn whenever the width changes, so that letters keep the page's font
+ * size.
+ */
 const plots = [
   ['.nodes', plotAgainstNodes, () => costAgainstNodes(run.records)],
   ['.vertices', plotAgainstVertices, () => costAgainstVertices(run.records)],
@@ -53,14 +56,14 @@ const formatDate = (date, dateStyle) =>
   new Date(date).toLocaleString('en-GB', { dateStyle, timeStyle: 'short', timeZone: 'UTC' })
 
 /** Describes p5's own rows, in which the warp is a part of a whole sketch. */
-function aboutP5(records) {
+function describeP5(records) {
   const frameOf = (method) => records.find((record) => record.method === method)?.frameMs
   const versions = records
     .map(({ method }) => /^(p5 .*), warpjet$/.exec(method)?.[1])
     .filter((version) => version && frameOf(`${version}, no warp`) !== undefined)
     .map((version) => {
-      const [warped, plain] = [frameOf(`${version}, warpjet`), frameOf(`${version}, no warp`)]
-      return `${short(warped)} ms a frame with ${version} (${short(plain)} ms without the warp)`
+      const [warped, unwarped] = [frameOf(`${version}, warpjet`), frameOf(`${version}, no warp`)]
+      return `${formatShort(warped)} ms a frame with ${version} (${formatShort(unwarped)} ms without the warp)`
     })
   return versions.length ? `A whole p5 sketch takes ${versions.join(', and ')}.` : ''
 }
@@ -87,7 +90,7 @@ function showRun(date) {
     }),
   )
   find('.wide').replaceChildren(makeTable(records))
-  find('.p5-share').textContent = aboutP5(records)
+  find('.p5-share').textContent = describeP5(records)
   showRow(rows.includes(row) ? row : rows.includes(DEFAULT_ROW) ? DEFAULT_ROW : rows[0])
 }
 

@@ -2,12 +2,12 @@
 
 let lastNumber = Math.floor(Math.random() * 2 ** 16)
 
-/** Returns a number that makes a shader's source unique in this visit, and most likely across earlier ones. */
-export const newNumber = () => ++lastNumber
+/** Returns a number that makes a shader's source unique in this visit and, most likely, among those of earlier visits. */
+export const nextNumber = () => ++lastNumber
 
 /**
  * @param parts `{ declarations?, body }`: see methods.js
- * @param unique a number from `newNumber`: a source that was never compiled before cannot come from a cache
+ * @param unique a number from `nextNumber`: a source that was never compiled before cannot come from a cache
  */
 export const vertexShader = ({ declarations = '', body }, unique = 1) => `#version 300 es
 precision highp float;

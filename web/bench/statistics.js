@@ -1,27 +1,27 @@
 /** Statistics of measured times. A value that is not finite could not be measured and is ignored. */
 
-/** Returns the quantile `part` (default: the median), interpolated linearly between two values. */
-export const middle = (values, part = 0.5) => {
+/** Returns the quantile at `fraction` (default: the median), interpolated linearly between two values. */
+export const quantile = (values, fraction = 0.5) => {
   const sorted = values.filter(Number.isFinite).sort((a, b) => a - b)
   if (!sorted.length) return NaN
-  const place = part * (sorted.length - 1)
+  const place = fraction * (sorted.length - 1)
   const [below, above] = [sorted[Math.floor(place)], sorted[Math.ceil(place)]]
   return below + (place % 1) * (above - below)
 }
 
-/** Half of the values are between `low` and `high`. */
-export const summary = (values) => ({
-  median: middle(values),
-  low: middle(values, 0.25),
-  high: middle(values, 0.75),
+/** Returns the median and the quartiles: half of the values are between `low` and `high`. */
+export const summarize = (values) => ({
+  median: quantile(values),
+  low: quantile(values, 0.25),
+  high: quantile(values, 0.75),
 })
 
 /** Returns the median of the ratios within each round, so that whatever slowed a round cancels. */
-export const ratio = (values, others = []) =>
-  middle(others.map((other, round) => values[round] / other))
+export const medianRatio = (values, others = []) =>
+  quantile(others.map((other, round) => values[round] / other))
 
 /** Returns a copy in random order (Fisher-Yates). */
-export const shuffled = (list) => {
+export const shuffle = (list) => {
   const result = [...list]
   for (let i = result.length - 1; i > 0; i--) {
     const j = Math.floor(Math.random() * (i + 1))

@@ -1,44 +1,56 @@
 /** Shows records as a table: a group of lines per row of the benchmark, a line per method. */
 import { make } from './dom.js'
-import { degrees, plain, short, times, whole } from './figures.js'
+import { formatDegrees, formatExact, formatInteger, formatRatio, formatShort } from './figures.js'
 import { notes } from './method-notes.js'
 import { rowsOf } from './series.js'
 
-/** [heading of a group, ...its columns: [heading, key in the record, formatter]] */
+/** Groups of columns: [heading, ...columns], where a column is [heading, key in the record, formatter]. */
 const groups = [
   [
     'frame, ms',
-    ['median', 'frameMs', short],
-    ['half from', 'frameLowMs', short],
-    ['to', 'frameHighMs', short],
+    ['median', 'frameMs', formatShort],
+    ['half from', 'frameLowMs', formatShort],
+    ['to', 'frameHighMs', formatShort],
   ],
-  ['frame, relative to', ['positions', 'toPositions', times], ['warpjet', 'toWarpjet', times]],
-  ['frames a second', ['uncapped', 'uncappedFps', short], ['with vsync', 'cappedFps', short]],
+  [
+    'frame, relative to',
+    ['positions', 'toPositions', formatRatio],
+    ['warpjet', 'toWarpjet', formatRatio],
+  ],
+  [
+    'frames a second',
+    ['uncapped', 'uncappedFps', formatShort],
+    ['with vsync', 'cappedFps', formatShort],
+  ],
   [
     'compile + first draw',
-    ['ms', 'firstMs', short],
-    ['to positions', 'firstToPositions', times],
-    ['to by hand', 'firstToByHand', times],
+    ['ms', 'firstMs', formatShort],
+    ['to positions', 'firstToPositions', formatRatio],
+    ['to by hand', 'firstToByHand', formatRatio],
   ],
-  ['characters', ['count', 'characters', whole], ['to by hand', 'charactersToByHand', times]],
-  ['generation', ['ms', 'generationMs', plain]],
+  [
+    'characters',
+    ['count', 'characters', formatInteger],
+    ['to by hand', 'charactersToByHand', formatRatio],
+  ],
+  ['generation', ['ms', 'generationMs', formatExact]],
   [
     'normal error, °',
-    ['largest', 'errorDegrees', degrees],
-    ['median', 'errorMedianDegrees', degrees],
-    ['with h', 'h', plain],
+    ['largest', 'errorDegrees', formatDegrees],
+    ['median', 'errorMedianDegrees', formatDegrees],
+    ['with h', 'h', formatExact],
   ],
 ]
 
 export function makeTable(records) {
   // Leave out columns that were not measured for any record.
-  const shown = groups
+  const measuredGroups = groups
     .map(([heading, ...columns]) => [
       heading,
       ...columns.filter(([, name]) => records.some((record) => record[name] !== undefined)),
     ])
     .filter(({ length }) => length > 1)
-  const columns = shown.flatMap(([, ...columns]) =>
+  const columns = measuredGroups.flatMap(([, ...columns]) =>
     columns.map(([heading, name, write], i) => ({ heading, name, write, isFirst: i === 0 })),
   )
   const className = ({ isFirst }) => (isFirst ? 'first' : '')
@@ -50,7 +62,7 @@ export function makeTable(records) {
       'tr',
       {},
       make('th', { rowSpan: 2, scope: 'col', textContent: 'method' }),
-      ...shown.map(([heading, ...columns]) =>
+      ...measuredGroups.map(([heading, ...columns]) =>
         make('th', {
           colSpan: columns.length,
           scope: 'colgroup',
@@ -89,19 +101,19 @@ export function makeTable(records) {
     const title = make(
       'th',
       { colSpan: columns.length + 1, scope: 'rowgroup' },
-      make('div', {}, make('b', { textContent: row }), ` ${aboutRow(lines[0])}`),
+      make('div', {}, make('b', { textContent: row }), ` ${describeRow(lines[0])}`),
     )
     return make('tbody', {}, make('tr', { className: 'title' }, title), ...lines.map(line))
   })
   return make('table', {}, head, ...bodies)
 }
 
-const aboutRow = ({ vertices, nodes, jsHeapMb, wasmHeapMb }) =>
+const describeRow = ({ vertices, nodes, jsHeapMb, wasmHeapMb }) =>
   [
-    vertices !== undefined && `${whole(vertices)} vertices`,
-    nodes !== undefined && `${whole(nodes)} nodes`,
-    Number.isFinite(jsHeapMb) && `max ${whole(jsHeapMb)} MB of JavaScript`,
-    Number.isFinite(wasmHeapMb) && `max ${whole(wasmHeapMb)} MB of WebAssembly`,
+    vertices !== undefined && `${formatInteger(vertices)} vertices`,
+    nodes !== undefined && `${formatInteger(nodes)} nodes`,
+    Number.isFinite(jsHeapMb) && `max ${formatInteger(jsHeapMb)} MB of JavaScript`,
+    Number.isFinite(wasmHeapMb) && `max ${formatInteger(wasmHeapMb)} MB of WebAssembly`,
   ]
     .filter(Boolean)
     .join(' · ')

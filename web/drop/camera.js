@@ -13,26 +13,26 @@ const clamp = (value, low, high) => Math.max(low, Math.min(high, value))
 
 /** @returns { view({ center, unit }, aspect), reset() } */
 export function makeCamera(canvas, onChange) {
-  const at = { ...defaultView }
+  const orbit = { ...defaultView }
   const pointers = new Map()
 
   function turn(dx, dy) {
-    at.longitude -= dx
-    at.latitude = clamp(at.latitude + dy, -MAX_LATITUDE, MAX_LATITUDE)
+    orbit.longitude -= dx
+    orbit.latitude = clamp(orbit.latitude + dy, -MAX_LATITUDE, MAX_LATITUDE)
     onChange()
   }
 
   function zoom(factor) {
-    at.distance = clamp(at.distance * factor, 1.5, 20)
+    orbit.distance = clamp(orbit.distance * factor, 1.5, 20)
     onChange()
   }
 
   function reset() {
-    Object.assign(at, defaultView)
+    Object.assign(orbit, defaultView)
     onChange()
   }
 
-  const spread = () => {
+  const pointerDistance = () => {
     const [a, b] = pointers.values()
     return Math.hypot(a.x - b.x, a.y - b.y)
   }
@@ -44,9 +44,9 @@ export function makeCamera(canvas, onChange) {
   canvas.addEventListener('pointermove', ({ pointerId, clientX: x, clientY: y }) => {
     const before = pointers.get(pointerId)
     if (!before) return
-    const apart = pointers.size === 2 && spread()
+    const distanceBefore = pointers.size === 2 && pointerDistance()
     pointers.set(pointerId, { x, y })
-    if (apart) zoom(apart / Math.max(spread(), 1))
+    if (distanceBefore) zoom(distanceBefore / Math.max(pointerDistance(), 1))
     else if (pointers.size === 1)
       turn(RADIANS_PER_PIXEL * (x - before.x), RADIANS_PER_PIXEL * (y - before.y))
   })
@@ -54,7 +54,7 @@ export function makeCamera(canvas, onChange) {
     canvas.addEventListener(end, ({ pointerId }) => pointers.delete(pointerId))
   canvas.addEventListener('dblclick', reset)
 
-  // The wheel zooms only if the canvas has the focus or Ctrl is pressed, so that it can be scrolled past.
+  // The wheel zooms only if the canvas has the focus or Ctrl is pressed, so that a visitor can scroll past the canvas.
   canvas.addEventListener(
     'wheel',
     (event) => {
@@ -85,7 +85,7 @@ export function makeCamera(canvas, onChange) {
     reset,
     /** @returns the matrix from the model to the screen, and the eye and lights in the model's own space */
     view({ center, unit }, aspect) {
-      const { longitude, latitude, distance } = at
+      const { longitude, latitude, distance } = orbit
       const direction = [
         Math.cos(latitude) * Math.sin(longitude),
         Math.sin(latitude),

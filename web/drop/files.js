@@ -74,7 +74,7 @@ function decodeName(uri) {
   }
 }
 
-/** Loads the model among the files; the other files are those it may refer to → { name, mesh, picture }. */
+/** Loads the model among the files, which may refer to the other files. Returns { name, mesh, picture }. */
 export async function loadFiles(files) {
   const model = files.find(({ name }) => modelName.test(name))
   if (!model) {
@@ -89,11 +89,11 @@ export async function loadFiles(files) {
   const nameOf = (uri) => uri.split('/').at(-1)
   const resolve = (uri) => byName.get(nameOf(uri)) ?? byName.get(nameOf(decodeName(uri)))
   const mesh = await loadMesh(model, { resolve, decoders })
-  return { name: model.name.replace(modelName, ''), mesh, picture: await decode(mesh) }
+  return { name: model.name.replace(modelName, ''), mesh, picture: await decodePicture(mesh) }
 }
 
 /** Decodes the material's texture for the GPU. A broken image becomes a warning; the mesh is still shown. */
-async function decode(mesh) {
+async function decodePicture(mesh) {
   const texture = mesh.material?.baseColorTexture
   if (!texture) return
   try {

@@ -10,9 +10,9 @@ import { View } from './view.js'
 import { fitWarp, sides, warps } from './warps.js'
 
 /** Milliseconds of one cycle of the time slider. */
-const ROUND = 6000
+const CYCLE = 6000
 /** Milliseconds between two counts of folded vertices while time passes. */
-const COUNT_EVERY = 400
+const COUNTING_INTERVAL = 400
 const MAX_TRIANGLES = 400_000
 
 const find = (selector) => document.querySelector(selector)
@@ -20,9 +20,9 @@ const status = find('.picture output')
 const [amount, time, tolerance] = ['#amount', '#time', '#tolerance'].map(find)
 const toggle = (name) => find(`[name=${name}]`)
 
-/** The visible model, { name, mesh, picture, center, unit, low, high }; `fine` is the drawn mesh, subdivided or not. */
+/** The visible model, { name, mesh, picture, center, unit, low, high }; `drawnMesh` is its mesh, subdivided or not. */
 let model
-let fine
+let drawnMesh
 /** { name, compiled } */
 let warp
 let view, camera
@@ -42,7 +42,7 @@ const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 const rough = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
 const trianglesOf = ({ indices, positions }) => (indices?.length ?? positions.length / 3) / 3
 
-/** Tasks run one after the other. Each shows a status message; an error changes only the error message. */
+/** Tasks run one after the other. Each shows a status message. If it throws, the error is shown and the next task runs. */
 let tasks = Promise.resolve()
 let pending = 0
 function enqueue(message, task) {
@@ -93,7 +93,7 @@ function showModel({ name, mesh, picture }) {
   const next = { name, mesh, picture, center, unit, low, high }
   view.show(mesh, picture)
   model = next
-  fine = mesh
+  drawnMesh = mesh
   find('.name').textContent = name
   find('.warnings').replaceChildren(
     ...(mesh.warnings ?? []).map((textContent) => make('li', { textContent })),
@@ -113,23 +113,26 @@ function refine() {
       tolerance: 2 * model.unit * 10 ** Number(tolerance.value),
       maxTriangles: Math.max(MAX_TRIANGLES, trianglesOf(model.mesh)),
     })
-  if (next === fine) return
+  if (next === drawnMesh) return
   view.show(next, model.picture)
-  fine = next
+  drawnMesh = next
   // The subdivision warns if it stopped at the max number of triangles.
   if (next !== model.mesh && next.warnings) showError({ message: next.warnings.join(' ') })
   showReadOuts()
 }
 
 const refineAgain = () =>
-  toggle('subdivide').checked || fine !== model?.mesh
+  toggle('subdivide').checked || drawnMesh !== model?.mesh
     ? enqueue('Subdividing…', () => model && refine())
     : undefined
 
 /** Updates the read-outs beside the picture. */
 function showReadOuts() {
-  const [before, after] = [model.mesh, fine].map((mesh) => whole.format(trianglesOf(mesh)))
-  find('.triangles').textContent = fine === model.mesh ? before : `${before} → ${after}`
+  const [original, subdivided] = [model.mesh, drawnMesh].map((mesh) =>
+    whole.format(trianglesOf(mesh)),
+  )
+  find('.triangles').textContent =
+    drawnMesh === model.mesh ? original : `${original} → ${subdivided}`
   countFolded()
 }
 
@@ -146,7 +149,7 @@ function countFolded() {
 
 function showCounts() {
   const start = performance.now()
-  const { positions, normals, uvs, colors } = fine
+  const { positions, normals, uvs, colors } = drawnMesh
   const { count } = warp.compiled.foldover(
     { positions, normals, uvs, colors },
     { uniforms: uniforms() },
@@ -154,7 +157,7 @@ function showCounts() {
   const folded = find('.folded')
   folded.textContent = `${whole.format(count)} of ${whole.format(positions.length / 3)}`
   folded.classList.toggle('some', count > 0)
-  const { min, max } = bounds()
+  const { min, max } = computeBounds()
   const lengths = max.map((value, i) => value - min[i])
   find('.size').textContent = lengths.every(Number.isFinite)
     ? `${lengths.map((side) => short.format(side)).join(' × ')}`
@@ -162,15 +165,15 @@ function showCounts() {
   lastCount = { at: performance.now(), took: performance.now() - start }
 }
 
-const bounds = () =>
+const computeBounds = () =>
   warp.compiled.bounds({ min: model.low, max: model.high }, { uniforms: uniforms() })
 
-const chosenOf = (name) => find(`[name=${name}]:checked`).value
+const chosenValue = (name) => find(`[name=${name}]:checked`).value
 
 function chooseWarp() {
   return enqueue('Compiling…', () => {
-    const chosen = warps.find(({ name }) => name === chosenOf('warp'))
-    const compiled = compileWarp(fitWarp(chosen, chosenOf('side')), { target: 'glsl300' })
+    const chosen = warps.find(({ name }) => name === chosenValue('warp'))
+    const compiled = compileWarp(fitWarp(chosen, chosenValue('side')), { target: 'glsl300' })
     view.use(compiled)
     warp = { name: chosen.name, compiled }
     if (!model) return
@@ -191,14 +194,14 @@ const chooseSample = (name) =>
 
 const download = () =>
   enqueue('Writing the file…', () => {
-    const bytes = exportGLB(bakeWarp(fine, warp.compiled, { uniforms: uniforms() }))
+    const bytes = exportGLB(bakeWarp(drawnMesh, warp.compiled, { uniforms: uniforms() }))
     const href = URL.createObjectURL(new Blob([bytes], { type: 'model/gltf-binary' }))
     make('a', { href, download: `${model.name}-${warp.name.toLowerCase()}.glb` }).click()
     setTimeout(() => URL.revokeObjectURL(href), 60_000)
   })
 
 function draw() {
-  const box = toggle('box').checked && bounds()
+  const box = toggle('box').checked && computeBounds()
   const isFinite = box && [...box.min, ...box.max].every(Number.isFinite)
   view.draw(uniforms(), camera.view(model, view.canvas.clientWidth / view.canvas.clientHeight), {
     normals: toggle('normals').checked,
@@ -211,7 +214,7 @@ async function run() {
   for (let before = performance.now(); ;) {
     const now = await nextFrame()
     if (isPlaying) {
-      time.value = (Number(time.value) + (2 * Math.PI * (now - before)) / ROUND) % (2 * Math.PI)
+      time.value = (Number(time.value) + (2 * Math.PI * (now - before)) / CYCLE) % (2 * Math.PI)
       redraw()
     }
     before = now
@@ -220,7 +223,7 @@ async function run() {
     try {
       draw()
       // Counting takes at most 10% of the time, so a large model is counted less often.
-      if (now - lastCount.at > Math.max(COUNT_EVERY, 10 * lastCount.took)) countFolded()
+      if (now - lastCount.at > Math.max(COUNTING_INTERVAL, 10 * lastCount.took)) countFolded()
     } catch (error) {
       showError(error)
     }

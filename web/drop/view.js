@@ -41,10 +41,10 @@ export class View {
     for (const [name, array] of Object.entries(arrays))
       if (mesh[array]) buffers[name] = this.buffer(gl.ARRAY_BUFFER, mesh[array])
     if (mesh.indices) buffers.indices = this.buffer(gl.ELEMENT_ARRAY_BUFFER, mesh.indices)
-    const isFull = gl.getError() === gl.OUT_OF_MEMORY
+    const isOutOfMemory = gl.getError() === gl.OUT_OF_MEMORY
     // Discard the previous buffers only now: they stay if the new ones do not fit.
-    this.discard(isFull ? buffers : this.buffers)
-    if (isFull) throw new Error('The GPU has too little memory for this model.')
+    this.discard(isOutOfMemory ? buffers : this.buffers)
+    if (isOutOfMemory) throw new Error('The GPU has too little memory for this model.')
     this.buffers = buffers
     this.mesh = mesh
     this.baseColor = mesh.material?.baseColor ?? [1, 1, 1, 1]
@@ -81,16 +81,17 @@ export class View {
   /**
    * @param uniforms the warp's uniforms
    * @param view the result of the camera's `view`
-   * @param options { normals, wires, box }: whether normals become colours, whether edges are drawn, and a box { min, max }, if any
+   * @param options { normals, wires, box }: whether normals are shown as colours, whether edges are drawn, and the box to draw, { min, max
+   * }, if any
    */
   draw(uniforms, view, { normals, wires, box }) {
     const { gl } = this
-    this.fit()
+    this.resize()
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     const [lit, lines] = this.programs
     gl.enable(gl.POLYGON_OFFSET_FILL)
     gl.polygonOffset(1, 2)
-    this.run(lit, {
+    this.prepare(lit, {
       ...uniforms,
       ...view,
       baseColor: this.baseColor,
@@ -102,12 +103,17 @@ export class View {
 
     if (wires) {
       this.buffers.wires ??= this.buffer(gl.ELEMENT_ARRAY_BUFFER, edgesOf(this.mesh))
-      this.run(lines, { ...uniforms, ...view, lineColor: [0.02, 0.03, 0.06, 0.5], nearer: NEARER })
+      this.prepare(lines, {
+        ...uniforms,
+        ...view,
+        lineColor: [0.02, 0.03, 0.06, 0.5],
+        nearer: NEARER,
+      })
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.buffers.wires)
       gl.drawElements(gl.LINES, 2 * this.count, gl.UNSIGNED_INT, 0)
     }
     if (box) {
-      this.run(
+      this.prepare(
         this.boxProgram,
         { ...view, low: box.min, high: box.max, lineColor: [0.914, 0.769, 0.416, 1] },
         { position: this.box },
@@ -116,8 +122,8 @@ export class View {
     }
   }
 
-  /** Resizes the canvas to the screen's resolution, twice the CSS pixels at most. */
-  fit() {
+  /** Resizes the canvas to the screen's resolution, but to no more than two pixels per CSS pixel in each direction. */
+  resize() {
     const { canvas, gl } = this
     const scale = Math.min(devicePixelRatio, 2)
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((x) =>
@@ -127,7 +133,8 @@ export class View {
     gl.viewport(0, 0, width, height)
   }
 
-  run(program, values, buffers = this.buffers) {
+  /** Uses a program with these values of uniforms and these buffers. */
+  prepare(program, values, buffers = this.buffers) {
     const { gl } = this
     gl.useProgram(program)
     for (const [name, value] of Object.entries(values)) {

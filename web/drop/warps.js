@@ -1,6 +1,7 @@
 /**
  * The warps of the page. Each is written for a model about 2 units high around the origin, with y upwards; `amount` is in [0, 1],
- * `time` is an angle. `fitWarp` converts one into an offset function for a model of any position and size.
+ * `time` is an angle. `warpPoint` returns the warped position. `fitWarp` converts a warp into an offset function for a model of any
+ * position and size.
  */
 
 const rotateY = (glsl, { x, y, z }, angle) => {
@@ -11,18 +12,18 @@ const rotateY = (glsl, { x, y, z }, angle) => {
 export const warps = [
   {
     name: 'Twist',
-    /** Returns the warped position. */
-    to: (glsl, { p, amount, time }) => rotateY(glsl, p, p.y.mult(amount).mult(4).mult(time.cos())),
+    warpPoint: (glsl, { p, amount, time }) =>
+      rotateY(glsl, p, p.y.mult(amount).mult(4).mult(time.cos())),
   },
   {
     name: 'Bend',
-    to(glsl, { p, amount, time }) {
-      // Slightly more than 0, which would be a circle of infinite radius.
+    warpPoint(glsl, { p, amount, time }) {
+      // Never 0, the curvature of a circle of infinite radius.
       const curvature = amount.mult(time.cos()).mult(2).add(0.002)
       const angle = p.y.mult(curvature)
-      const half = angle.mult(0.5).sin()
+      const halfSine = angle.mult(0.5).sin()
       return glsl.vec3(
-        p.x.mult(angle.cos()).sub(half.mult(half).mult(2).div(curvature)),
+        p.x.mult(angle.cos()).sub(halfSine.mult(halfSine).mult(2).div(curvature)),
         p.x.add(glsl.val(1).div(curvature)).mult(angle.sin()),
         p.z,
       )
@@ -30,7 +31,7 @@ export const warps = [
   },
   {
     name: 'Waves',
-    to: (glsl, { p, amount, time }) =>
+    warpPoint: (glsl, { p, amount, time }) =>
       glsl.vec3(
         p.x.add(p.y.mult(5).add(time).sin().mult(amount).mult(0.25)),
         p.y.add(p.z.mult(5).add(time.mult(2)).sin().mult(amount).mult(0.15)),
@@ -39,7 +40,7 @@ export const warps = [
   },
   {
     name: 'Wobble',
-    to(glsl, { p, amount, time }) {
+    warpPoint(glsl, { p, amount, time }) {
       // The foot, at y = -1, does not move.
       const height = p.y.add(1).mult(amount).mult(0.4)
       return glsl.vec3(
@@ -51,7 +52,7 @@ export const warps = [
   },
   {
     name: 'Bulge',
-    to(glsl, { p, amount, time }) {
+    warpPoint(glsl, { p, amount, time }) {
       const v = glsl.vec3(p.x, p.y, p.z)
       const away = v.sub(glsl.vec3(time.cos().mult(0.5), time.sin().mult(0.6), 0.3))
       return v.add(away.mult(away.dot(away).mult(-4).exp().mult(amount).mult(1.6)))
@@ -59,7 +60,7 @@ export const warps = [
   },
   {
     name: 'Ripple',
-    to(glsl, { p, amount, time }) {
+    warpPoint(glsl, { p, amount, time }) {
       // Never 0, where the square root has no derivative.
       const radius = p.x.mult(p.x).add(p.z.mult(p.z)).add(1e-4).sqrt()
       return glsl.vec3(
@@ -71,7 +72,7 @@ export const warps = [
   },
   {
     name: 'Ball',
-    to(glsl, { p, amount, time }) {
+    warpPoint(glsl, { p, amount, time }) {
       const v = glsl.vec3(p.x, p.y, p.z)
       const ball = v.mult(glsl.val(0.8).div(v.dot(v).add(1e-3).sqrt()))
       return v.mix(ball, amount.mult(time.cos().mult(0.5).add(0.5)))
@@ -79,7 +80,7 @@ export const warps = [
   },
   {
     name: 'Genie',
-    to(glsl, { p, amount, time }) {
+    warpPoint(glsl, { p, amount, time }) {
       const v = glsl.vec3(p.x, p.y, p.z)
       const spout = glsl.vec3(0.7, -1.3, 0)
       const above = glsl.vec3(1.2, -0.2, 0)
@@ -104,13 +105,13 @@ export const sides = Object.keys(axes)
 
 /** Returns the offset function, with uniforms `center`, `unit`, `amount` and `time`. */
 export const fitWarp =
-  ({ to }, axis) =>
+  ({ warpPoint }, axis) =>
   ({ glsl, position }) => {
     const [center, unit] = [glsl.vec3Param('center'), glsl.param('unit')]
     const q = position.sub(center).div(unit)
     const inputs = { amount: glsl.param('amount'), time: glsl.param('time') }
     const { from, back } = axes[axis]
     const [x, y, z] = [...from].map((name) => q[name]())
-    const target = to(glsl, { ...inputs, p: { x, y, z } })
+    const target = warpPoint(glsl, { ...inputs, p: { x, y, z } })
     return target[back]().sub(q).mult(unit)
   }

@@ -11,14 +11,14 @@ const SPACING = 2.12
 const TURN = 2 * Math.PI
 
 /**
- * Half thickness of a NACA four-digit section at x in [0, 1], with the last coefficient that closes the trailing edge.
+ * Returns half the thickness of a NACA four-digit section at x in [0, 1]. The last coefficient is the one that closes the trailing edge.
  */
 const naca = (x) =>
   5 * (0.2969 * Math.sqrt(x) + x * (-0.126 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))
 
 /**
- * A point of an airfoil: t = 0 is the trailing edge, then the upper side, the leading edge at
- * t = 0.5, the lower side. Returns [distance behind the leading edge, height], for a chord of 1.
+ * Returns a point of an airfoil with a chord of 1: [distance behind the leading edge, height]. From t = 0
+ * at the trailing edge it follows the upper side to the leading edge at t = 0.5, then the lower side.
  */
 function airfoil(t, thickness, camber) {
   const x = (1 + Math.cos(TURN * t)) / 2
@@ -26,14 +26,14 @@ function airfoil(t, thickness, camber) {
   return [x, side * thickness * naca(x) + 4 * camber * x * (1 - x)]
 }
 
-/** Radius of a body with a round end at u = 1: a superellipse. */
+/** Returns the radius of a body that ends roundly at u = 1: a superellipse. */
 const superellipse = (u, p, q) => (1 - u ** p) ** (1 / q)
 
 const RADIUS = 15.5
 const NOSE_FROM = 52
 const TAIL_FROM = 18
 
-/** Half height, half width and height of the centre line at x. */
+/** Returns half the height, half the width and the height of the centre line at x. */
 function fuselageAt(x) {
   const nose = clamp((x - NOSE_FROM) / (100 - NOSE_FROM), 0, 1)
   const tail = clamp((TAIL_FROM - x) / (TAIL_FROM + 100), 0, 1)
@@ -46,7 +46,7 @@ function fuselageAt(x) {
   }
 }
 
-/** A point of the hull; angle 0 points up, a quarter turn along +z. */
+/** Returns a point at the distance `out` from the hull. The angle 0 points up, a quarter turn along +z. */
 function fuselagePoint(x, angle, out = 0) {
   const { halfHeight, halfWidth, centre } = fuselageAt(x)
   // The dent of the windscreen, between the nose and the roof.
@@ -63,7 +63,7 @@ const fuselage = () =>
   loft((s, t) => fuselagePoint(-100 * Math.cos(Math.PI * s), TURN * t), { spacing: SPACING })
 
 /**
- * A pillow on the fuselage, used as a window pane: center (x, angle), half sizes along x and around,
+ * Lofts a pillow on the fuselage, used as a window pane: center (x, angle), half sizes along x and around,
  * and corners rounded by the exponent `p`. Its outer half bulges by `height`, its inner half is hidden.
  */
 function pane({ x, angle, length, width, height = 0.75, p = 3, slant = 0 }) {
@@ -87,7 +87,7 @@ function windows() {
         pane({ x: 50 - 12.5 * i, angle: side * 1.2, length: 2.6, width: 3.1, height: 0.8 }),
       )
     }
-    // Windscreen and cockpit side window.
+    // The windscreen and the side window of the cockpit.
     result.push(
       pane({ x: 81.5, angle: side * 0.42, length: 5, width: 4.4, height: 1.2, slant: -0.4 * side }),
     )
@@ -106,12 +106,12 @@ function windows() {
 }
 
 /**
- * A pair of wings, from tip to tip in one piece through the fuselage. `tip` is the fraction of the
+ * Lofts a pair of wings, from tip to tip in one piece through the fuselage. `tip` is the fraction of the
  * half span that is rounded off, `fairing` thickens the root where it leaves the fuselage.
  */
 function wings({ x, y, halfSpan, root, end, sweep, dihedral, thickness, camber, tip, fairing }) {
   const section = (s, t) => {
-    // The sine slows down at the tips, where the rounding needs its rings.
+    // The sine puts the rings closer together at the tips, which are rounded off.
     const z = halfSpan * Math.sin(Math.PI * (s - 0.5))
     const out = Math.abs(z) / halfSpan
     const u = clamp((out - 1 + tip) / tip, 0, 1)
@@ -127,7 +127,7 @@ function wings({ x, y, halfSpan, root, end, sweep, dihedral, thickness, camber, 
   return loft(section, { spacing: SPACING, sharp: true })
 }
 
-/** The fin, from inside the fuselage upwards; its foot curves forward. */
+/** Lofts the fin, from inside the fuselage upwards; its foot curves forward. */
 function fin() {
   const [bottom, top] = [6, 48]
   const section = (s, t) => {
@@ -144,14 +144,14 @@ function fin() {
   return loft(section, { spacing: SPACING, sharp: true })
 }
 
-/** A smooth profile [x, r] through knots; s in [0, 1]. */
+/** Returns a function of s in [0, 1] that follows a smooth profile [x, r] through knots. */
 const profile = (knots) => (s) => {
-  const at = clamp(s, 0, 1) * (knots.length - 1)
-  const i = Math.min(Math.floor(at), knots.length - 2)
-  return catmullRom(knots, i, at - i)
+  const place = clamp(s, 0, 1) * (knots.length - 1)
+  const i = Math.min(Math.floor(place), knots.length - 2)
+  return catmullRom(knots, i, place - i)
 }
 
-/** From the back wall of the intake, around its lip, along the cowl to the pointed end. */
+/** The engine's profile, from the back wall of the intake, around its lip, along the cowl to the pointed end. */
 const COWL = profile([
   [9, 0],
   [9, 3.5],
@@ -166,7 +166,7 @@ const COWL = profile([
   [-34, 0],
 ])
 
-/** A body of revolution about the x axis through (x, y, z). */
+/** Lofts a body of revolution about the line through (x, y, z) along x. */
 const revolve = (curve, [x, y, z], spacing = SPACING) =>
   loft(
     (s, t) => {
@@ -176,13 +176,13 @@ const revolve = (curve, [x, y, z], spacing = SPACING) =>
     { spacing },
   )
 
-/** A half ellipsoid with a round back: the hub of the propeller. */
+/** Returns a point of the profile of the propeller's hub: half an ellipsoid with a round back. */
 const spinner = (s) => {
   const angle = Math.PI * s
   return [-Math.cos(angle) * (angle < Math.PI / 2 ? 5 : 7), 2.9 * Math.sin(angle)]
 }
 
-/** A blade from the hub outwards at `angle`: a flat ellipse whose pitch unwinds towards the tip. */
+/** Lofts a blade from the hub outwards at `angle`: a flat ellipse whose pitch decreases towards the tip. */
 function blade([x, y, z], angle) {
   const length = 21
   const section = (s, t) => {
@@ -213,7 +213,7 @@ function engines() {
   return result
 }
 
-/** About 14,000 vertices, evenly spread, x in [-100, 100]. */
+/** Makes an airplane of about 14,000 evenly spread vertices, with x in [-100, 100]. */
 export function airplane() {
   const parts = [
     fuselage(),

@@ -9,17 +9,17 @@ import { polygonize, roundCone, smoothMin } from './implicit.js'
 import { clamp, distance, fit, toScreen } from './mesh.js'
 
 // Blending distances in units: two parts closer than this flow into each other.
-const MELT_FINGERS = 5
-const MELT_PALM = 9
-const MELT_BONES = 16
-const MELT_THUMB = 18
-const MELT_CUT = 6
+const BLEND_FINGERS = 5
+const BLEND_PALM = 9
+const BLEND_BONES = 16
+const BLEND_THUMB = 18
+const BLEND_CUT = 6
 
 /**
  * Makes the field of a finger: a tube around the parabola from `from` to `to` that bows out by `bow`
- * half way. Its radius goes from `base` to `tip`, slightly thicker at the joints, which are given as
- * fractions. The bow shears space instead of bending it: for bows this slight it looks the same, and
- * the field stays smooth and costs two square roots.
+ * half way. Its radius goes from `base` to `tip`, slightly thicker at the joints, which are fractions
+ * of the length. The bow shears space instead of bending it: for such slight bows the result looks the
+ * same, and the field stays smooth and costs two square roots.
  */
 function finger({ from, to, bow, base, tip, joints }) {
   const length = distance(from, to)
@@ -32,15 +32,15 @@ function finger({ from, to, bow, base, tip, joints }) {
     // The parabola continues past the ends: stopping it there would crease the finger tip.
     const u = clamp(s, -0.2, 1.2)
     const bulge = 4 * u * (1 - u)
-    const on = clamp(s, 0, 1)
-    const qx = px - bulge * bow[0] - on * length * dx
-    const qy = py - bulge * bow[1] - on * length * dy
-    const qz = pz - bulge * bow[2] - on * length * dz
+    const along = clamp(s, 0, 1)
+    const qx = px - bulge * bow[0] - along * length * dx
+    const qy = py - bulge * bow[1] - along * length * dy
+    const qz = pz - bulge * bow[2] - along * length * dz
     const far = Math.sqrt(qx * qx + qy * qy + qz * qz) - 1.1 * base
     // This far out the exact value no longer affects the surface; it only has to be large.
-    if (far > 2 * MELT_PALM) return far
-    let radius = tip + (base - tip) * (1 - on * on) ** 2
-    for (const joint of joints) radius += 0.045 * base * Math.exp(-(((on - joint) / 0.075) ** 2))
+    if (far > 2 * BLEND_PALM) return far
+    let radius = tip + (base - tip) * (1 - along * along) ** 2
+    for (const joint of joints) radius += 0.045 * base * Math.exp(-(((along - joint) / 0.075) ** 2))
     return far + 1.1 * base - radius
   }
 }
@@ -69,8 +69,8 @@ const THUMB = finger({
   joints: [0.75],
 })
 
-/** The union of fields, blended where they are within `k` of each other. */
-function melt(parts, k) {
+/** Returns the union of fields, blended where they are within `k` of each other. */
+function blendFields(parts, k) {
   return (x, y, z) => {
     let d = parts[0](x, y, z)
     for (let i = 1; i < parts.length; i++) d = smoothMin(d, parts[i](x, y, z), k)
@@ -79,7 +79,7 @@ function melt(parts, k) {
 }
 
 /** Metacarpals, the cushions of the palm, the web of the thumb, and a short wrist. */
-const PALM = melt(
+const PALM = blendFields(
   [
     ...KNUCKLES.map(([x, y, z]) => roundCone([x * 0.45, -68, -1], [x, y + 4, z], 12, 9)),
     roundCone([-15, -62, 3], [-28, -14, 2], 11, 9),
@@ -88,19 +88,19 @@ const PALM = melt(
     roundCone([9, -50, 0], [7.5, -130, -1], 13, 16.5),
     roundCone([-9, -50, 0], [-7.5, -130, -1], 13, 16.5),
   ],
-  MELT_BONES,
+  BLEND_BONES,
 )
 
-const TOGETHER = melt(FINGERS, MELT_FINGERS)
+const ALL_FINGERS = blendFields(FINGERS, BLEND_FINGERS)
 
 function field(x, y, z) {
-  const palm = smoothMin(PALM(x, y, z), THUMB(x, y, z), MELT_THUMB)
-  const whole = smoothMin(palm, TOGETHER(x, y, z), MELT_PALM)
+  const palm = smoothMin(PALM(x, y, z), THUMB(x, y, z), BLEND_THUMB)
+  const whole = smoothMin(palm, ALL_FINGERS(x, y, z), BLEND_PALM)
   // The wrist ends in a flat cut with a soft edge.
-  return -smoothMin(-whole, y + 112, MELT_CUT)
+  return -smoothMin(-whole, y + 112, BLEND_CUT)
 }
 
-/** About 15,500 vertices. */
+/** Makes a hand of about 15,500 vertices. */
 export function hand() {
   return toScreen(fit(polygonize(field, { low: [-75, -118, -26], high: [92, 118, 50], cell: 2 })))
 }

@@ -1,6 +1,6 @@
 /**
  * Polygonizes the zero set of a field. The input is `field(x, y, z)`, negative inside and close to a
- * signed distance (its slope must not exceed 1 by much, for the skipping below). The output is a
+ * signed distance (its slope must not exceed 1 by much, or `sample` would skip blocks that the surface crosses). The output is a
  * mesh with vertices on the surface and normals along the field's gradient.
  *
  * Surface nets (Gibson 1998): one vertex in every grid cell that the surface crosses, one quad
@@ -12,13 +12,12 @@ import { createMesh, distance, frontUVs, normalize } from './mesh.js'
 
 const BLOCK = 4
 
-/** Distance from p to the ball that rolls from a to b while its radius goes from ra to rb. */
+/** Returns the field of the points within a ball that moves from a to b while its radius changes from ra to rb. */
 export function roundCone(a, b, ra, rb) {
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]]
   const length = Math.hypot(dx, dy, dz)
   const slope = (rb - ra) / length
-  // min over s of √(q² + (along - s)²) - (ra + slope s) lies at s = along + q slope / √(1 -
-  // slope²).
+  // √(q² + (along - s)²) - (ra + slope s) has its minimum at s = along + q slope / √(1 - slope²).
   const lean = slope / Math.sqrt(1 - slope * slope)
   return (x, y, z) => {
     const px = x - a[0]
@@ -31,13 +30,13 @@ export function roundCone(a, b, ra, rb) {
   }
 }
 
-/** Minimum of two distances, rounded where they differ by less than k (cubic, so C² continuous). */
+/** Returns the minimum of two distances, rounded where they differ by less than k (by a cubic, so C² continuous). */
 export function smoothMin(a, b, k) {
   const h = Math.max(k - Math.abs(a - b), 0) / k
   return Math.min(a, b) - (h * h * h * k) / 6
 }
 
-/** Samples the field on the grid; a block that the surface cannot reach gets the value at its center. */
+/** Samples the field on the grid; all points of a block that the surface cannot reach get the value at its center. */
 function sample(field, { low, size, cell }) {
   const [nx, ny, nz] = size
   const values = new Float32Array(nx * ny * nz)
@@ -84,7 +83,7 @@ function cellVertex(values, corner, offsets) {
   return sum.map((x) => x / count)
 }
 
-function surfaceNet(values, { low, size, cell }) {
+function buildSurfaceNet(values, { low, size, cell }) {
   const [nx, ny, nz] = size
   const stride = [1, nx, nx * ny]
   const offsets = Array.from({ length: 8 }, (_, a) =>
@@ -97,10 +96,10 @@ function surfaceNet(values, { low, size, cell }) {
     for (let j = 0; j < ny - 1; j++) {
       for (let i = 0; i < nx - 1; i++) {
         const corner = i + nx * (j + ny * k)
-        const inside = cellVertex(values, corner, offsets)
-        if (!inside) continue
+        const vertex = cellVertex(values, corner, offsets)
+        if (!vertex) continue
         vertexOf[corner] = points.length
-        points.push([i, j, k].map((c, axis) => low[axis] + (c + inside[axis]) * cell))
+        points.push([i, j, k].map((c, axis) => low[axis] + (c + vertex[axis]) * cell))
         // The other cells around this corner's three edges have all been visited.
         for (let axis = 0; axis < 3; axis++) {
           const inner = values[corner] < 0
@@ -116,7 +115,7 @@ function surfaceNet(values, { low, size, cell }) {
 }
 
 /** Splits each quad into two triangles along its shorter diagonal. */
-function split(quads, points) {
+function splitQuads(quads, points) {
   return quads.flatMap(([a, b, c, d]) =>
     distance(points[a], points[c]) < distance(points[b], points[d])
       ? [
@@ -131,7 +130,7 @@ function split(quads, points) {
 }
 
 /** Estimates ∇f from four values at the corners of a tetrahedron. */
-function gradient(field, [x, y, z], e = 0.05) {
+function estimateGradient(field, [x, y, z], e = 0.05) {
   const a = field(x + e, y - e, z - e)
   const b = field(x - e, y - e, z + e)
   const c = field(x - e, y + e, z - e)
@@ -142,7 +141,7 @@ function gradient(field, [x, y, z], e = 0.05) {
 
 /** Moves a point onto the surface: one Newton step along the gradient. */
 function project(field, p) {
-  const g = gradient(field, p)
+  const g = estimateGradient(field, p)
   const step = field(p[0], p[1], p[2]) / (g[0] * g[0] + g[1] * g[1] + g[2] * g[2])
   return [p[0] - step * g[0], p[1] - step * g[1], p[2] - step * g[2]]
 }
@@ -169,10 +168,15 @@ function relax(field, points, quads) {
 export function polygonize(field, { low, high, cell }) {
   const size = low.map((x, k) => Math.ceil((high[k] - x) / cell) + 1)
   const grid = { low, size, cell }
-  const net = surfaceNet(sample(field, grid), grid)
+  const net = buildSurfaceNet(sample(field, grid), grid)
   let points = net.points
   for (let i = 0; i < 2; i++) points = relax(field, points, net.quads)
   points = points.map((p) => project(field, p))
-  const normals = points.map((p) => normalize(gradient(field, p)))
-  return createMesh({ points, normals, uvs: frontUVs(points), triangles: split(net.quads, points) })
+  const normals = points.map((p) => normalize(estimateGradient(field, p)))
+  return createMesh({
+    points,
+    normals,
+    uvs: frontUVs(points),
+    triangles: splitQuads(net.quads, points),
+  })
 }

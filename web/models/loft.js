@@ -13,9 +13,9 @@ import { createMesh, cross, distance, dot, normalize, sub } from './mesh.js'
 
 const FINE_RINGS = 200
 const FINE_AROUND = 120
-// The max turn in radians between two vertices, so that edges stay round …
+// The max turn in radians between two vertices, so that edges stay round.
 const TURN = 0.42
-// … limited to this multiple of the density that `spacing` gives: slivers look worse than facets.
+// The max density of vertices, relative to that of `spacing`, even where more would be rounder: slivers look worse than facets.
 const MAX_DENSITY = 2.2
 const STEP = 1e-4
 
@@ -23,11 +23,11 @@ const STEP = 1e-4
  * Weights each segment of a polyline by the number of vertices it should get, from its length and
  * from the turn at its start.
  */
-function weights(points, spacing, closed) {
+function weighSegments(points, spacing, isClosed) {
   const directions = points.slice(1).map((p, i) => normalize(sub(p, points[i])))
   return directions.map((direction, i) => {
     const length = distance(points[i], points[i + 1]) / spacing
-    const before = i > 0 ? directions[i - 1] : closed ? directions.at(-1) : direction
+    const before = i > 0 ? directions[i - 1] : isClosed ? directions.at(-1) : direction
     const turn = Math.acos(Math.min(1, Math.max(-1, dot(before, direction)))) / TURN
     return Math.min(Math.hypot(length, turn), MAX_DENSITY * length)
   })
@@ -48,12 +48,12 @@ function cutEvenly(pieces, count) {
   return [...result, 1]
 }
 
-/** Returns the s of each ring, spaced by the longest of the meridians, piece by piece. */
-function stations(section, spacing) {
+/** Returns the s of each ring. In each piece of the body, the meridian that needs most rings decides their spacing. */
+function ringPositions(section, spacing) {
   const longest = new Array(FINE_RINGS).fill(0)
   for (let k = 0; k < 16; k++) {
     const line = Array.from({ length: FINE_RINGS + 1 }, (_, i) => section(i / FINE_RINGS, k / 16))
-    weights(line, spacing, false).forEach((weight, i) => {
+    weighSegments(line, spacing, false).forEach((weight, i) => {
       longest[i] = Math.max(longest[i], weight)
     })
   }
@@ -61,15 +61,16 @@ function stations(section, spacing) {
   return cutEvenly(longest, Math.max(count, 4))
 }
 
-function around(section, s, spacing) {
+/** Returns the t of each vertex of the ring at s. */
+function ringVertices(section, s, spacing) {
   const line = Array.from({ length: FINE_AROUND + 1 }, (_, i) => section(s, i / FINE_AROUND))
-  const pieces = weights(line, spacing, true)
+  const pieces = weighSegments(line, spacing, true)
   const count = pieces.reduce((sum, piece) => sum + piece, 0)
   // Even counts keep a symmetric section symmetric.
   return cutEvenly(pieces, Math.max(2 * Math.round(count / 2), 6))
 }
 
-/** ∂/∂s × ∂/∂t by central differences; at a sharp seam the difference stays on its own side. */
+/** Returns ∂/∂s × ∂/∂t, normalized, by central differences; at a sharp seam, ∂/∂t is one-sided. */
 function surfaceNormal(section, s, t, sharp) {
   const wrap = (x) => x - Math.floor(x)
   const before = sharp ? Math.max(t - STEP, 0) : wrap(t - STEP)
@@ -79,12 +80,12 @@ function surfaceNormal(section, s, t, sharp) {
   return normalize(cross(alongS, alongT))
 }
 
-/** At a pole ∂/∂t vanishes, so its normal is the mean of the normals just beside it. */
+/** Returns the normal of a pole: ∂/∂t vanishes there, so it is the mean of the normals just beside the pole. */
 function poleNormal(section, s) {
-  const beside = s === 0 ? 4 * STEP : 1 - 4 * STEP
+  const nearby = s === 0 ? 4 * STEP : 1 - 4 * STEP
   const sum = [0, 0, 0]
   for (let k = 0; k < 12; k++) {
-    const n = surfaceNormal(section, beside, (k + 0.5) / 12, false)
+    const n = surfaceNormal(section, nearby, (k + 0.5) / 12, false)
     for (let axis = 0; axis < 3; axis++) sum[axis] += n[axis]
   }
   return normalize(sum)
@@ -95,7 +96,7 @@ function poleNormal(section, s) {
  */
 function stitch(a, b, points, triangles) {
   const [n, m] = [a.length - 1, b.length - 1]
-  // Greedy choices must not let one ring get ahead of the other by more than a step.
+  // Always choosing the shorter diagonal must not let one ring get ahead of the other by more than a step.
   const lead = 1.01 / Math.max(Math.min(n, m), 1)
   for (let i = 0, j = 0; i < n || j < m;) {
     const ahead = (i + 1) / n - j / m
@@ -119,7 +120,7 @@ function signedVolume(points, triangles) {
 }
 
 /**
- * @param section (s, t) -> point, closed in t, a single point at s = 0 and at s = 1
+ * @param section (s, t) -> point: closed in t; at s = 0, and at s = 1, the same point for all t
  * @param spacing the desired distance between neighbouring vertices, in model units
  * @param sharp   true if t = 0 is a crease (the trailing edge of a wing)
  */
@@ -132,12 +133,12 @@ export function loft(section, { spacing, sharp = false }) {
     uvs.push(uv)
     return points.push(point) - 1
   }
-  const at = stations(section, spacing)
-  const rings = at.map((s, i) => {
-    const u = i / (at.length - 1)
+  const positions = ringPositions(section, spacing)
+  const rings = positions.map((s, i) => {
+    const u = i / (positions.length - 1)
     if (s === 0 || s === 1) return [add(section(s, 0), poleNormal(section, s), [u, 0.5])]
     // The two vertices of the seam have the same position and different texture coordinates.
-    const ring = around(section, s, spacing)
+    const ring = ringVertices(section, s, spacing)
     return ring.map((t) =>
       add(section(s, t === 1 ? 0 : t), surfaceNormal(section, s, t, sharp), [u, t]),
     )

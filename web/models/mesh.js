@@ -63,10 +63,10 @@ export function createMesh({ points, normals, uvs, triangles }) {
 export function merge(meshes) {
   const concatenate = (name, type) => {
     const result = new type(meshes.reduce((sum, mesh) => sum + mesh[name].length, 0))
-    let at = 0
+    let offset = 0
     for (const mesh of meshes) {
-      result.set(mesh[name], at)
-      at += mesh[name].length
+      result.set(mesh[name], offset)
+      offset += mesh[name].length
     }
     return result
   }
@@ -87,7 +87,7 @@ export function merge(meshes) {
 
 /**
  * Returns the normal of each point: the sum of its triangles' normals, each weighted by the triangle's
- * angle there (Thürmer and Wüthrich 1998), which does not depend on the triangulation of flat parts.
+ * angle at the point (Thürmer and Wüthrich 1998), which does not depend on the triangulation of flat parts.
  */
 export function angleWeightedNormals(points, triangles) {
   const sums = points.map(() => [0, 0, 0])

@@ -4,14 +4,14 @@
  * the file upright, other programs need it flipped.
  */
 
-// Writes no exponent and no bare trailing point: p5 splits lines at `\b\s+`, which needs a digit
-// last.
-const short = (x, decimals) => String(Number(x.toFixed(decimals)) + 0)
+// Writes no exponent and no trailing decimal point: p5 splits lines at `\b\s+`, which matches only after a
+// digit.
+const formatNumber = (x, decimals) => String(Number(x.toFixed(decimals)) + 0)
 
-const lines = (word, values, width, decimals) => {
+const writeLines = (word, values, width, decimals) => {
   const result = []
   for (let i = 0; i < values.length; i += width) {
-    const numbers = Array.from(values.subarray(i, i + width), (x) => short(x, decimals))
+    const numbers = Array.from(values.subarray(i, i + width), (x) => formatNumber(x, decimals))
     result.push(`${word} ${numbers.join(' ')}`)
   }
   return result
@@ -33,9 +33,9 @@ export function toOBJ(mesh, name) {
   const flipped = uvs ? uvs.map((x, i) => (i % 2 === 1 ? 1 - x : x)) : []
   return [
     `o ${name}`,
-    ...lines('v', positions, 3, 3),
-    ...lines('vt', flipped, 2, 4),
-    ...lines('vn', normals, 3, 4),
+    ...writeLines('v', positions, 3, 3),
+    ...writeLines('vt', flipped, 2, 4),
+    ...writeLines('vn', normals, 3, 4),
     ...faces,
     '',
   ].join('\n')

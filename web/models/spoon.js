@@ -16,7 +16,7 @@ const NECK = 20
 
 const inBowl = (x) => clamp((x - BOWL.from) / (BOWL.to - BOWL.from), 0, 1)
 
-/** Half width at x. */
+/** Returns half the width at x. */
 function halfWidth(x) {
   // The root of u (1 - u) is an ellipse; the extra u / (u + 0.09) draws its neck end out into
   // shoulders.
@@ -26,18 +26,18 @@ function halfWidth(x) {
   const handle = mix(3.2, 8.8, smoothstep(0.05, 0.92, along) ** 1.25)
   const end = clamp((-86 - x) / 14, 0, 1)
   const stem = handle * Math.sqrt(Math.max(1 - end * end, 0))
-  // A smooth maximum flows from neck to bowl; at the bowl's tip only the egg is left.
+  // A smooth maximum joins neck and bowl; at the bowl's tip, only the egg is left.
   const fade = stem * (1 - smoothstep(BOWL.from - 4, BOWL.from + 30, x))
   return Math.hypot(egg, fade)
 }
 
-/** Height of the handle's middle line: up out of the bowl, over the neck, down to a lifted end. */
+/** Returns the height of the handle's middle line: up out of the bowl, over the neck, down to a lifted end. */
 function handleHeight(x) {
   const along = clamp((BOWL.from + 10 - x) / (BOWL.from + 110), 0, 1)
   return 14 * smoothstep(0, 0.5, along) - 11 * smoothstep(0.2, 1, along) + 5 * along ** 6
 }
 
-/** Height of the middle surface at x, at the fraction w in [-1, 1] of the half width. */
+/** Returns the height of the middle surface at x and the fraction w in [-1, 1] of the half width. */
 function height(x, w) {
   const u = inBowl(x)
   const deep = Math.sin(Math.PI * u ** 0.85) ** 0.8 * (1 - Math.exp(-((u / 0.15) ** 2)))
@@ -50,18 +50,18 @@ function height(x, w) {
 
 const thickness = (x) => mix(1.3, 2.5, Math.exp(-(((x - NECK) / 26) ** 2)))
 
-const middle = (x, w) => [x, height(x, w), w * halfWidth(x)]
+const middlePoint = (x, w) => [x, height(x, w), w * halfWidth(x)]
 
 function section(s, t) {
   const x = -100 * Math.cos(Math.PI * s)
   const w = Math.cos(TURN * t)
-  const p = middle(x, w)
+  const p = middlePoint(x, w)
   // Thickness is added along the normal of the middle surface; vertical thickness would thin steep walls.
   const e = 1e-3
   const [x0, x1] = [Math.max(x - e, -100), Math.min(x + e, 100)]
   const [w0, w1] = [Math.max(w - e, -1), Math.min(w + e, 1)]
-  const along = sub(middle(x1, w), middle(x0, w))
-  const across = sub(middle(x, w1), middle(x, w0))
+  const along = sub(middlePoint(x1, w), middlePoint(x0, w))
+  const across = sub(middlePoint(x, w1), middlePoint(x, w0))
   const n = normalize(cross(across, along))
   // Blunter than an ellipse, so that the rim is round rather than sharp.
   const blunt = Math.sign(0.5 - t) * Math.abs(Math.sin(TURN * t)) ** 0.7
@@ -69,7 +69,7 @@ function section(s, t) {
   return p.map((value, axis) => value + n[axis] * half)
 }
 
-/** About 8,000 vertices. */
+/** Makes a spoon of about 8,000 vertices. */
 export function spoon() {
   return toScreen(fit(loft(section, { spacing: SPACING })))
 }

@@ -61,7 +61,7 @@ function edgesOf(triangles) {
 }
 
 /** Returns the neighbours of each point; for a point on an open border, only those along the border. */
-function neighbours(points, edges) {
+function listNeighbours(points, edges) {
   const all = points.map(() => [])
   const border = points.map(() => [])
   for (const { ends, opposite } of edges.values()) {
@@ -74,11 +74,11 @@ function neighbours(points, edges) {
 }
 
 /**
- * Moves each point towards its neighbours; `share(n)` is the weight of one of n neighbours.
+ * Moves each point towards its neighbours `around`; `weightOf(n)` is the weight of one of n neighbours.
  */
-const pullPoints = (points, around, share) =>
+const pullPoints = (points, around, weightOf) =>
   points.map((p, i) => {
-    const pull = share(around[i].length)
+    const pull = weightOf(around[i].length)
     const terms = around[i].map((j) => [pull, points[j]])
     return weightedSum([1 - around[i].length * pull, p], ...terms)
   })
@@ -99,7 +99,7 @@ export function subdivide({ points, triangles }) {
   }
   const between = (a, b) => middle.get(edgeKey(a, b))
   return {
-    points: [...pullPoints(points, neighbours(points, edges), beta), ...added],
+    points: [...pullPoints(points, listNeighbours(points, edges), beta), ...added],
     triangles: triangles.flatMap(([a, b, c]) => {
       const [ab, bc, ca] = [between(a, b), between(b, c), between(c, a)]
       return [
@@ -113,18 +113,18 @@ export function subdivide({ points, triangles }) {
 }
 
 /**
- * Returns the mesh whose limit surface passes through the given points, so that thin parts keep
+ * Moves the points of a mesh so that its limit surface passes through the original points and thin parts keep
  * their thickness. A point p with n neighbours q has the limit (1 - nγ) p + γ Σ q, γ = 1 / (3 / (8β)
  * + n). The points are moved by the remaining error three times (Jacobi iteration): more would gain
  * little and begin to ripple.
  */
-export function interpolating({ points, triangles }) {
-  const around = neighbours(points, edgesOf(triangles))
+export function interpolatePoints({ points, triangles }) {
+  const around = listNeighbours(points, edgesOf(triangles))
   const gamma = (n) => (n === 2 ? 1 / 6 : 1 / (3 / (8 * beta(n)) + n))
   let control = points
   for (let i = 0; i < 3; i++) {
-    const reached = pullPoints(control, around, gamma)
-    control = control.map((p, j) => weightedSum([1, p], [1, points[j]], [-1, reached[j]]))
+    const limits = pullPoints(control, around, gamma)
+    control = control.map((p, j) => weightedSum([1, p], [1, points[j]], [-1, limits[j]]))
   }
   return { points: control, triangles }
 }

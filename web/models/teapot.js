@@ -7,10 +7,10 @@
 
 import data from 'teapot'
 import { angleWeightedNormals, createMesh, fit, frontUVs, toScreen } from './mesh.js'
-import { interpolating, subdivide, weld } from './subdivide.js'
+import { interpolatePoints, subdivide, weld } from './subdivide.js'
 
 export function teapot() {
-  let mesh = interpolating(weld(data.positions, data.cells))
+  let mesh = interpolatePoints(weld(data.positions, data.cells))
   for (let i = 0; i < 2; i++) mesh = subdivide(mesh)
   const { points, triangles } = mesh
   const normals = angleWeightedNormals(points, triangles)

@@ -1,20 +1,20 @@
 /** The tab that compares a warp's normals with finite differences and shows where the surface is inside out. */
 import { make } from '../bench/dom.js'
-import { across, down, normalErrors, spherePoints } from './sphere.js'
+import { columns, normalErrors, rows, spherePoints } from './sphere.js'
 
 const radii = {
-  1: 'radius 1, as sphere() of p5 has in its own space',
-  100: 'radius 100, as models of the gallery have',
+  1: 'radius 1, like p5’s sphere() in its own space',
+  100: 'radius 100, like the gallery’s models',
   150: 'radius 150, in pixels',
 }
 const whole = new Intl.NumberFormat('en')
 const degrees = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
-/** The error of the map's reddest color, in degrees. */
+/** The error, in degrees, from which the map has its reddest color. */
 const MAX_ERROR = 1
 
 /**
  * @param uniforms returns the current values of all inputs that a warp may read, by name
- * @param frame evaluates the sketch's warps
+ * @param frame the frame with the sketch, which evaluates the sketch's warps
  * @returns { title, fill(place, sketch) } for output.js
  */
 export function makeChecks(uniforms, frame) {
@@ -57,20 +57,20 @@ async function check({ index, maker, reads, surfaceVariation, declared = [] }, p
   const title = make('h2', { textContent: maker })
   try {
     // Uniforms of the option `uniforms` have their values in the frame.
-    const read = reads.filter((name) => !declared.includes(name))
-    const unknown = read.find((name) => !(name in all))
+    const inputNames = reads.filter((name) => !declared.includes(name))
+    const unknown = inputNames.find((name) => !(name in all))
     if (unknown)
       throw new Error(
         `The sketch sets “${unknown}” only when it draws, so its value is unknown here: pass it to createWarp, as in { uniforms: { ${unknown}: 1 } }.`,
       )
-    const uniforms = Object.fromEntries(read.map((name) => [name, all[name]]))
+    const uniforms = Object.fromEntries(inputNames.map((name) => [name, all[name]]))
     const { positions, normals, uvs, colors } = points
     // Without surface variation the shader treats normal and uv as constant, so the check does, too.
     const mesh = surfaceVariation === false ? { positions, normals, uvs, colors } : points
     const errors = normalErrors(await frame.evaluate(index, mesh, { uniforms }))
     const mask = await frame.foldedOf(index, mesh, { uniforms })
     const folded = errors.map((_, i) => mask[5 * i])
-    return make('div', { className: 'check' }, title, ...report(errors, folded))
+    return make('div', { className: 'check' }, title, ...showErrors(errors, folded))
   } catch (error) {
     return make(
       'div',
@@ -81,14 +81,14 @@ async function check({ index, maker, reads, surfaceVariation, declared = [] }, p
   }
 }
 
-function report(errors, folded) {
+function showErrors(errors, folded) {
   const known = [...errors].filter((error) => !Number.isNaN(error)).sort((a, b) => a - b)
-  const at = (share) =>
-    `${degrees.format((180 / Math.PI) * (known[Math.floor(share * (known.length - 1))] ?? 0))}°`
+  const quantile = (fraction) =>
+    `${degrees.format((180 / Math.PI) * (known[Math.floor(fraction * (known.length - 1))] ?? 0))}°`
   const count = folded.reduce((sum, each) => sum + each, 0)
   const figures = {
-    'Max error of a normal': at(1),
-    '90th percentile': at(0.9),
+    'Max error of a normal': quantile(1),
+    '90th percentile': quantile(0.9),
     'Turned inside out': `${whole.format(count)} of ${whole.format(errors.length)} points`,
   }
   const list = make(
@@ -111,11 +111,11 @@ function report(errors, folded) {
 const mix = (a, b, amount) => a.map((value, i) => value + (b[i] - value) * amount)
 
 function drawMap(errors, folded) {
-  const canvas = make('canvas', { className: 'map', width: across, height: down })
+  const canvas = make('canvas', { className: 'map', width: columns, height: rows })
   canvas.role = 'img'
   canvas.ariaLabel = 'Map of the errors and of the points inside out'
   const context = canvas.getContext('2d')
-  const image = context.createImageData(across, down)
+  const image = context.createImageData(columns, rows)
   for (const [i, error] of errors.entries()) {
     const amount = Math.min(1, ((180 / Math.PI) * error) / MAX_ERROR || 0)
     const color = folded[i] ? [169, 156, 255] : mix([45, 51, 71], [255, 90, 60], amount)

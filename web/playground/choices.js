@@ -1,11 +1,11 @@
 /** The choices above the editor: an example, the host that runs the sketch, and additional scripts. */
 import { make } from '../bench/dom.js'
-import { converted } from './convert.js'
+import { convert } from './convert.js'
 import { exampleSketch, sections, starters } from './examples.js'
 import { hosts, isThree, scripts } from './hosts.js'
 import { builtIn, completeSketch, starter } from './offset.js'
 
-const first = { text: starters.p5, host: 'p5', chosen: [] }
+const firstSketch = { text: starters.p5, host: 'p5', chosen: [] }
 const isOffset = (host) => host === 'offset'
 
 const options = (entries) =>
@@ -50,10 +50,10 @@ export function makeChoices(editor, onError) {
   /** Opens an example of the gallery; default: the first sketch. */
   async function begin(name = '') {
     try {
-      editor.set(name ? await exampleSketch(name) : first)
+      editor.set(name ? await exampleSketch(name) : firstSketch)
       example.value = name
     } catch (error) {
-      if (!editor.sketch().text) editor.set(first)
+      if (!editor.sketch().text) editor.set(firstSketch)
       onError(error)
     }
   }
@@ -66,8 +66,8 @@ export function makeChoices(editor, onError) {
     if (isThree(now)) editor.set({ host: now, text: starters.three })
     else if (isOffset(now)) editor.set({ host: now, text: starter })
     else if (isOffset(before))
-      editor.set({ host: now, text: converted(completeSketch(editor.sketch()).text, now) })
-    else editor.set({ host: now, text: converted(isThree(before) ? starters.p5 : text, now) })
+      editor.set({ host: now, text: convert(completeSketch(editor.sketch()).text, now) })
+    else editor.set({ host: now, text: convert(isThree(before) ? starters.p5 : text, now) })
   })
 
   return {

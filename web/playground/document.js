@@ -5,19 +5,19 @@ import { hosts, isThree, tagsOf } from './hosts.js'
 /** Writes JSON for a script tag. */
 export const writeJsonForScript = (value) => JSON.stringify(value).replaceAll('<', '\\u003C')
 
-/** Text that an HTML parser takes for the end of a script or, after the start of a comment, for a nested script. */
-const dangerous = /<(?=\/script|!--|script)/gi
+/** Matches text that an HTML parser would take for the end of the script or, after `<!--`, for a nested script. */
+const dangerousText = /<(?=\/script|!--|script)/gi
 
 /**
- * Escapes JavaScript for a script tag: nothing in it can end the tag, and its meaning does not change. Outside of strings `<script`
- * stays, as in `a<scripts.length`: it is dangerous only after `<!--`, which is escaped.
+ * Escapes JavaScript for a script tag, so that nothing in it can end the tag, without a change of its meaning. Outside of strings,
+ * `<script` is not escaped, as in `a<scripts.length`: it is dangerous only after `<!--`, which is.
  */
 export function escapeForScript(text, { isModule = false } = {}) {
-  const found = [...text.matchAll(dangerous)]
-  if (!found.length) return text
+  const matches = [...text.matchAll(dangerousText)]
+  if (!matches.length) return text
   const tree = javascriptLanguage.parser.parse(text)
   let result = text
-  for (const { index } of found.reverse()) {
+  for (const { index } of matches.reverse()) {
     const rest = text.slice(index, index + 4)
     const kind = kindAt(tree, index)
     let replacement = '<'
@@ -34,7 +34,7 @@ export function escapeForScript(text, { isModule = false } = {}) {
 
 const kinds = ['String', 'TemplateString', 'RegExp', 'LineComment', 'BlockComment']
 
-/** Returns the kind of text around a place, `undefined` in code. */
+/** Returns the kind of string or comment that contains the index `at`; `undefined` in code. */
 function kindAt(tree, at) {
   for (let node = tree.resolveInner(at, 1); node; node = node.parent) {
     if (node.name === 'Interpolation') return undefined

@@ -1,11 +1,11 @@
-/** The editor of the sketch's text and setting. Both share one history, so that undo restores either. */
+/** The editor of the sketch's text and setting. Text and setting share one history, so that undo restores either. */
 import { invertedEffects } from '@codemirror/commands'
 import { javascript } from '@codemirror/lang-javascript'
 import { lintGutter, setDiagnostics } from '@codemirror/lint'
 import { EditorState, StateEffect, StateField } from '@codemirror/state'
 import { EditorView } from '@codemirror/view'
 import { basicSetup } from 'codemirror'
-import { lightLines, litLines } from './lit.js'
+import { highlightLines, highlightedLines } from './lit.js'
 import { theme } from './theme.js'
 
 /** { host, chosen, model }: host and chosen scripts as in hosts.js, model as in offset.js. */
@@ -15,7 +15,7 @@ export const setting = StateField.define({
   update: (value, { effects }) =>
     effects.reduce((before, effect) => (effect.is(changeSetting) ? effect.value : before), value),
 })
-const undoable = invertedEffects.of(({ effects, startState }) =>
+const undoSettings = invertedEffects.of(({ effects, startState }) =>
   effects
     .filter((effect) => effect.is(changeSetting))
     .map(() => changeSetting.of(startState.field(setting))),
@@ -30,15 +30,15 @@ export function makeEditor(parent, { onChange, onMove, extensions = [] }) {
         basicSetup,
         javascript(),
         setting,
-        undoable,
+        undoSettings,
         lintGutter(),
-        litLines,
+        highlightedLines,
         theme,
         EditorView.lineWrapping,
         EditorView.contentAttributes.of({ 'aria-label': 'Sketch', tabindex: '0' }),
         EditorView.updateListener.of((update) => {
-          const isSet = update.startState.field(setting) !== update.state.field(setting)
-          if (update.docChanged || isSet) onChange()
+          const isSettingChanged = update.startState.field(setting) !== update.state.field(setting)
+          if (update.docChanged || isSettingChanged) onChange()
           if (update.selectionSet || update.docChanged)
             onMove?.(update.state.doc.lineAt(update.state.selection.main.head).number)
         }),
@@ -85,7 +85,7 @@ export function makeEditor(parent, { onChange, onMove, extensions = [] }) {
       view.dispatch(setDiagnostics(view.state, marks))
     },
     /** Highlights the lines with these numbers, and no others. */
-    light: (numbers) => lightLines(view, numbers),
+    highlight: (numbers) => highlightLines(view, numbers),
     goTo(number) {
       const { from } = view.state.doc.line(Math.min(number, view.state.doc.lines))
       view.dispatch({ selection: { anchor: from }, scrollIntoView: true })

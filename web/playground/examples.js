@@ -13,7 +13,7 @@ async function textOf(path) {
   return response.text()
 }
 
-/** Loads an example → { text, host, chosen }, the latter two from the tags of its page. */
+/** Loads an example. Returns { text, host, chosen }; host and chosen scripts follow from the tags of its page. */
 export async function exampleSketch(name) {
   const [page, text] = await Promise.all(
     ['index.html', 'sketch.js'].map((file) => textOf(`${name}/${file}`)),

@@ -1,6 +1,6 @@
 /**
- * Guards loops: while a user is typing `while (true)`, the page must not hang and lose the text. Each loop calls a function once
- * per iteration that throws if the loop runs for too long; frame/start.js defines it.
+ * Guards loops: while a user is typing `while (true)`, the page must not hang and lose the text. In each
+ * iteration, a loop calls a function that throws if the loop runs for too long; frame/start.js defines it.
  */
 import { javascriptLanguage } from '@codemirror/lang-javascript'
 
@@ -15,7 +15,7 @@ function mayBeParsed(node) {
   return false
 }
 
-const guardCall = 'playground.goOn();'
+const guardCall = 'playground.checkLoop();'
 
 /** Adds a guard to each loop without changing line numbers. With the operators any function may be parsed, so nothing changes. */
 export function guardLoops({ text, chosen = [] }) {

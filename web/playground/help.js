@@ -5,7 +5,7 @@ import { hoverTooltip } from '@codemirror/view'
 import { make } from '../bench/dom.js'
 import { setting } from './editor.js'
 import { isThree } from './hosts.js'
-import { deformers, meaningOf, ofLibrary, operations, own } from './reference.js'
+import { deformers, hostEntries, libraryFunctions, meaningOf, operations } from './reference.js'
 
 const option =
   (type) =>
@@ -13,21 +13,24 @@ const option =
     label,
     type,
     detail: (forms.at(-1).match(/\(.*\)/) ?? [''])[0],
-    info: () => about({ forms, meanings }),
+    info: () => describe({ forms, meanings }),
   })
 const optionsOf = (map, type) => [...map].map(option(type))
 
 const methods = optionsOf(operations, 'method')
-const members = [...optionsOf(deformers, 'function'), ...optionsOf(ofLibrary, 'function')]
+const members = [...optionsOf(deformers, 'function'), ...optionsOf(libraryFunctions, 'function')]
 const words = Object.fromEntries(
-  Object.entries(own).map(([host, { inputs, functions }]) => [
+  Object.entries(hostEntries).map(([host, { inputs, functions }]) => [
     host,
     [...optionsOf(inputs, 'variable'), ...optionsOf(functions, 'function')],
   ]),
 )
 const hostOf = (state) => (isThree(state.field(setting).host) ? 'three' : 'p5')
 
-/** Returns the options, by name, if a name at `from` is a key in an object passed to one of our functions; otherwise undefined. */
+/**
+ * Returns the options of a function, by name, if the name at `from` is a key in an object that is passed to the function; otherwise
+ * undefined.
+ */
 function optionsAround(state, from) {
   if (!/[{,]\s*$/.test(state.sliceDoc(Math.max(0, from - 200), from))) return
   let node = syntaxTree(state).resolveInner(from, -1)
@@ -37,11 +40,14 @@ function optionsAround(state, from) {
   if (list?.name !== 'ArgList') return
   const { from: start, to: end } = list.parent.firstChild
   const name = state.sliceDoc(start, end).split('.').at(-1)
-  const options = own[hostOf(state)].functions.get(name)?.options
+  const options = hostEntries[hostOf(state)].functions.get(name)?.options
   return options?.size ? options : undefined
 }
 
-/** Completes methods after a point, options in a function's braces, and inputs and functions elsewhere. Components of vectors need no completion. */
+/**
+ * Completes methods after a point, options in the braces of an argument, and inputs and functions elsewhere. Components of vectors need no
+ * completion.
+ */
 function complete(context) {
   const { state, pos } = context
   const member = context.matchBefore(/[\w$)\]]\.\w*$/)
@@ -53,15 +59,15 @@ function complete(context) {
   const word = context.matchBefore(/\w+$/)
   if (!word && !context.explicit) return null
   const from = word?.from ?? pos
-  const around = optionsAround(state, from)
+  const functionOptions = optionsAround(state, from)
   // Rank options above JavaScript's keywords.
-  const options = around
-    ? optionsOf(around, 'property').map((each) => ({ ...each, boost: 50 }))
+  const options = functionOptions
+    ? optionsOf(functionOptions, 'property').map((each) => ({ ...each, boost: 50 }))
     : words[hostOf(state)]
   return { from, options, validFor: /^\w*$/ }
 }
 
-function about({ forms, meanings }) {
+function describe({ forms, meanings }) {
   return make(
     'div',
     { className: 'about' },
@@ -79,8 +85,8 @@ const hover = hoverTooltip(({ state }, at) => {
   const name = text.slice(start - from, end - from)
   const isMember = text[start - from - 1] === '.'
   const meaning =
-    optionsAround(state, start)?.get(name) ?? meaningOf(name, isMember, own[hostOf(state)])
-  return meaning && { pos: start, end, create: () => ({ dom: about(meaning) }) }
+    optionsAround(state, start)?.get(name) ?? meaningOf(name, isMember, hostEntries[hostOf(state)])
+  return meaning && { pos: start, end, create: () => ({ dom: describe(meaning) }) }
 })
 
 export const help = [javascriptLanguage.data.of({ autocomplete: complete }), hover]

@@ -73,15 +73,15 @@ export const tagsOf = ({ host, chosen }) =>
           .map((name) => scripts[name].file),
       ]
 
-/** Converts a path of the examples to one relative to node_modules. */
-export const inModules = (file) =>
+/** Converts a path of the examples to the path on a server of node_modules. */
+export const toModulePath = (file) =>
   file
     .replace('../../dist/', '/warpjet/dist/')
     .replace('../../node_modules/p5-v1/', '/p5/')
     .replace('../../node_modules/', '/')
 
 /** Converts a path of the examples to a CDN address. @param versions maps package → version */
-export const atCDN = (file, versions) =>
+export const toCDNAddress = (file, versions) =>
   file
     .replace('../../dist/', `${cdn}warpjet@${versions.warpjet}/dist/`)
     .replace('../../node_modules/p5-v1/', `${cdn}p5@${versions['p5-v1']}/`)

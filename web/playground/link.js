@@ -1,10 +1,11 @@
 /** Stores a sketch in a link, compressed, after the #, which is never sent to a server. */
 const mark = '#sketch='
 
-/** Max size of a sketch with its settings, in bytes: a short link could otherwise decompress to a text that fills the memory. */
+/** Max size of a sketch with its settings, in bytes. Without a limit, a short link could decompress to a text that fills the memory. */
 const MAX_BYTES = 1_000_000
 
-async function through(bytes, stream) {
+/** Sends bytes through a stream, and returns the result. */
+async function pipeThrough(bytes, stream) {
   const parts = []
   let size = 0
   for await (const part of readAll(new Blob([bytes]).stream().pipeThrough(stream))) {
@@ -15,7 +16,7 @@ async function through(bytes, stream) {
   return new Uint8Array(await new Blob(parts).arrayBuffer())
 }
 
-/** Not every browser's streams are iterable. */
+/** Yields the parts of a stream. Some browsers' streams are not iterable. */
 async function* readAll(stream) {
   const reader = stream.getReader()
   try {
@@ -28,7 +29,7 @@ async function* readAll(stream) {
 /** Returns the fragment of a link, including the #. */
 export async function fragmentOf(sketch) {
   const bytes = new TextEncoder().encode(JSON.stringify(sketch))
-  const packed = await through(bytes, new CompressionStream('deflate-raw'))
+  const packed = await pipeThrough(bytes, new CompressionStream('deflate-raw'))
   let text = ''
   for (const byte of packed) text += String.fromCharCode(byte)
   return mark + btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
@@ -57,7 +58,7 @@ export async function sketchOf(fragment) {
     if (fragment.length > 2 * MAX_BYTES) throw new RangeError('too large')
     const text = atob(fragment.slice(mark.length).replaceAll('-', '+').replaceAll('_', '/'))
     const packed = Uint8Array.from(text, (character) => character.charCodeAt(0))
-    const bytes = await through(packed, new DecompressionStream('deflate-raw'))
+    const bytes = await pipeThrough(packed, new DecompressionStream('deflate-raw'))
     sketch = JSON.parse(new TextDecoder().decode(bytes))
   } catch (error) {
     throw new Error(

@@ -2,15 +2,15 @@
 import { StateEffect, StateField } from '@codemirror/state'
 import { Decoration, EditorView } from '@codemirror/view'
 
-const light = StateEffect.define()
+const setLines = StateEffect.define()
 const line = Decoration.line({ class: 'cm-lit' })
 
-const lit = StateField.define({
+export const highlightedLines = StateField.define({
   create: () => Decoration.none,
   update: (marks, { changes, effects, state }) =>
     effects.reduce(
       (before, effect) =>
-        effect.is(light)
+        effect.is(setLines)
           ? Decoration.set(
               effect.value
                 .filter((number) => number <= state.doc.lines)
@@ -23,5 +23,4 @@ const lit = StateField.define({
   provide: (field) => EditorView.decorations.from(field),
 })
 
-export const litLines = lit
-export const lightLines = (view, numbers) => view.dispatch({ effects: light.of(numbers) })
+export const highlightLines = (view, numbers) => view.dispatch({ effects: setLines.of(numbers) })

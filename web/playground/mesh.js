@@ -33,7 +33,7 @@ function mapTriples(array, change) {
 const turnUpright = ([x, y, z]) => [x, -y, -z]
 
 /**
- * @param made the stage's { warps }
+ * @param made the { warps } that the stage's sketch has made
  * @param frame evaluates the warps and returns their shapes
  * @param uniforms maps a name to the value of clock, mouse and canvas
  * @returns the file's bytes
@@ -54,8 +54,8 @@ export async function glbOf(made, frame, uniforms) {
     )
   if (warp.space === 'camera')
     throw new Error('A warp in space: "camera" depends on the camera and cannot be saved.')
-  const read = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
-  const values = Object.fromEntries(read.map((name) => [name, uniforms[name]]))
+  const inputNames = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
+  const values = Object.fromEntries(inputNames.map((name) => [name, uniforms[name]]))
   const { exportGLB } = await import('../../dist/mesh.js')
   const evaluate = (mesh) => frame.evaluate(warp.index, mesh, { uniforms: values })
   return exportGLB(
@@ -64,17 +64,17 @@ export async function glbOf(made, frame, uniforms) {
 }
 
 /** Warps a recorded shape and transforms it into world space. */
-async function warpShape(space, { matrix, isUpsideDown, indices, ...own }, evaluate) {
+async function warpShape(space, { matrix, isUpsideDown, indices, ...arrays }, evaluate) {
   const { point, direction } = makeTransforms(matrix)
   const isInWorld = space === 'world'
-  const normals = own.normals && { normals: own.normals }
+  const normals = arrays.normals && { normals: arrays.normals }
   const input = isInWorld
     ? {
-        positions: mapTriples(own.positions, point),
-        ...(normals && { normals: mapTriples(own.normals, direction) }),
+        positions: mapTriples(arrays.positions, point),
+        ...(normals && { normals: mapTriples(arrays.normals, direction) }),
       }
-    : { positions: own.positions, ...normals }
-  const uvs = own.uvs && { uvs: own.uvs }
+    : { positions: arrays.positions, ...normals }
+  const uvs = arrays.uvs && { uvs: arrays.uvs }
   const { positions, normals: warpedNormals } = await evaluate({ ...input, ...uvs })
   const [toWorld, normalToWorld] = isInWorld ? [(p) => p, (n) => n] : [point, direction]
   const flip = isUpsideDown ? turnUpright : (vector) => vector
@@ -86,22 +86,23 @@ async function warpShape(space, { matrix, isUpsideDown, indices, ...own }, evalu
   }
 }
 
-/** Merges meshes into one. Attributes that not all of them have are left out. */
+/** Merges meshes into one. Attributes that some of the meshes lack are left out. */
 function merge(meshes) {
-  const [first, ...others] = meshes
-  if (!others.length) return first
-  const join = (arrays) => Float32Array.from(arrays.flatMap((array) => [...array]))
+  if (meshes.length === 1) return meshes[0]
+  const concatenate = (arrays) => Float32Array.from(arrays.flatMap((array) => [...array]))
   const shared = ['positions', 'normals', 'uvs'].filter((name) =>
     meshes.every((each) => each[name]),
   )
-  let before = 0
+  let count = 0
   const indices = meshes.flatMap(({ indices, positions }) => {
-    const from = before
-    before += positions.length / 3
-    return Array.from(indices, (index) => from + index)
+    const first = count
+    count += positions.length / 3
+    return Array.from(indices, (index) => first + index)
   })
   return {
-    ...Object.fromEntries(shared.map((name) => [name, join(meshes.map((each) => each[name]))])),
+    ...Object.fromEntries(
+      shared.map((name) => [name, concatenate(meshes.map((each) => each[name]))]),
+    ),
     indices: Uint32Array.from(indices),
   }
 }

@@ -11,16 +11,16 @@ const isAmount = (value) => Number.isFinite(value) && value >= 0
 const isList = (value, isItem) =>
   Array.isArray(value) && value.length <= MAX_ITEMS && value.every(isItem)
 const isName = (value) => isText(value, 200)
-const isPart = (value) => Number.isFinite(value)
+const isNumber = (value) => Number.isFinite(value)
 
-/** A line or column in the sketch, counted from 1. */
-const place = (value) => (Number.isSafeInteger(value) && value > 0 ? value : undefined)
+/** Returns a line or column in the sketch, counted from 1, or undefined. */
+const toPosition = (value) => (Number.isSafeInteger(value) && value > 0 ? value : undefined)
 
-/** The page shows a uniform as a number, two to four of them, or a colour such as '#ff8040'. */
+/** Returns whether the page can show a value: a number, two to four numbers, or a colour such as '#ff8040'. */
 export const isValue = (value) =>
-  isPart(value) ||
+  isNumber(value) ||
   (typeof value === 'string' && /^#[\da-f]{6}$/.test(value)) ||
-  (Array.isArray(value) && value.length > 1 && value.length < 5 && value.every(isPart))
+  (Array.isArray(value) && value.length > 1 && value.length < 5 && value.every(isNumber))
 
 const isCode = (text) =>
   isText(text?.code, MAX_CODE) &&
@@ -42,8 +42,8 @@ const levels = ['log', 'info', 'warn', 'error']
 const readers = {
   error: ({ message, line, column }) => ({
     message: String(message).slice(0, MAX_TEXT),
-    line: place(line),
-    column: place(column),
+    line: toPosition(line),
+    column: toPosition(column),
   }),
   printed: ({ level, text }) =>
     levels.includes(level) && { level, text: String(text).slice(0, MAX_TEXT) },
@@ -67,7 +67,7 @@ export function readMessage(data) {
 
 const makeError = () => new Error('The sketch sent an unexpected answer: run it again.')
 
-/** Checks that an answer is a file, and gives it that type; undefined if there is none. */
+/** Checks that an answer is a file, and returns it with this type; undefined if there is no file. */
 export function fileOf(value, type) {
   if (value === undefined || value === null) return undefined
   if (!(value instanceof Blob)) throw makeError()
@@ -79,12 +79,13 @@ const isFloatsOf = (length) => (value) => isFloats(value) && value.length === le
 
 /** Checks that an answer is an evaluated mesh with as many positions and normals as `mesh`. */
 export function evaluatedOf(value, mesh) {
-  const isAlike = isFloatsOf(mesh.positions.length)
-  if (!isAlike(value?.positions) || (mesh.normals && !isAlike(value.normals))) throw makeError()
+  const hasSameLength = isFloatsOf(mesh.positions.length)
+  if (!hasSameLength(value?.positions) || (mesh.normals && !hasSameLength(value.normals)))
+    throw makeError()
   return value
 }
 
-/** Checks that an answer is a mask of `count` vertices, nonzero where one is folded. */
+/** Checks that an answer has a mask of `count` vertices, nonzero for folded ones, and returns the mask. */
 export function maskOf(value, count) {
   if (!ArrayBuffer.isView(value?.mask) || value.mask.length !== count) throw makeError()
   return value.mask
@@ -101,7 +102,7 @@ export function shapesOf(value) {
       ArrayBuffer.isView(indices) &&
       indices.every((index) => index < count) &&
       matrix?.length === 16 &&
-      matrix.every(isPart)
+      matrix.every(isNumber)
     )
   }
   if (!isList(value, isShape)) throw makeError()

@@ -1,12 +1,12 @@
 /**
- * Prepares modules for an import map whose addresses are data or blobs. Relative imports become names, since data has no folder to
- * resolve them against.
+ * Prepares modules for an import map whose addresses are data or blobs. Relative imports become names, since a data: address has no folder
+ * against which they could be resolved.
  */
-const asked = /(\bfrom\s*|\bimport\s*\(?\s*)(["'])([^"'\n]+)\2/g
+const importPattern = /(\bfrom\s*|\bimport\s*\(?\s*)(["'])([^"'\n]+)\2/g
 
 /**
- * Collects all modules that `text` imports, directly or indirectly → { name: { path, text } }. `modules` maps names, or prefixes that
- * end with a slash, to paths; `read` returns the text at a path.
+ * Collects all modules that `text` imports, directly or indirectly. Returns { name: { path, text } }. `modules` maps names, or prefixes
+ * that end with a slash, to paths; `read` returns the text at a path.
  */
 export async function moduleTexts(text, modules, read) {
   const imports = {}
@@ -19,7 +19,7 @@ export async function moduleTexts(text, modules, read) {
     )
     return key && modules[key] + name.slice(key.length)
   }
-  /** Returns the one name of the module at `path`: with two, it would be loaded twice. */
+  /** Returns the name of the module at `path`. It is always the same: under a second name, the module would be loaded twice. */
   function nameOf(path) {
     for (const [key, place] of Object.entries(modules)) {
       if (place === path) return key
@@ -31,18 +31,17 @@ export async function moduleTexts(text, modules, read) {
   /** Adds all imports of `text` to `imports` and returns the text with its imports replaced by names. */
   async function replaceImports(text, path) {
     const names = {}
-    for (const [, , , name] of text.matchAll(asked)) {
-      const found = resolve(name, path)
-      if (!found || name in names) continue
-      const known = nameOf(found)
-      names[name] = path ? known : name
+    for (const [, , , name] of text.matchAll(importPattern)) {
+      const imported = resolve(name, path)
+      if (!imported || name in names) continue
+      names[name] = path ? nameOf(imported) : name
       if (names[name] in imports) continue
       // Set before reading, because modules can import each other.
       imports[names[name]] = {}
-      const text = await replaceImports(await read(found), found)
-      Object.assign(imports[names[name]], { path: found, text })
+      const text = await replaceImports(await read(imported), imported)
+      Object.assign(imports[names[name]], { path: imported, text })
     }
-    return text.replaceAll(asked, (whole, head, quote, name) =>
+    return text.replaceAll(importPattern, (whole, head, quote, name) =>
       name in names ? head + quote + names[name] + quote : whole,
     )
   }
@@ -50,7 +49,7 @@ export async function moduleTexts(text, modules, read) {
   return imports
 }
 
-/** Converts the modules that `text` imports to data: addresses → { name: address }. */
+/** Converts the modules that `text` imports to data: addresses. Returns { name: address }. */
 export async function modulesAsData(text, modules, read) {
   const texts = await moduleTexts(text, modules, read)
   const dataOf = ({ text }) => `data:text/javascript;charset=utf-8,${encodeURIComponent(text)}`

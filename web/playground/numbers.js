@@ -6,12 +6,12 @@ import { Decoration, EditorView, ViewPlugin, keymap } from '@codemirror/view'
 /** Pointer movement in pixels per step, which is also the min distance of a drag. */
 const PIXELS_PER_STEP = 4
 
-/** Finds the plain number at a position of the text → { from, to, value, decimals, mayBeNegative }, or undefined. */
+/** Finds the plain number at a position of the text. Returns { from, to, value, decimals, mayBeNegative }, or undefined. */
 export function numberAt(state, at) {
   let node
   for (const side of [1, -1]) {
-    const found = syntaxTree(state).resolveInner(at, side)
-    if (found.name === 'Number') node = found
+    const candidate = syntaxTree(state).resolveInner(at, side)
+    if (candidate.name === 'Number') node = candidate
   }
   if (!node) return
   const text = state.sliceDoc(node.from, node.to)
@@ -29,7 +29,10 @@ export function numberAt(state, at) {
   }
 }
 
-/** One unit of the last digit; for integers of three or more digits, of the second digit, so that a drag needs few steps. */
+/**
+ * Returns the step of a drag: a unit of the last digit; for integers of three or more digits, of the second digit, so that a drag needs few
+ * steps.
+ */
 const stepOf = ({ value, decimals }) =>
   decimals
     ? 10 ** -decimals
@@ -42,7 +45,7 @@ function stepNumber(number, steps) {
   return (bounded === 0 ? 0 : bounded).toFixed(number.decimals).replace(/^-(0(\.0*)?)$/, '$1')
 }
 
-/** Writes a number. A whole drag is one step of the history: 'compose' events join the previous one, whatever time has passed. */
+/** Writes a number. A whole drag is one step of the history: a 'compose' event joins the previous one, however much time has passed. */
 function write(view, { from, to }, insert, isFirst) {
   view.dispatch({
     changes: { from, to, insert },
@@ -83,7 +86,7 @@ function drag(event, view) {
 }
 
 /** Selects the number under a double click, without the minus before it. */
-function select(event, view) {
+function selectNumber(event, view) {
   if (!event.target.closest?.('.cm-number')) return false
   const at = view.posAtCoords({ x: event.clientX, y: event.clientY })
   const number = at === null ? undefined : numberAt(view.state, at)
@@ -94,7 +97,8 @@ function select(event, view) {
   return true
 }
 
-function change(steps) {
+/** Returns a command that changes the number at the cursor. */
+function makeStepCommand(steps) {
   return (view) => {
     const { empty, head } = view.state.selection.main
     const number = empty && numberAt(view.state, head)
@@ -124,8 +128,8 @@ export const draggableNumbers = [
     (view) => ({
       marks: marksIn(view),
       update(update) {
-        const isParsed = syntaxTree(update.startState) !== syntaxTree(update.state)
-        if (update.docChanged || update.viewportChanged || isParsed)
+        const isReparsed = syntaxTree(update.startState) !== syntaxTree(update.state)
+        if (update.docChanged || update.viewportChanged || isReparsed)
           this.marks = marksIn(update.view)
       },
     }),
@@ -135,12 +139,12 @@ export const draggableNumbers = [
   EditorView.domEventHandlers({
     pointerdown: drag,
     mousedown: () => document.body.classList.contains('drags-number'),
-    dblclick: select,
+    dblclick: selectNumber,
   }),
   Prec.high(
     keymap.of([
-      { key: 'Alt-ArrowUp', run: change(1) },
-      { key: 'Alt-ArrowDown', run: change(-1) },
+      { key: 'Alt-ArrowUp', run: makeStepCommand(1) },
+      { key: 'Alt-ArrowDown', run: makeStepCommand(-1) },
     ]),
   ),
 ]

@@ -1,4 +1,4 @@
-/** Completes code that defines only an offset function to a p5 sketch that applies it to a model. */
+/** Makes a p5 sketch from code that only defines an offset function; the sketch applies it to a model. */
 import { quote } from './strings.js'
 
 /** p5's own shapes. A unit is a pixel, as in space: 'world'. */
@@ -30,17 +30,19 @@ const loaderOf = (name) =>
 /** Returns the sketch that p5 runs. The user's lines come first, so that they keep their numbers. */
 export function completeSketch({ text, host, model = 'sphere', ...rest }) {
   if (host !== 'offset') return { text, host, ...rest }
-  const own = text.trimEnd()
-  if (!/\boffset\b/.test(own))
+  const userCode = text.trimEnd()
+  if (!/\boffset\b/.test(userCode))
     return {
       text: `throw new Error('Write a function with the name offset, which returns the offset of a point.')`,
       host: 'p5',
       ...rest,
     }
   const isFile = !Object.hasOwn(shapes, model)
-  const options = /\buniforms\s*=/.test(own) ? "{ space: 'world', uniforms }" : "{ space: 'world' }"
+  const options = /\buniforms\s*=/.test(userCode)
+    ? "{ space: 'world', uniforms }"
+    : "{ space: 'world' }"
   return {
-    text: `${own}
+    text: `${userCode}
 
 let warp${isFile ? ', shape' : ''}
 

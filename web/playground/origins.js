@@ -1,8 +1,8 @@
-/** Reads, from comments that the frame writes, which lines of the sketch each statement of shader code is from. */
+/** Reads, from comments that the frame writes, which lines of the sketch each statement of shader code was generated from. */
 
 const originComment = /^\s*\/\/ From line (\d+)$/
 
-/** Splits code with such comments into lines → [{ text, from }], where `from` lists line numbers of the sketch. */
+/** Splits code with such comments into lines. Returns [{ text, from }], where `from` lists line numbers of the sketch. */
 export function withOrigins(code) {
   const lines = []
   let from = []
@@ -18,8 +18,8 @@ export function withOrigins(code) {
   return lines
 }
 
-/** Removes these comments. */
-export const plain = (code) =>
+/** Removes these comments from code. */
+export const removeOrigins = (code) =>
   withOrigins(code)
     .map(({ text }) => text)
     .join('\n')

@@ -1,7 +1,7 @@
 /** The tabs below the sketch: the shader code of each warp, its cost, and the sketch's console output. */
 import { make } from '../bench/dom.js'
 import { highlight } from '../highlighting.js'
-import { plain, withOrigins } from './origins.js'
+import { removeOrigins, withOrigins } from './origins.js'
 
 const targets = { glsl300: 'GLSL 3.00', glsl100: 'GLSL 1.00', wgsl: 'WGSL' }
 const MAX_LINES = 200
@@ -26,7 +26,7 @@ export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
         { title, fill: () => panel.replaceChildren(textIn(target, sketch.warps)) },
       ]),
     ),
-    costs: { title: 'Costs', fill: () => panel.replaceChildren(costs(sketch)) },
+    costs: { title: 'Costs', fill: () => panel.replaceChildren(makeCosts(sketch)) },
     ...Object.fromEntries(
       Object.entries(more).map(([name, { title, fill }]) => [
         name,
@@ -41,7 +41,7 @@ export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
         },
       ]),
     ),
-    console: { title: 'Console', fill: () => panel.replaceChildren(lines(printed)) },
+    console: { title: 'Console', fill: () => panel.replaceChildren(makeConsole(printed)) },
   }
   let chosen = 'glsl300'
 
@@ -93,36 +93,37 @@ export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
   }
 
   // Links from shader code to the sketch, and from the sketch to shader code.
-  const fromOf = (target) => {
+  /** Returns the lines of the sketch from which the statement at an element of the panel was generated. */
+  const originsOf = (target) => {
     const { from } = target.closest('[data-from]')?.dataset ?? {}
     return from ? from.split(' ').map(Number) : []
   }
-  panel.addEventListener('pointerover', ({ target }) => onPoint?.(fromOf(target)))
+  panel.addEventListener('pointerover', ({ target }) => onPoint?.(originsOf(target)))
   panel.addEventListener('pointerleave', () => onPoint?.([]))
   panel.addEventListener('click', ({ target }) => {
-    const [first] = fromOf(target)
+    const [first] = originsOf(target)
     if (first && getSelection().isCollapsed) onPick?.(first)
   })
-  let followed
-  function light() {
+  let followedLine
+  function highlightFollowed() {
     for (const line of panel.querySelectorAll('[data-from]'))
-      line.classList.toggle('lit', fromOf(line).includes(followed))
+      line.classList.toggle('lit', originsOf(line).includes(followedLine))
   }
-  new MutationObserver(light).observe(panel, { childList: true })
+  new MutationObserver(highlightFollowed).observe(panel, { childList: true })
 
   return {
-    /** Highlights the code generated from this line of the sketch, which has the cursor. */
+    /** Highlights the code that was generated from this line of the sketch, where the cursor is. */
     follow(line) {
-      followed = line
-      light()
+      followedLine = line
+      highlightFollowed()
       panel.querySelector('.lit')?.scrollIntoView({ block: 'nearest' })
     },
-    /** Shows the visible sketch's { warps, first }; without `first`, the same sketch has made more warps. */
+    /** Shows the warps of the visible sketch, and the time of its first picture. Without `first`, the same sketch has made more warps. */
     show({ warps, first }) {
       sketch = first === undefined ? { ...sketch, warps } : { warps, first }
       if (chosen !== 'console') tabs[chosen].fill()
     },
-    rate(rate) {
+    showRate(rate) {
       sketch.rate = rate
       const place = panel.querySelector('.rate')
       if (place) place.textContent = rateText(rate)
@@ -136,11 +137,11 @@ export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
   }
 }
 
-const none = (text) => make('p', { className: 'none', textContent: text })
+const makeNote = (text) => make('p', { className: 'none', textContent: text })
 
 function textIn(target, warps) {
-  const texts = warps.map(({ maker, texts }) => `// ${maker}\n${whole(texts[target])}`)
-  if (!texts.length) return none('The sketch has made no shader code.')
+  const texts = warps.map(({ maker, texts }) => `// ${maker}\n${joinCode(texts[target])}`)
+  if (!texts.length) return makeNote('The sketch has made no shader code.')
   const code = make('code')
   code.innerHTML = withOrigins(texts.join('\n\n'))
     .map(
@@ -151,13 +152,13 @@ function textIn(target, warps) {
   return make('pre', { tabIndex: 0 }, code)
 }
 
-const whole = ({ code, declarations }) =>
+const joinCode = ({ code, declarations }) =>
   declarations ? `${code}\n\n// Above main:\n${declarations}` : code
 
 const rateText = (rate) =>
   rate ? `${short.format(1000 / rate)} ms (${integer.format(rate)} a second)` : '–'
 
-function costs({ warps, first, rate }) {
+function makeCosts({ warps, first, rate }) {
   const rows = warps
     .filter(({ stats }) => stats)
     .map(({ maker, stats, own: { code, declarations = '' } }) => [
@@ -165,7 +166,7 @@ function costs({ warps, first, rate }) {
       stats.nodes,
       stats.operations,
       stats.temporaries,
-      plain(code).length + declarations.length,
+      removeOrigins(code).length + declarations.length,
     ])
   const list = make('dl', { className: 'read-outs' })
   list.append(
@@ -177,13 +178,13 @@ function costs({ warps, first, rate }) {
       make('dd', { className: 'rate', textContent: rateText(rate) }),
     ),
   )
-  if (!rows.length) return make('div', {}, list, none('The sketch has made no warp.'))
+  if (!rows.length) return make('div', {}, list, makeNote('The sketch has made no warp.'))
   const head = ['Warp', 'Nodes', 'Operations', 'Temporaries', 'Characters']
   const table = make(
     'table',
     {},
-    make('thead', {}, line('th', head)),
-    make('tbody', {}, ...rows.map((row) => line('td', row))),
+    make('thead', {}, makeRow('th', head)),
+    make('tbody', {}, ...rows.map((row) => makeRow('td', row))),
   )
   return make('div', {}, list, table)
 }
@@ -191,7 +192,7 @@ function costs({ warps, first, rate }) {
 const figure = (value, unit) =>
   make('dd', { textContent: value === undefined ? '–' : `${integer.format(value)} ${unit}` })
 
-const line = (kind, cells) =>
+const makeRow = (kind, cells) =>
   make(
     'tr',
     {},
@@ -200,8 +201,8 @@ const line = (kind, cells) =>
     ),
   )
 
-function lines(printed) {
-  if (!printed.length) return none('Nothing was printed.')
+function makeConsole(printed) {
+  if (!printed.length) return makeNote('Nothing was printed.')
   const list = make('ol', { className: 'printed', tabIndex: 0 })
   list.append(
     ...printed.map(({ level, text }) => make('li', { className: level, textContent: text })),

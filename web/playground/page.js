@@ -15,14 +15,14 @@ import { fileOf } from './messages.js'
 import { draggableNumbers } from './numbers.js'
 import { completeSketch, isModelFile } from './offset.js'
 import { makeOutput } from './output.js'
-import { download, pageAlone, pageWithTags, project } from './save.js'
+import { download, writePage, writePageWithTags, writeProject } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
 import { hasWebGL, showStill } from './still.js'
 import { makeTime } from './time.js'
 import { makeWarpsInFrame } from './warps-in-frame.js'
 
-/** Milliseconds without a change after which the sketch is built again. */
+/** After this many milliseconds without a change, the sketch is built again. */
 const PAUSE = 400
 const REPORT_EVERY = 500
 
@@ -37,19 +37,19 @@ function setStatus(texts) {
 const mistakePlace = find('.mistake')
 
 /** Returns the current values of the inputs that a warp may read. */
-const inputsNow = () => {
+const readInputs = () => {
   const { innerWidth: width, innerHeight: height } = window
   const { millis } = stage.state()
   return { millis, mouse: [width / 2, height / 2], size: [width, height], pixelDensity: 1 }
 }
 const stage = makeStage(find('.stage'), listen)
 const warpsInFrame = makeWarpsInFrame(stage)
-const checks = makeChecks(inputsNow, warpsInFrame)
+const checks = makeChecks(readInputs, warpsInFrame)
 const output = makeOutput(
   find('.tabs'),
   find('#panel'),
   { checks },
-  { onPoint: (lines) => editor.light(lines), onPick: (line) => editor.goTo(line) },
+  { onPoint: (lines) => editor.highlight(lines), onPick: (line) => editor.goTo(line) },
 )
 const time = makeTime(find('.time'), stage)
 const sliders = makeSliders(find('.sliders'), (values) => stage.send('setValues', values))
@@ -63,7 +63,7 @@ const network = find('#network')
 const choices = makeChoices(editor, showMistake)
 /** Maps name → dropped file. */
 const files = new Map()
-/** The first address that the policy kept the sketch from loading. */
+/** The first address that the sketch tried to load and the policy blocked. */
 let blocked
 
 /** Runs the sketch after a pause without changes. */
@@ -151,13 +151,13 @@ function showMistake(mistake = blocked && { message: '' }) {
 }
 
 /** Shows frames per second from the frame's counter. */
-let counted = { frames: 0, at: 0 }
+let lastCount = { frames: 0, at: 0 }
 setInterval(() => {
   const { frames } = stage.state()
   const at = performance.now()
-  const passed = frames - counted.frames
-  if (passed > 0 && counted.frames) output.rate((1000 * passed) / (at - counted.at))
-  counted = { frames, at }
+  const newFrames = frames - lastCount.frames
+  if (newFrames > 0 && lastCount.frames) output.showRate((1000 * newFrames) / (at - lastCount.at))
+  lastCount = { frames, at }
 }, REPORT_EVERY)
 
 normals.addEventListener('change', runSoon)
@@ -197,27 +197,27 @@ makeMenu(
     },
     'Warped shape (GLB)': async () =>
       download(
-        new Blob([await glbOf(stage.made(), warpsInFrame, inputsNow())], {
+        new Blob([await glbOf(stage.made(), warpsInFrame, readInputs())], {
           type: 'model/gltf-binary',
         }),
         'warp.glb',
       ),
     'npm project (zip)': async () =>
       download(
-        new Blob(await project(completeSketch(editor.sketch()), files), {
+        new Blob(await writeProject(completeSketch(editor.sketch()), files), {
           type: 'application/zip',
         }),
         'warp.zip',
       ),
     'Page that opens anywhere (HTML)': async () =>
       download(
-        new Blob([await pageAlone(completeSketch(editor.sketch()), files)], { type: 'text/html' }),
+        new Blob([await writePage(completeSketch(editor.sketch()), files)], { type: 'text/html' }),
         'warp.html',
       ),
     'Copy a page and open the p5 editor': async () => {
       if (!navigator.clipboard)
         throw new Error('This browser allows copying only on https and localhost pages.')
-      await navigator.clipboard.writeText(pageWithTags(completeSketch(editor.sketch())))
+      await navigator.clipboard.writeText(writePageWithTags(completeSketch(editor.sketch())))
       open('https://editor.p5js.org/', '_blank', 'noopener')
       return 'Copied: paste it into index.html'
     },

@@ -18,7 +18,7 @@ const watchWarps = (modules) => ({
 })
 
 const mesh = '../../dist/mesh.min.js'
-/** Functions for which p5.warpjet.min.js imports the file next to it. */
+/** Matches the functions for which p5.warpjet.min.js imports mesh.min.js, which is next to it. */
 const needsMesh = /\b(?:loadWarpModel|subdivide|addSurfaceVariation)\b/
 
 export const readText = remember(async (path) => {
@@ -27,34 +27,37 @@ export const readText = remember(async (path) => {
   return response.text()
 })
 
-/** A script whose errors name the file of the site, not the blob: warpjet distinguishes its own lines from the sketch's by that. */
-const scriptBlob = (text, href) =>
+/** Makes a blob of a script. Errors name the site's file instead of the blob, so that warpjet can tell its own lines from the sketch's. */
+const makeScriptBlob = (text, href) =>
   new Blob([text.replace(/^\/\/# sourceMappingURL=.*$/m, ''), `\n//# sourceURL=${href}\n`], {
     type: 'text/javascript',
   })
 
-const script = remember(async (path) => {
+const loadScript = remember(async (path) => {
   const { href } = new URL(path, folder)
-  return { href, blob: scriptBlob(await readText(path), href) }
+  return { href, blob: makeScriptBlob(await readText(path), href) }
 })
 
 /** Makes a blob of each module that `text` imports, keyed by the name that other modules import it by. */
-const moduleBlobs = remember(async (_, text, modules) => {
+const makeModuleBlobs = remember(async (_, text, modules) => {
   const texts = await moduleTexts(text, modules, readText)
   return Object.fromEntries(
     Object.entries(texts).map(([name, { path, text }]) => [
       name,
-      scriptBlob(text, new URL(path, folder).href),
+      makeScriptBlob(text, new URL(path, folder).href),
     ]),
   )
 })
 
-const importsIn = (text) => (text.match(/\b(?:from|import)\s*\(?\s*["'][^"'\n]+["']/g) ?? []).join()
+/** Returns a key for `makeModuleBlobs`: the import statements of a text. */
+const importStatements = (text) =>
+  (text.match(/\b(?:from|import)\s*\(?\s*["'][^"'\n]+["']/g) ?? []).join()
 
 async function importsOf({ host, text }) {
-  if (isThree(host)) return moduleBlobs(importsIn(text), text, watchWarps(hosts[host].modules))
+  if (isThree(host))
+    return makeModuleBlobs(importStatements(text), text, watchWarps(hosts[host].modules))
   if (!needsMesh.test(text)) return {}
-  const { href, blob } = await script(mesh)
+  const { href, blob } = await loadScript(mesh)
   return { [href]: blob }
 }
 
@@ -67,11 +70,11 @@ export async function partsOf(sketch, dropped) {
     ...tagsOf(sketch),
     ...frameScripts(isModule ? ['clock', 'record'] : ['clock', 'record', 'warps']),
   ]
-  const named = namesOfFiles(text).filter((name) => !dropped.has(name))
+  const siteNames = namesOfFiles(text).filter((name) => !dropped.has(name))
   const [scripts, imports, found] = await Promise.all([
-    Promise.all(paths.map((path) => script(path))),
+    Promise.all(paths.map((path) => loadScript(path))),
     importsOf(sketch),
-    Promise.all(named.map(async (name) => [name, await siteFile(name).catch(() => undefined)])),
+    Promise.all(siteNames.map(async (name) => [name, await siteFile(name).catch(() => undefined)])),
   ])
   return {
     scripts,

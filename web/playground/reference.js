@@ -10,21 +10,21 @@ import vectorsPage from '../docs/plots-vectors.md?raw'
 import plotsPage from '../docs/plots.md?raw'
 
 /** Converts a Markdown table cell to plain text. */
-const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
+const toPlainText = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
 const cellsOf = (row) =>
   row
     .slice(1, -1)
     .split(/(?<!\\)\|/)
-    .map(plain)
+    .map(toPlainText)
 
 /** Maps name → { forms, meanings }. A name can appear in several rows, as `atan` does. */
 const operations = new Map()
 
 function add(name, forms, meaning) {
-  const known = operations.get(name) ?? { forms: [], meanings: [] }
+  const entry = operations.get(name) ?? { forms: [], meanings: [] }
   operations.set(name, {
-    forms: [...known.forms, ...forms.filter((form) => !known.forms.includes(form))],
-    meanings: known.meanings.includes(meaning) ? known.meanings : [...known.meanings, meaning],
+    forms: [...entry.forms, ...forms.filter((form) => !entry.forms.includes(form))],
+    meanings: entry.meanings.includes(meaning) ? entry.meanings : [...entry.meanings, meaning],
   })
 }
 
@@ -32,23 +32,23 @@ const rowsOf = (page) => page.match(/^\|.*\|$/gm) ?? []
 
 for (const row of rowsOf(operationsPage)) {
   const [first, second, third] = cellsOf(row)
-  const isBoth = /^\S*\.\w+\(/.test(second ?? '')
-  const meaning = isBoth ? third : second
-  const forms = (isBoth ? [first, second] : first.split(/, (?=glsl\.)/)).filter((form) =>
+  const hasMethodForm = /^\S*\.\w+\(/.test(second ?? '')
+  const meaning = hasMethodForm ? third : second
+  const forms = (hasMethodForm ? [first, second] : first.split(/, (?=glsl\.)/)).filter((form) =>
     /^[\w]+\.\w+\(/.test(form),
   )
   for (const [i, form] of forms.entries()) {
     const [, name] = /\.(\w+)\(/.exec(form)
-    if (!isBoth || i === 0) add(name, isBoth ? forms : [form], meaning)
+    if (!hasMethodForm || i === 0) add(name, hasMethodForm ? forms : [form], meaning)
   }
 }
 
 for (const row of rowsOf(noisePage)) {
-  const [form, of, range, smooth] = cellsOf(row)
+  const [form, points, range, smooth] = cellsOf(row)
   const [, name, options] = /^(\w+)\(p, (.*)\)/.exec(form) ?? []
   if (!name) continue
   const forms = [`glsl.${name}(p, ${options})`, `p.${name}(${options})`]
-  add(name, forms, `Noise of ${of}: ${range}. Without jumps: ${smooth}.`)
+  add(name, forms, `Noise of ${points}: ${range}. Without jumps: ${smooth}.`)
 }
 
 /* The formula of each operation. */
@@ -57,19 +57,19 @@ for (const row of rowsOf(noisePage)) {
   if (formula.startsWith('Σ')) add(name, [], `Value: ${formula}.`)
 }
 for (const [, name, formula] of plotsPage.matchAll(/^### (\w+)(?:(?!^###)[^])*?^(Value: .*)$/gm))
-  add(name, [], plain(formula))
+  add(name, [], toPlainText(formula))
 // Noise is covered by its own page above.
 const [vectors] = vectorsPage.split('## Kinds of noise')
 for (const [, name, formula] of vectors.matchAll(
   /^### (\w+)(?:(?!^###)[^])*?^(`\1\([^]*?)\n\n<!--/gm,
 ))
-  add(name, [], plain(formula.replaceAll('\n\n', ' ')))
+  add(name, [], toPlainText(formula.replaceAll('\n\n', ' ')))
 
 /** Maps each deformer to the first paragraph under its heading. */
 const deformers = new Map(
   [...deformersPage.matchAll(/^## (\w+)\n\n([^\n]+)/gm)].map(([, name, text]) => [
     name,
-    { forms: [`warpjet.${name}({ … })`], meanings: [plain(text)] },
+    { forms: [`warpjet.${name}({ … })`], meanings: [toPlainText(text)] },
   ]),
 )
 
@@ -79,7 +79,7 @@ const entryOf = ({ name, form, meaning, ...more }) => [
 ]
 
 /** Collects a host's { inputs, functions } from the declarations, each by name; functions also have `options` by name. */
-function ownOf(host) {
+function collectEntries(host) {
   const isOfHost = (each) => each.host === host || each.host === 'both'
   const functions = types.functions
     .filter(isOfHost)
@@ -89,10 +89,12 @@ function ownOf(host) {
     functions: new Map(functions),
   }
 }
-export const own = { p5: ownOf('p5'), three: ownOf('three') }
+export const hostEntries = { p5: collectEntries('p5'), three: collectEntries('three') }
 
 /** Functions that are members of the global `warpjet` on pages with p5. */
-export const ofLibrary = new Map(types.functions.filter(({ host }) => host === 'both').map(entryOf))
+export const libraryFunctions = new Map(
+  types.functions.filter(({ host }) => host === 'both').map(entryOf),
+)
 
 export { operations, deformers }
 

@@ -1,12 +1,12 @@
 /** Memoizes an asynchronous function by its first argument. Failures are not remembered. */
 export function remember(make) {
-  const made = new Map()
+  const results = new Map()
   return (key, ...rest) => {
-    if (!made.has(key)) {
+    if (!results.has(key)) {
       const result = make(key, ...rest)
-      made.set(key, result)
-      result.catch(() => made.delete(key))
+      results.set(key, result)
+      result.catch(() => results.delete(key))
     }
-    return made.get(key)
+    return results.get(key)
   }
 }

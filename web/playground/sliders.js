@@ -4,11 +4,11 @@ import { isValue } from './messages.js'
 
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
 
-/** From 0 to four times the sketch's value; from -1 to 1 if that is 0. */
+/** Returns the range of a slider: from 0 to four times the sketch's value; from -1 to 1 if the value is 0. */
 const rangeOf = (value) => (value === 0 ? [-1, 1] : [0, 4 * value].sort((a, b) => a - b))
 
 const isColor = (value) => typeof value === 'string'
-const isAlike = (a, b) => typeof a === typeof b && a.length === b.length
+const hasSameForm = (a, b) => typeof a === typeof b && a.length === b.length
 
 /** @param onChange called with the values that the user has changed, in the form that `moved()` returns */
 export function makeSliders(place, onChange) {
@@ -19,7 +19,7 @@ export function makeSliders(place, onChange) {
   const valueOf = (name, source) =>
     String(moved[name]?.source) === String(source) ? moved[name].value : source
 
-  function row(title, input, print) {
+  function makeRow(title, input, print) {
     input.id = `uniform-${title}`
     const output = make('output', { textContent: print(input.value) })
     input.addEventListener('input', () => (output.textContent = print(input.value)))
@@ -31,7 +31,7 @@ export function makeSliders(place, onChange) {
     const input = make('input', { type: 'range', min, max, step: 'any' })
     input.value = value
     input.addEventListener('input', () => move(Number(input.value)))
-    return row(title, input, (value) => short.format(value))
+    return makeRow(title, input, (value) => short.format(value))
   }
 
   function controlsFor({ name, value: source }) {
@@ -39,16 +39,16 @@ export function makeSliders(place, onChange) {
       moved[name] = { source, value }
       onChange(moved)
     }
-    const now = () => valueOf(name, source)
+    const current = () => valueOf(name, source)
     if (isColor(source)) {
-      const input = make('input', { type: 'color', value: now() })
+      const input = make('input', { type: 'color', value: current() })
       input.addEventListener('input', () => move(input.value))
-      return row(name, input, (color) => color)
+      return makeRow(name, input, (color) => color)
     }
-    if (typeof source === 'number') return sliderFor(name, source, now(), move)
+    if (typeof source === 'number') return sliderFor(name, source, current(), move)
     return [...source].flatMap((part, i) =>
-      sliderFor(`${name}.${'xyzw'[i]}`, part, now()[i], (value) =>
-        move(Array.from(now(), (before, k) => (k === i ? value : before))),
+      sliderFor(`${name}.${'xyzw'[i]}`, part, current()[i], (value) =>
+        move(Array.from(current(), (before, k) => (k === i ? value : before))),
       ),
     )
   }
@@ -63,7 +63,7 @@ export function makeSliders(place, onChange) {
       moved = Object.fromEntries(
         Object.entries(values ?? {}).filter(
           ([, each]) =>
-            isValue(each?.value) && isValue(each.source) && isAlike(each.value, each.source),
+            isValue(each?.value) && isValue(each.source) && hasSameForm(each.value, each.source),
         ),
       )
     },

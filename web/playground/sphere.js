@@ -1,18 +1,21 @@
-/** A sphere for checking a warp: positions, normals and texture coordinates, with the gradients of the latter two. */
-export const across = 96
-export const down = 48
+/** A sphere for checking a warp: positions, normals and texture coordinates, with the gradients of normals and texture coordinates. */
+
+/** The size of the grid of points. */
+export const columns = 96
+export const rows = 48
 
 /** The step of finite differences in radians. */
 const STEP = 2e-3
 
 const scale = (vector, factor) => vector.map((value) => value * factor)
 
-function place(radius, u, v) {
+function createPoint(radius, u, v) {
   const [longitude, latitude] = [2 * Math.PI * u, Math.PI * v]
   const [sinU, cosU] = [Math.sin(longitude), Math.cos(longitude)]
   const [sinV, cosV] = [Math.sin(latitude), Math.cos(latitude)]
   const normal = [sinV * sinU, -cosV, sinV * cosU]
-  const change = (axis) => {
+  /** Returns the gradient of a coordinate of the normal. */
+  const gradient = (axis) => {
     const unit = [0, 1, 2].map((i) => Number(i === axis))
     return unit.map((value, i) => (value - normal[axis] * normal[i]) / radius)
   }
@@ -21,9 +24,9 @@ function place(radius, u, v) {
     normals: normal,
     uvs: [u, v],
     colors: [1, 1, 1, 1],
-    normalXGradients: change(0),
-    normalYGradients: change(1),
-    normalZGradients: change(2),
+    normalXGradients: gradient(0),
+    normalYGradients: gradient(1),
+    normalZGradients: gradient(2),
     uGradients: scale([cosU, 0, -sinU], 1 / (2 * Math.PI * radius * sinV)),
     vGradients: scale([cosV * sinU, sinV, cosV * cosU], 1 / (Math.PI * radius)),
   }
@@ -33,17 +36,17 @@ function place(radius, u, v) {
 export function spherePoints(radius) {
   const points = []
   const [du, dv] = [STEP / (2 * Math.PI), STEP / Math.PI]
-  for (let j = 0; j < down; j++)
-    for (let i = 0; i < across; i++) {
-      const [u, v] = [(i + 0.5) / across, (j + 0.5) / down]
-      points.push(place(radius, u, v))
+  for (let j = 0; j < rows; j++)
+    for (let i = 0; i < columns; i++) {
+      const [u, v] = [(i + 0.5) / columns, (j + 0.5) / rows]
+      points.push(createPoint(radius, u, v))
       for (const [x, y] of [
         [-du, 0],
         [du, 0],
         [0, -dv],
         [0, dv],
       ])
-        points.push(place(radius, u + x, v + y))
+        points.push(createPoint(radius, u + x, v + y))
     }
   const mesh = {}
   for (const name of Object.keys(points[0]))
@@ -57,7 +60,7 @@ const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b
 
 /**
  * Returns the angles in radians between a warped sphere's normals and those of finite differences, one per grid point; NaN if
- * either is zero.
+ * one of the two normals is zero.
  */
 export function normalErrors({ positions, normals }) {
   const count = positions.length / 15

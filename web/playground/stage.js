@@ -19,18 +19,18 @@ export function makeStage(place, listen) {
   place.append(host)
   /** The visible frame, and the one that will replace it: { frame, port, state, questions } each. */
   let shown, coming
-  let latest
+  let latestRun
 
   async function run(sketch, { files, mayLoad, ...settings }) {
-    const mine = (latest = {})
+    const thisRun = (latestRun = {})
     remove(coming)
     coming = undefined
     try {
       const [parts] = await Promise.all([partsOf(sketch, files), isReady])
-      if (mine !== latest) return
+      if (thisRun !== latestRun) return
       begin(sketch.host, { mayLoad }, { ...parts, ...settings, root })
     } catch (error) {
-      if (mine === latest) listen({ kind: 'error', message: error.message })
+      if (thisRun === latestRun) listen({ kind: 'error', message: error.message })
     }
   }
 
@@ -59,10 +59,10 @@ export function makeStage(place, listen) {
     if (message.kind === 'answer') return resolveQuestion(running, message)
     if (message.kind === 'wanted') return sendFile(running, message)
     if (message.kind === 'made') running.made = message
-    // Ignore repetitions, which would make the page rebuild its tabs.
+    // Ignore a repeated 'drawn', with which a sketch could make the page rebuild its tabs again and again.
     else if (message.kind === 'drawn' && running === shown) return
     else if (message.kind === 'drawn') show(running)
-    // The next sketch's warps are announced with its first picture.
+    // The warps of the next sketch are shown with its first picture.
     if (message.kind !== 'made' || running === shown) listen(message)
     if (message.kind === 'error' && running === coming) {
       coming = undefined

@@ -13,14 +13,14 @@ const unescape = (text) =>
     },
   )
 
-/** Finds string literals and templates without substitutions → [{ from, to, value }], positions including the quotes. */
+/** Finds string literals and templates without substitutions. Returns [{ from, to, value }]; `from` and `to` include the quotes. */
 export function stringsIn(text) {
   const strings = []
   javascriptLanguage.parser.parse(text).iterate({
     enter({ name, from, to, node }) {
-      const isWhole =
+      const isLiteral =
         name === 'String' || (name === 'TemplateString' && !node.getChild('Interpolation'))
-      if (isWhole) strings.push({ from, to, value: unescape(text.slice(from + 1, to - 1)) })
+      if (isLiteral) strings.push({ from, to, value: unescape(text.slice(from + 1, to - 1)) })
     },
   })
   return strings
@@ -31,7 +31,7 @@ const isFileName = (name) =>
     name,
   )
 
-/** Returns the file names in a text, including those that it may only write. */
+/** Returns the file names in a sketch, including those of files that it may only write. */
 export const namesOfFiles = (text) => [
   ...new Set(
     stringsIn(text)
@@ -41,7 +41,7 @@ export const namesOfFiles = (text) => [
 ]
 
 /** Replaces each file name in the text by `change(name)`. */
-export function withFiles(text, change) {
+export function replaceFileNames(text, change) {
   let result = text
   for (const { from, to, value } of stringsIn(text).reverse()) {
     if (!isFileName(value) || change(value) === value) continue
@@ -50,8 +50,8 @@ export function withFiles(text, change) {
   return result
 }
 
-const asCode = (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`
+const toEscape = (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`
 
 /** Writes a text as a string literal. */
 export const quote = (text) =>
-  `'${text.replaceAll(/[\\']/g, '\\$&').replaceAll(/[\0-\x1f\u2028\u2029]/g, asCode)}'`
+  `'${text.replaceAll(/[\\']/g, '\\$&').replaceAll(/[\0-\x1f\u2028\u2029]/g, toEscape)}'`

@@ -3,7 +3,7 @@ import { HighlightStyle, syntaxHighlighting } from '@codemirror/language'
 import { EditorView } from '@codemirror/view'
 import { tags } from '@lezer/highlight'
 
-const look = EditorView.theme(
+const appearance = EditorView.theme(
   {
     '&': { backgroundColor: 'transparent', color: 'var(--text)', height: '100%' },
     '&.cm-focused': { outline: 'none' },
@@ -61,4 +61,4 @@ const colors = HighlightStyle.define([
   { tag: [tags.function(tags.variableName)], color: 'var(--violet)' },
 ])
 
-export const theme = [look, syntaxHighlighting(colors)]
+export const theme = [appearance, syntaxHighlighting(colors)]

@@ -1,4 +1,4 @@
-/** Evaluates warps of the visible sketch, by index. They are in its frame, so the answers are validated. */
+/** Evaluates warps of the visible sketch, by index. The sketch's frame does this, so its answers are validated. */
 import { evaluatedOf, maskOf, shapesOf } from './messages.js'
 
 export const makeWarpsInFrame = (stage) => ({

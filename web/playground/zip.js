@@ -13,7 +13,7 @@ function checksum(bytes) {
 }
 
 /** Encodes [size, value] pairs in little-endian order. */
-function words(...list) {
+function encodeFields(...list) {
   const view = new DataView(new ArrayBuffer(list.reduce((sum, [size]) => sum + size, 0)))
   let at = 0
   for (const [size, value] of list) {
@@ -27,9 +27,9 @@ function words(...list) {
 /** 1 January 1980, the first date of the format, so that an archive does not depend on when it was made. */
 const day = 33
 /** The flag of names in UTF-8. */
-const inUTF8 = 0x800
+const utf8Flag = 0x800
 
-/** Returns true if every unpacker, on every system, puts a file of that name below its target folder. */
+/** Returns whether every unpacker, on every system, puts a file of that name inside of its target folder. */
 const isInside = (name) =>
   /^[^\\:\0-\x1f]+$/.test(name) &&
   name.split('/').every((part) => part !== '' && part !== '.' && part !== '..')
@@ -43,27 +43,27 @@ export function zip(files) {
   let at = 0
   for (const [name, content] of Object.entries(files)) {
     const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content
-    const title = new TextEncoder().encode(name)
-    const facts = [
+    const nameBytes = new TextEncoder().encode(name)
+    const sharedFields = [
       [2, 20],
-      [2, inUTF8],
+      [2, utf8Flag],
       [2, 0],
       [2, 0],
       [2, day],
       [4, checksum(bytes)],
       [4, bytes.length],
       [4, bytes.length],
-      [2, title.length],
+      [2, nameBytes.length],
       [2, 0],
     ]
-    const head = words([4, 0x04034b50], ...facts)
-    parts.push(head, title, bytes)
+    const head = encodeFields([4, 0x04034b50], ...sharedFields)
+    parts.push(head, nameBytes, bytes)
     const more = [[2, 0], [2, 0], [2, 0], [4, 0], [4, at]] // prettier-ignore
-    entries.push(words([4, 0x02014b50], [2, 20], ...facts, ...more), title)
-    at += head.length + title.length + bytes.length
+    entries.push(encodeFields([4, 0x02014b50], [2, 20], ...sharedFields, ...more), nameBytes)
+    at += head.length + nameBytes.length + bytes.length
   }
   const size = entries.reduce((sum, { length }) => sum + length, 0)
   const count = entries.length / 2
-  const end = words([4, 0x06054b50], [2, 0], [2, 0], [2, count], [2, count], [4, size], [4, at], [2, 0]) // prettier-ignore
+  const end = encodeFields([4, 0x06054b50], [2, 0], [2, 0], [2, count], [2, count], [4, size], [4, at], [2, 0]) // prettier-ignore
   return [...parts, ...entries, end]
 }

@@ -64,16 +64,16 @@ const types = {
 
 const objs = new Map()
 
-function obj(name) {
+function makeOBJ(name) {
   if (!objs.has(name)) objs.set(name, toOBJ(models[name](), name))
   return objs.get(name)
 }
 
-/** Returns a tag that runs the sketch, or the changed sketch that the page around the frame has set. */
+/** Returns a tag that runs the sketch, or a changed sketch if the page around the frame has set one. */
 const sketchTag = (kind) =>
   `<script>document.write('<script${kind} src="' + (window.frameElement?.sketch ?? 'sketch.js') + '"></' + 'script>')</script>`
 
-/** Returns the example's page with the recorder, which the gallery shows in a frame. */
+/** Returns the example's page, with the recorder, for the frame in the gallery. */
 const framedPage = (html) =>
   html
     .replace(
@@ -95,7 +95,7 @@ async function contentOf(path) {
   if (!isLoadable) return
   if (file in fonts) return read(fonts[file])
   const model = /^(\w+)\.obj$/.exec(file)?.[1]
-  if (model) return model in models ? obj(model) : undefined
+  if (model) return model in models ? makeOBJ(model) : undefined
   if (!example) return
   const page = async () => String(await read(`examples/${example}/index.html`))
   if (file === 'gallery.html') return withPolicy(framedPage(await page()), 'sketch')

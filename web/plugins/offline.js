@@ -11,7 +11,7 @@ import { createHash } from 'node:crypto'
 function worker({ name, files, models, same }) {
   const scope = self.registration.scope
 
-  const known = new Set([...files, ...models, ...Object.keys(same)])
+  const sitePaths = new Set([...files, ...models, ...Object.keys(same)])
 
   /** Copies a response without its `redirected` flag, since a navigation rejects it. Some servers redirect x.html to x. */
   async function withoutRedirect(response) {
@@ -25,25 +25,26 @@ function worker({ name, files, models, same }) {
     if (response.ok) await cache.put(scope + file, await withoutRedirect(response))
   }
 
-  /** Caches the files. One that fails is cached at its first request. */
+  /** Caches the files. A file whose download fails is cached at its first request. */
   async function cacheAll(files) {
     const cache = await caches.open(name)
-    const left = [...files]
-    // A few at a time, so that the visitor's own requests need not wait.
-    const take = async () => {
-      for (let file = left.shift(); file; file = left.shift())
+    const remaining = [...files]
+    // Only four at a time, so that the visitor's own requests need not wait.
+    const cacheNext = async () => {
+      for (let file = remaining.shift(); file; file = remaining.shift())
         if (!(await cache.match(scope + file))) await fetchInto(cache, file).catch(() => {})
     }
-    await Promise.all([take(), take(), take(), take()])
+    await Promise.all([cacheNext(), cacheNext(), cacheNext(), cacheNext()])
   }
 
   async function answer(request) {
     const url = new URL(request.url)
     url.search = url.hash = ''
     const path = url.href.slice(scope.length)
-    const file = [path, `${path}.html`, `${path}index.html`].find((file) => known.has(file)) ?? path
+    const file =
+      [path, `${path}.html`, `${path}index.html`].find((file) => sitePaths.has(file)) ?? path
     // Without the slash, the page's relative addresses would be resolved against the parent folder.
-    if (known.has(`${path}/index.html`)) {
+    if (sitePaths.has(`${path}/index.html`)) {
       const folder = new URL(request.url)
       folder.pathname += '/'
       return Response.redirect(folder)

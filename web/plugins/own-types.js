@@ -37,16 +37,17 @@ export async function ownTypes() {
   }
 
   /** Finds all declarations of a kind in the file, at any depth. */
-  function findAll(file, is) {
+  function findAll(file, isKind) {
     const nodes = []
-    const look = (node) => {
-      if (is(node)) nodes.push(node)
-      else ts.forEachChild(node, look)
+    const visit = (node) => {
+      if (isKind(node)) nodes.push(node)
+      else ts.forEachChild(node, visit)
     }
-    look(treeOf(file))
+    visit(treeOf(file))
     return nodes
   }
-  const findNamed = (file, is, name) => findAll(file, is).find((node) => node.name?.text === name)
+  const findNamed = (file, isKind, name) =>
+    findAll(file, isKind).find((node) => node.name?.text === name)
 
   const textOf = ({ comment }) => ts.getTextOfJSDocComment(comment) ?? ''
   /** Returns the comment of a declaration, and its `@default` as a sentence. */
@@ -67,12 +68,12 @@ export async function ownTypes() {
     findNamed(file, ts.isInterfaceDeclaration, name).members.map((member) => {
       const name = member.name.getText()
       const type = member.type.getText()
-      // Show an alias's definition, which says more than its name, and omit generic types, which say nothing.
+      // Show the definition of a type alias, which says more than its name, and omit generic types, which say nothing here.
       const alias = findNamed(file, ts.isTypeAliasDeclaration, type)
-      const shown = (alias?.type.getText() ?? type).replaceAll(/\s+/g, ' ')
+      const typeText = (alias?.type.getText() ?? type).replaceAll(/\s+/g, ' ')
       return {
         name,
-        form: shown.includes('<') ? name : `${name}: ${shown}`,
+        form: typeText.includes('<') ? name : `${name}: ${typeText}`,
         meaning: [member, alias].filter(Boolean).map(meaningOf).join(' ').trim(),
       }
     })
@@ -123,7 +124,7 @@ const id = 'virtual:own-types'
 
 export const ownTypesPlugin = () => ({
   name: 'own-types',
-  resolveId: (asked) => (asked === id ? `\0${id}` : undefined),
-  load: async (asked) =>
-    asked === `\0${id}` ? `export default ${JSON.stringify(await ownTypes())}` : undefined,
+  resolveId: (requested) => (requested === id ? `\0${id}` : undefined),
+  load: async (requested) =>
+    requested === `\0${id}` ? `export default ${JSON.stringify(await ownTypes())}` : undefined,
 })

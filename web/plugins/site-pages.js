@@ -42,16 +42,18 @@ function sourceOf(path) {
 
 /** Returns a file's content. The style sheet includes the palette, which saves a request. */
 async function contentOf(path) {
-  const own = await read(sourceOf(path))
-  return path === 'site/site.css' ? Buffer.concat([await read('web/site/palette.css'), own]) : own
+  const content = await read(sourceOf(path))
+  if (path !== 'site/site.css') return content
+  return Buffer.concat([await read('web/site/palette.css'), content])
 }
 
-async function unchangedPaths() {
-  const found = Object.keys(staticFiles)
+/** Lists the files that the site serves unchanged. */
+async function listUnchanged() {
+  const paths = Object.keys(staticFiles)
   for (const [folder, matches] of Object.entries(folders))
     for (const file of await readdir(new URL(`web/${folder}`, root)))
-      if (matches.test(file)) found.push(folder + file)
-  return found
+      if (matches.test(file)) paths.push(folder + file)
+  return paths
 }
 
 async function compileHero() {
@@ -104,7 +106,7 @@ export function sitePagesPlugin() {
       this.emitFile({ type: 'asset', fileName: '.nojekyll', source: '' })
       for (const [fileName, source] of await sitePages())
         this.emitFile({ type: 'asset', fileName, source })
-      for (const fileName of await unchangedPaths())
+      for (const fileName of await listUnchanged())
         this.emitFile({ type: 'asset', fileName, source: await contentOf(fileName) })
     },
   }

@@ -1,10 +1,10 @@
 /** The ball that the first page warps. */
 
 /**
- * Builds points and triangles of a ball of radius 1 from the faces of a cube, which has no crowded poles. `detail` must be even. The
- * first `coarse` numbers of `triangles` form a ball from every second point, the others one from all points.
+ * Builds points and triangles of a ball of radius 1 from the faces of a cube, so that there are no crowded poles. `detail` must be even.
+ * The first `coarse` numbers of `triangles` are a ball of every second point, the others are a ball of all points.
  */
-export function ball(detail) {
+export function buildBall(detail) {
   const side = detail + 1
   const points = new Float32Array(6 * side * side * 3)
   const coarse = 6 * (detail / 2) ** 2 * 6

@@ -1,5 +1,5 @@
 /** Makes a button copy a text. The clipboard exists only in secure contexts; elsewhere the button asks to copy by hand. */
-export function copyButton(button, textOf) {
+export function setUpCopyButton(button, textOf) {
   const label = button.textContent
   button.addEventListener('click', async () => {
     const isDone = await navigator.clipboard?.writeText(textOf()).then(

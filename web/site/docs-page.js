@@ -1,20 +1,20 @@
 /** Lays out a page of the docs, with links to all pages at the side and to the previous and next one below. */
-import { plain } from './html.js'
+import { toPlainText } from './html.js'
 import { renderPage } from './layout.js'
 import { groups, pages } from './navigation.js'
 
-const entry = (here) => (page) =>
+const listEntry = (here) => (page) =>
   `<li><a href="${page.file}.html"${page.file === here ? ' aria-current="page"' : ''}>${page.title}</a></li>`
 
-const contents = (here) =>
+const listPages = (here) =>
   groups
     .map(
       ({ title, pages }) =>
-        `<section><h2>${title}</h2><ul>${pages.map(entry(here)).join('')}</ul></section>`,
+        `<section><h2>${title}</h2><ul>${pages.map(listEntry(here)).join('')}</ul></section>`,
     )
     .join('')
 
-function beside(file) {
+function linkNeighbours(file) {
   const index = pages.findIndex((page) => page.file === file)
   const [before, after] = [pages[index - 1], index < 0 ? pages[0] : pages[index + 1]]
   const link = (page, rel, word) =>
@@ -27,11 +27,11 @@ function beside(file) {
 /** Returns the beginning of a page's text, which search engines show as its description. */
 const descriptionOf = (html) => {
   const [, first = ''] = /<p>([^]*?)<\/p>/.exec(html) ?? []
-  return plain(first).slice(0, 160)
+  return toPlainText(first).slice(0, 160)
 }
 
 export function docsPage({ file, url, html }) {
-  const title = plain(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
+  const title = toPlainText(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
   return renderPage(
     {
       url,
@@ -43,11 +43,11 @@ export function docsPage({ file, url, html }) {
     `<div class="columns">
       <details class="contents" open>
         <summary>All pages</summary>
-        <nav aria-label="Docs">${contents(file)}</nav>
+        <nav aria-label="Docs">${listPages(file)}</nav>
       </details>
       <main id="main" tabindex="-1">
         ${html}
-        ${beside(file)}
+        ${linkNeighbours(file)}
       </main>
     </div>`,
   )
@@ -59,6 +59,6 @@ export const overview = () => `<h1>Docs</h1>
 <div class="overview">${groups
   .map(
     ({ title, pages }) =>
-      `<section><h2>${title}</h2><ul>${pages.map(entry()).join('')}</ul></section>`,
+      `<section><h2>${title}</h2><ul>${pages.map(listEntry()).join('')}</ul></section>`,
   )
   .join('')}</div>`

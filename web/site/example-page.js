@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs'
 import hljs from 'highlight.js'
 import { sections } from '../catalogue.js'
-import { sliders } from '../sliders.js'
+import { findSliders } from '../sliders.js'
 import { escapeHtml } from './html.js'
 import { renderPage } from './layout.js'
 
@@ -45,9 +45,9 @@ const control = ({ label, from, to, value }, index) =>
 export function examplePage({ name, url, figure, title, text, section, source }) {
   const sketch = read(`examples/${name}/sketch.js`)
   const index = examples.findIndex((example) => example.name === name)
-  const at = (step) => examples[(index + step + examples.length) % examples.length]
+  const neighbour = (step) => examples[(index + step + examples.length) % examples.length]
   const link = (step, rel, word) =>
-    `<a rel="${rel}" href="../${at(step).name}/"><small>${word}</small>${escapeHtml(at(step).title)}</a>`
+    `<a rel="${rel}" href="../${neighbour(step).name}/"><small>${word}</small>${escapeHtml(neighbour(step).title)}</a>`
   return renderPage(
     {
       url,
@@ -70,7 +70,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
         <div class="show">
           <div class="stage"><img src="../../posters/${name}.webp" width="480" height="360" alt="${escapeHtml(title)}" /></div>
           <div class="under"><output class="rate"></output><button type="button" class="pause" aria-pressed="false">Pause</button></div>
-          <div class="sliders">${sliders(name, sketch).map(control).join('\n')}</div>
+          <div class="sliders">${findSliders(name, sketch).map(control).join('\n')}</div>
           <p class="ways">
             <a class="button" href="../../playground/#example=${name}">Open in the playground</a>
             <a class="button quiet" href="full.html">Full page</a>
@@ -91,7 +91,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
           <pre tabindex="0" aria-label="Sketch"><code>${hljs.highlight(sketch, { language: 'javascript' }).value}</code></pre>
         </div>
       </div>
-      <script type="application/json" id="sketch">${JSON.stringify({ sketch, page: htmlToCopy(name, sketch), sliders: sliders(name, sketch) }).replaceAll('<', '\\u003c')}</script>
+      <script type="application/json" id="sketch">${JSON.stringify({ sketch, page: htmlToCopy(name, sketch), sliders: findSliders(name, sketch) }).replaceAll('<', '\\u003c')}</script>
       <nav class="beside" aria-label="Previous and next">${link(-1, 'prev', 'Previous')}${link(1, 'next', 'Next')}</nav>
     </main>`,
   )

@@ -1,8 +1,8 @@
 /** The page of an example: runs it while it is visible, shows its source and shader code, and reruns it when a slider moves. */
 import { highlight } from '../highlighting.js'
 import { makeStage } from '../stage.js'
-import { copyButton } from './copy.js'
-import { pauseButton } from './pause.js'
+import { setUpCopyButton } from './copy.js'
+import { setUpPauseButton } from './pause.js'
 
 const find = (selector) => document.querySelector(selector)
 const main = find('main')
@@ -26,7 +26,7 @@ for (const button of tabs)
     show(button.value)
     code.parentElement.scrollTo(0, 0)
   })
-copyButton(find('.tabs .copy'), () =>
+setUpCopyButton(find('.tabs .copy'), () =>
   page.replace(sketch.trimEnd(), () => currentSketch().trimEnd()),
 )
 
@@ -43,15 +43,15 @@ function setShader(text) {
 const inputs = [...document.querySelectorAll('.sliders input')]
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
 
-/** Returns the sketch with the sliders' numbers. */
+/** Returns the sketch with the numbers of the sliders that were moved. */
 function currentSketch() {
   let text = sketch
   const moved = sliders
-    .map((slider, index) => ({ ...slider, now: inputs[index] }))
-    .filter(({ now, value }) => now.dataset.moved && Number(now.value) !== value)
+    .map((slider, index) => ({ ...slider, input: inputs[index] }))
+    .filter(({ input, value }) => input.dataset.moved && Number(input.value) !== value)
     .sort((a, b) => b.at - a.at)
-  for (const { at, length, now } of moved)
-    text = text.slice(0, at) + short.format(now.value) + text.slice(at + length)
+  for (const { at, length, input } of moved)
+    text = text.slice(0, at) + short.format(input.value) + text.slice(at + length)
   return text
 }
 
@@ -83,4 +83,4 @@ const stage = makeStage(
   },
 )
 
-pauseButton(find('.pause'), rate, stage)
+setUpPauseButton(find('.pause'), rate, stage)

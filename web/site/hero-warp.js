@@ -1,6 +1,6 @@
 /** The warp of the first page. It is compiled when the site is built, so that the page does not load warpjet. */
 
-/** Drifting ridges of noise, and a swell under the pointer. */
+/** Displaces the surface by drifting ridges of noise, and swells it under the pointer. */
 export function hero({ glsl, position, uniforms, millis }) {
   const drift = glsl.vec3(0, millis.div(9000), 0)
   const bent = position.add(position.mult(1.3).add(drift).simplex().mult(0.35))

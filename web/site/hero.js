@@ -1,7 +1,7 @@
 /** Draws the first page's warped ball in plain WebGL 2. Without WebGL 2 the picture below it stays visible. */
 import text from 'virtual:hero-text'
-import { ball } from './ball.js'
-import { rest, sleep } from './pace.js'
+import { buildBall } from './ball.js'
+import { finishFrame, sleep } from './pace.js'
 
 const vertex = `#version 300 es
 precision highp float;
@@ -60,7 +60,7 @@ async function linkProgram(gl) {
 }
 
 /** Returns the point of the ball under the pointer, or the nearest point of its outline. */
-function onBall(x, y) {
+function pointOnBall(x, y) {
   const length = Math.hypot(x, y)
   if (length >= 1) return [x / length, y / length, 0]
   return [x, y, Math.sqrt(1 - length * length)]
@@ -76,7 +76,7 @@ export async function startHero(place) {
   const program = await linkProgram(gl)
   if (!program) return
   await sleep(0)
-  const { points, triangles, coarse } = ball(102)
+  const { points, triangles, coarse } = buildBall(102)
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer())
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW)
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
@@ -85,17 +85,17 @@ export async function startHero(place) {
   gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0)
   gl.useProgram(program)
   gl.enable(gl.DEPTH_TEST)
-  const at = (name) => gl.getUniformLocation(program, name)
+  const locate = (name) => gl.getUniformLocation(program, name)
   const uniform = {
-    millis: at('uMillis'),
-    strength: at('strength'),
-    aspect: at('aspect'),
-    pointer: at('pointer'),
+    millis: locate('uMillis'),
+    strength: locate('strength'),
+    aspect: locate('aspect'),
+    pointer: locate('pointer'),
   }
 
-  const target = { at: [0.35, 0.4, 0.85], strength: 0.22 }
-  const now = { at: [...target.at], strength: target.strength }
-  // Start with the coarse ball, whose frames take a quarter of the time without a GPU.
+  const target = { pointer: [0.35, 0.4, 0.85], strength: 0.22 }
+  const current = { pointer: [...target.pointer], strength: target.strength }
+  // Start with the coarse ball: without a GPU, its frames take a quarter of the time of the fine one's.
   let isFine = false
   let last = performance.now()
   function draw(time) {
@@ -107,14 +107,14 @@ export async function startHero(place) {
     const elapsed = performance.now() - last
     last += elapsed
     const towards = (from, to, slowness) => to + (from - to) * Math.exp(-elapsed / slowness)
-    now.at = now.at.map((from, i) => towards(from, target.at[i], 130))
-    now.strength = towards(now.strength, target.strength, 200)
+    current.pointer = current.pointer.map((from, i) => towards(from, target.pointer[i], 130))
+    current.strength = towards(current.strength, target.strength, 200)
     gl.viewport(0, 0, width, height)
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     gl.uniform1f(uniform.millis, time)
-    gl.uniform1f(uniform.strength, now.strength)
+    gl.uniform1f(uniform.strength, current.strength)
     gl.uniform1f(uniform.aspect, width / height)
-    gl.uniform3fv(uniform.pointer, now.at)
+    gl.uniform3fv(uniform.pointer, current.pointer)
     if (isFine)
       gl.drawElements(
         gl.TRIANGLES,
@@ -138,7 +138,10 @@ export async function startHero(place) {
     const { left, top, width, height } = place.getBoundingClientRect()
     // The ball's radius in pixels, about 0.38 of the height.
     const unit = height * 0.38
-    target.at = onBall((clientX - left - width / 2) / unit, (top + height / 2 - clientY) / unit)
+    target.pointer = pointOnBall(
+      (clientX - left - width / 2) / unit,
+      (top + height / 2 - clientY) / unit,
+    )
     target.strength = 0.36
   })
   let isSeen = false
@@ -150,7 +153,7 @@ export async function startHero(place) {
     isRunning = true
     while (isSeen) {
       draw(await new Promise(requestAnimationFrame))
-      const isLight = await rest(gl)
+      const isLight = await finishFrame(gl)
       heavyFrames = isLight ? 0 : heavyFrames + 1
       // After ten slow frames in a row, return to the coarse ball for good.
       if (isFine && heavyFrames === 10) mayBeFine = isFine = false

@@ -1,9 +1,9 @@
 /** The first page: starts its warp once the page has loaded, and filters the gallery. */
-import { copyButton } from './copy.js'
+import { setUpCopyButton } from './copy.js'
 
 const find = (selector) => document.querySelector(selector)
 
-copyButton(find('.install .copy'), () => find('.install code').textContent)
+setUpCopyButton(find('.install .copy'), () => find('.install code').textContent)
 
 const tiles = [...document.querySelectorAll('.tiles > li')]
 const [words, section] = [find('#words'), find('#section')]
@@ -24,9 +24,9 @@ filter()
 
 // Start only when idle: pictures and the visitor's input go first.
 const start = async () => (await import('./hero.js')).startHero(find('.hero .picture'))
-const soon = () =>
+const startWhenIdle = () =>
   window.requestIdleCallback
     ? requestIdleCallback(start, { timeout: 3000 })
     : setTimeout(start, 200)
-if (document.readyState === 'complete') soon()
-else addEventListener('load', soon)
+if (document.readyState === 'complete') startWhenIdle()
+else addEventListener('load', startWhenIdle)

@@ -4,7 +4,7 @@ const entities = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
 export const escapeHtml = (text) => String(text).replaceAll(/[&<>"]/g, (sign) => entities[sign])
 
 /** Returns the text of HTML. Inline tags do not separate words, other tags do. */
-export const plain = (html) =>
+export const toPlainText = (html) =>
   html
     .replaceAll(/<\/?(?:a|b|code|em|i|span|strong)\b[^>]*>/g, '')
     .replaceAll(/<[^>]*>/g, ' ')

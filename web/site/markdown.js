@@ -23,14 +23,14 @@ const languages = {
 }
 
 function highlightCode(text, language) {
-  const known = hljs.getLanguage(languages[language] ?? language)
-  return known
-    ? hljs.highlight(text, { language: known.name.toLowerCase().split(',')[0] }).value
+  const grammar = hljs.getLanguage(languages[language] ?? language)
+  return grammar
+    ? hljs.highlight(text, { language: grammar.name.toLowerCase().split(',')[0] }).value
     : escapeHtml(text)
 }
 
 /** Returns the directive in the comments right before a block, which says how to run it if the block alone does not. */
-const directive = (tokens, index) =>
+const findDirective = (tokens, index) =>
   [tokens[index - 1], tokens[index - 2]]
     .map(
       (token) =>
@@ -38,7 +38,7 @@ const directive = (tokens, index) =>
     )
     .find(Boolean)
 
-/** Finds the code blocks → [{ text, language, sketch, line }], where `sketch` is undefined for those that do not run. */
+/** Finds the code blocks. Returns [{ text, language, sketch, line }], where `sketch` is undefined for those that do not run. */
 export function blocksOf(markdown) {
   const tokens = markdownIt({ html: true }).parse(markdown, {})
   return tokens.flatMap((token, index) => {
@@ -49,7 +49,7 @@ export function blocksOf(markdown) {
         text,
         language,
         line: map[0] + 1,
-        sketch: runnable(text, language, directive(tokens, index)),
+        sketch: runnable(text, language, findDirective(tokens, index)),
       },
     ]
   })
@@ -68,7 +68,7 @@ export function makeMarkdown() {
 
   rules.fence = (tokens, index) => {
     const { content, info } = tokens[index]
-    const sketch = runnable(content, info, directive(tokens, index))
+    const sketch = runnable(content, info, findDirective(tokens, index))
     const run = sketch ? `<a class="run" href="../playground/${linkTo(sketch)}">Run</a>` : ''
     return `<div class="block">${run}<pre tabindex="0"><code>${highlightCode(content, info)}</code></pre></div>\n`
   }

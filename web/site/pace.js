@@ -1,6 +1,6 @@
 /**
- * Limits how often a canvas is drawn, since the GPU, or a CPU in its place, must also show the page. Submitting a frame says nothing
- * about its cost, so we wait for a fence. (Drawing fewer pixels was tried, too: resizing a canvas takes longer than they save.)
+ * Limits how often a canvas is drawn, since the GPU, or a CPU in its place, must also show the page. The time to submit a frame says
+ * nothing about its cost, so we wait for a fence. (Drawing fewer pixels was tried, too: resizing the canvas takes longer than that saves.)
  */
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds))
@@ -11,7 +11,7 @@ const maxFrame = 12
 const maxPause = 400
 
 /** Waits for the end of a frame and pauses after a slow one. Returns true if the frame was fast. Await it after each frame. */
-export async function rest(gl) {
+export async function finishFrame(gl) {
   const began = performance.now()
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0)
   gl.flush()

@@ -1,7 +1,7 @@
-/** The button that pauses a sketch and plays it. With reduced motion, the sketch starts paused. */
+/** Sets up the button that pauses a sketch and plays it again. With reduced motion, the sketch starts paused. */
 
 /** @param place shows a message if the browser cannot draw @param stage the result of `makeStage` */
-export function pauseButton(button, place, stage) {
+export function setUpPauseButton(button, place, stage) {
   function setPaused(isPaused) {
     button.ariaPressed = String(isPaused)
     button.textContent = isPaused ? 'Play' : 'Pause'

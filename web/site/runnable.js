@@ -18,13 +18,13 @@ const scriptsOf = (text) => Object.keys(needs).filter((name) => needs[name].test
 const withoutImports = (text) =>
   text.replaceAll(/^import (\{[^}]*\}) from 'warpjet(?:\/\w+)?'.*\n/gm, 'const $1 = warpjet\n')
 
-const indent = (text, by) => text.trimEnd().replaceAll(/^(?=.)/gm, by)
+const indent = (text, spaces) => text.trimEnd().replaceAll(/^(?=.)/gm, spaces)
 
-/** Wraps a block in a sketch that prints the value of the expression `made`. */
-const wrapInPrint = (text, made) => `function setup() {
+/** Wraps a block in a sketch that prints the value of an expression. */
+const wrapInPrint = (text, expression) => `function setup() {
   createCanvas(640, 480, WEBGL)
 ${indent(text, '  ')}
-  print(${made})
+  print(${expression})
 }
 
 function draw() {
@@ -32,11 +32,11 @@ function draw() {
 }
 `
 
-/** Wraps a block in an offset function that returns the expression `returned`. */
-const wrapInOffset = (text, returned) =>
+/** Wraps a block in an offset function that returns the value of an expression. */
+const wrapInOffset = (text, expression) =>
   `createWarp(({ glsl, position, normal, uv, millis }) => {
 ${indent(text, '  ')}
-  return ${returned}
+  return ${expression}
 })
 `
 
@@ -45,7 +45,7 @@ const wrapInSketch = (text) => {
   const [, name] = /^(\w+) = createWarp\(/m.exec(text) ?? []
   const body = (name ? text : text.replace(/^createWarp\(/m, 'warp = createWarp(')).trimEnd()
   const warp = name ?? /^const (\w+) = createWarp\(/m.exec(text)?.[1] ?? 'warp'
-  const space = /space: 'world'/.test(text)
+  const isInWorld = /space: 'world'/.test(text)
   return `let ${warp}
 
 function setup() {
@@ -63,14 +63,14 @@ function draw() {
 
   fill('#ff8a5b')
   ${warp}()
-  ${space ? 'warpBox(110, 260, 110, 40)' : 'sphere(150, 160, 120)'}
+  ${isInWorld ? 'warpBox(110, 260, 110, 40)' : 'sphere(150, 160, 120)'}
 }
 `
 }
 
 /**
- * `directive` is the content of the comment before the block: `not` (do not run); `prints EXPRESSION`; `inside EXPRESSION`, for a part
- * of an offset function that returns it; or names of scripts; on the following lines, the code around the block.
+ * `directive` is the content of the comment before the block: `not` (do not run); `prints EXPRESSION`; `inside EXPRESSION`, if the
+ * block is a part of an offset function that returns the expression; or names of scripts. Its other lines are the code around the block.
  */
 export function runnable(text, language, directive = '') {
   const [words, ...lines] = directive.split('\n')
@@ -83,13 +83,13 @@ export function runnable(text, language, directive = '') {
     whole = kind === 'prints' ? wrapInPrint(withoutImports(text), rest) : wrapInOffset(text, rest)
   else if (frame) {
     const block = /from 'three'/.test(frame) ? text : withoutImports(text)
-    whole = `${frame.replace(/^( *)…$/m, (_, by) => indent(block, by))}\n`
+    whole = `${frame.replace(/^( *)…$/m, (_, spaces) => indent(block, spaces))}\n`
   }
   if (/from 'three'/.test(whole)) return { text: whole, host: 'three', chosen: [] }
-  const plain = withoutImports(whole)
-  const isSketch = /\bfunction setup\(\)/.test(plain)
-  if (!isSketch && !/\bcreateWarp\(/.test(plain)) return undefined
-  const sketch = isSketch ? plain : wrapInSketch(plain)
+  const code = withoutImports(whole)
+  const isSketch = /\bfunction setup\(\)/.test(code)
+  if (!isSketch && !/\bcreateWarp\(/.test(code)) return undefined
+  const sketch = isSketch ? code : wrapInSketch(code)
   const named = kind ? [] : first.split(' ').filter(Boolean)
   return { text: sketch, host: 'p5', chosen: [...new Set([...named, ...scriptsOf(sketch)])] }
 }

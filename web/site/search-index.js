@@ -1,6 +1,6 @@
 /** Makes the search index: one entry per heading of a page, and one per example. */
 import { examples } from './example-page.js'
-import { plain } from './html.js'
+import { toPlainText } from './html.js'
 import { pages } from './navigation.js'
 
 function partsOf({ file, html }) {
@@ -11,9 +11,9 @@ function partsOf({ file, html }) {
     const isFirst = part.includes('<h1')
     return {
       url: `docs/${file}.html${isFirst ? '' : `#${id}`}`,
-      title: plain(heading),
+      title: toPlainText(heading),
       page: isFirst ? (pages.find((page) => page.file === file)?.group ?? 'Docs') : page,
-      text: plain(part.replace(whole, '')),
+      text: toPlainText(part.replace(whole, '')),
     }
   })
 }

@@ -31,7 +31,7 @@ function excerpt(text, terms) {
   return `${from ? '…' : ''}${text.slice(from, from + 130)}…`
 }
 
-/** Loads the index and returns search(words) → [{ url, title, page, text }], best first. */
+/** Loads the index and returns search(words), which returns [{ url, title, page, text }], best first. */
 export async function makeSearch(root) {
   const response = await fetch(new URL('site/search.json', root))
   const parts = await response.json()
@@ -52,9 +52,9 @@ export async function makeSearch(root) {
   // Index in chunks, so that the page stays responsive to typing.
   await index.addAllAsync(parts, { chunkSize: 40 })
   return (words) => {
-    const all = index.search(words, { combineWith: 'AND' })
-    const some = all.length ? all : index.search(words)
-    return some.slice(0, maxResults).map(({ url, title, page, text, terms }) => ({
+    const withAllWords = index.search(words, { combineWith: 'AND' })
+    const results = withAllWords.length ? withAllWords : index.search(words)
+    return results.slice(0, maxResults).map(({ url, title, page, text, terms }) => ({
       url,
       title,
       page,

@@ -19,7 +19,7 @@ document.querySelector('.theme').addEventListener('click', () => {
   }
 })
 
-/* In a narrow window the list of pages starts closed; beside a wide page it scrolls to the current page. */
+/* The list of pages is closed at first in a narrow window; in a wide one, it scrolls to the current page. */
 
 const contents = document.querySelector('.contents')
 const here = contents?.querySelector('[aria-current]')
@@ -32,9 +32,10 @@ const field = document.querySelector('#search')
 const found = document.querySelector('#found')
 let search
 
-const ready = () => (search ??= import('./search.js').then(({ makeSearch }) => makeSearch(root)))
+const loadSearch = () =>
+  (search ??= import('./search.js').then(({ makeSearch }) => makeSearch(root)))
 
-const chosen = () => found.querySelector('[aria-selected="true"]')
+const chosenEntry = () => found.querySelector('[aria-selected="true"]')
 
 function close() {
   found.hidden = true
@@ -43,19 +44,19 @@ function close() {
 }
 
 function choose(entry) {
-  if (chosen()) chosen().ariaSelected = 'false'
+  if (chosenEntry()) chosenEntry().ariaSelected = 'false'
   if (!entry) return
   entry.ariaSelected = 'true'
   entry.scrollIntoView({ block: 'nearest' })
   field.setAttribute('aria-activedescendant', entry.id)
 }
 
-async function look() {
+async function showResults() {
   const words = field.value.trim()
   if (!words) return close()
-  const look = await ready()
+  const searchWords = await loadSearch()
   if (field.value.trim() !== words) return
-  const entries = look(words)
+  const entries = searchWords(words)
   found.replaceChildren(
     ...(entries.length ? entries : [{ title: 'Nothing found', page: 'Try another word' }]).map(
       ({ url, title, page, text }, index) => {
@@ -84,14 +85,14 @@ async function look() {
   choose(found.querySelector('a'))
 }
 
-field.addEventListener('focus', ready, { once: true })
-field.addEventListener('input', look)
+field.addEventListener('focus', loadSearch, { once: true })
+field.addEventListener('input', showResults)
 field.addEventListener('keydown', (event) => {
   const step = { ArrowDown: 'nextElementSibling', ArrowUp: 'previousElementSibling' }[event.key]
-  if (step && chosen()?.[step]) {
-    choose(chosen()[step])
+  if (step && chosenEntry()?.[step]) {
+    choose(chosenEntry()[step])
     event.preventDefault()
-  } else if (event.key === 'Enter' && chosen()) chosen().click()
+  } else if (event.key === 'Enter' && chosenEntry()) chosenEntry().click()
   else if (event.key === 'Escape') close()
 })
 found.addEventListener('click', close)

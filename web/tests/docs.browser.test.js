@@ -1,5 +1,6 @@
 // Runs the README's sketch and the blocks of the docs with a “Run” link in the playground, as a reader does: they draw or print without
-// errors. Of the code below the plots, which is all alike, it runs one example per group: web/tests/plots.test.js checks what each computes.
+// errors. The code below the plots is all alike: of it, one example per group runs here, and web/tests/plots.test.js checks what each
+// computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -20,15 +21,15 @@ const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   const text = readFileSync(path(file), 'utf8')
   const runnable = blocksOf(text).filter(({ sketch }) => sketch)
   const groups = text.split('\n').flatMap((line, i) => (line.startsWith('## ') ? [i + 1] : []))
-  const within = (i) => runnable.find(({ line }) => line > groups[i] && !(line > groups[i + 1]))
-  const firsts = groups.map((_, i) => within(i)).filter(Boolean)
-  const tried = /\/plots/.test(file) ? firsts : runnable
-  return tried.map((block) => ({ ...block, place: `${file}:${block.line}` }))
+  const findFirst = (i) => runnable.find(({ line }) => line > groups[i] && !(line > groups[i + 1]))
+  const firsts = groups.map((_, i) => findFirst(i)).filter(Boolean)
+  const tested = /\/plots/.test(file) ? firsts : runnable
+  return tested.map((block) => ({ ...block, place: `${file}:${block.line}` }))
 })
 
 /** Stops a sketch after the frames it needs to be shown, since without a GPU frames take most of the time. */
-const quick = ({ host, text }) => text + (host === 'p5' ? stopped : '')
-const stopped = `
+const stopEarly = ({ host, text }) => text + (host === 'p5' ? stopAfterFrames : '')
+const stopAfterFrames = `
 {
   const { draw } = window
   window.draw = () => (frameCount > 2 ? noLoop() : draw())
@@ -59,7 +60,7 @@ async function countColours() {
 
 for (const { place, sketch } of blocks)
   test(place, async () => {
-    const changed = { ...sketch, text: quick(sketch) }
+    const changed = { ...sketch, text: stopEarly(sketch) }
     await page.evaluate((hash) => {
       document.querySelector('main').ariaBusy = 'true'
       location.hash = hash
@@ -69,8 +70,8 @@ for (const { place, sketch } of blocks)
     await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
     await page.getByRole('tab', { name: 'Console' }).click()
-    const bad = await page.locator('.printed :is(.warn, .error)').allTextContents()
-    assert.deepEqual(bad, [])
+    const complaints = await page.locator('.printed :is(.warn, .error)').allTextContents()
+    assert.deepEqual(complaints, [])
     if (/\bprint\(/.test(sketch.text)) assert.ok(await page.locator('.printed li').count())
     // A flat plane has one colour, besides that of the background.
     else assert.ok((await countColours()) > 1, 'expected a picture, got a single colour')

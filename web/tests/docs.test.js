@@ -13,18 +13,18 @@ const pages = readdirSync(new URL('web/docs/', root)).filter((file) => file.ends
 const blocks = ['README.md', ...pages.map((page) => `web/docs/${page}`)].flatMap((file) =>
   blocksOf(readFileSync(new URL(file, root), 'utf8')).map((block) => ({ ...block, file })),
 )
-// Functions with operators are parsed, and their names are looked up among the globals of a page.
+// Sketches with operators do not run here: the operators look up names among the globals of a page.
 const runnable = blocks.filter(
   ({ sketch }) => sketch?.host === 'p5' && !sketch.chosen.includes('operators'),
 )
 
-/** Replaces any object of the host: calling, constructing or reading it returns itself; as a number it is 1. */
+/** Replaces any object of the host: calling it, constructing it or reading a property returns the object itself; as a number it is 1. */
 const anything = new Proxy(function () {}, {
   get(_, key) {
     if (key === Symbol.toPrimitive) return () => 1
     if (key === Symbol.iterator) return function* () {}
     if (key === 'then') return undefined
-    // Ends loops that iterate over it.
+    // Ends loops over its elements.
     return key === 'length' ? 0 : anything
   },
   apply: () => anything,
@@ -32,28 +32,31 @@ const anything = new Proxy(function () {}, {
   set: () => true,
 })
 
-/** Returns the globals of a sketch, and counts the warps and prints that it makes. */
+/** Returns the globals of a sketch, and an object in which these count its warps and prints. */
 function globalsFor({ chosen }) {
-  const found = { warps: 0, printed: 0 }
+  const counts = { warps: 0, printed: 0 }
   const createWarp = (offset, { uniforms, space, returns } = {}) => {
     assert.ok([undefined, 'local', 'world', 'camera'].includes(space))
-    const plain = chosen.includes('operators')
-      ? operators(offset, { sin: Math.sin, ...scope })
-      : offset
     const values = Object.entries(uniforms ?? {}).map(([name, value]) => [
       name,
       typeof value === 'function' ? [0, 0] : value,
     ])
-    const moved =
-      returns === 'position' ? (inputs) => inputs.glsl.sub(plain(inputs), inputs.position) : plain
+    const plainOffset =
+      returns === 'position' ? (inputs) => inputs.glsl.sub(offset(inputs), inputs.position) : offset
     try {
-      library.compileWarp(moved, { uniforms: Object.fromEntries(values), surfaceVariation: true })
+      library.compileWarp(plainOffset, {
+        uniforms: Object.fromEntries(values),
+        surfaceVariation: true,
+      })
     } catch {
       // Only the sketch knows whether a function's value is a number or a vector.
       const numbers = values.map(([name, value]) => [name, Array.isArray(value) ? 0 : value])
-      library.compileWarp(moved, { uniforms: Object.fromEntries(numbers), surfaceVariation: true })
+      library.compileWarp(plainOffset, {
+        uniforms: Object.fromEntries(numbers),
+        surfaceVariation: true,
+      })
     }
-    found.warps++
+    counts.warps++
     return anything
   }
   const warpjet = {
@@ -66,7 +69,7 @@ function globalsFor({ chosen }) {
     AutoDiff: { gen: library.gen },
     print: (...values) => {
       assert.ok(values.every((value) => String(value).length))
-      found.printed++
+      counts.printed++
     },
     asin: Math.asin,
     width: 640,
@@ -82,7 +85,7 @@ function globalsFor({ chosen }) {
       return key in target ? target[key] : anything
     },
   })
-  return { globals, found }
+  return { globals, counts }
 }
 
 /** Runs a sketch in a `with` statement that provides these globals; its own declarations stay local. */
@@ -95,19 +98,22 @@ const run = (text, globals) =>
 
 for (const { file, line, sketch } of runnable)
   test(`${file}, line ${line}`, async () => {
-    const { globals, found } = globalsFor(sketch)
+    const { globals, counts } = globalsFor(sketch)
     await run(sketch.text, globals)
-    const isOther = /\b(?:baseMaterialShader|exactNormals|loadWarpModel)\(/.test(sketch.text)
-    assert.ok(found.warps || found.printed || isOther, 'expected a warp or a print, got neither')
+    const needsNeither = /\b(?:baseMaterialShader|exactNormals|loadWarpModel)\(/.test(sketch.text)
+    assert.ok(
+      counts.warps || counts.printed || needsNeither,
+      'expected a warp or a print, got neither',
+    )
   })
 
 test('most blocks of JavaScript run, and the others are listed here', () => {
-  const still = blocks
+  const notRun = blocks
     .filter(({ language, sketch }) => language === 'js' && !sketch)
     .map(({ file }) => file.replace('web/docs/', ''))
   // Babylon.js, PlayCanvas, A-Frame and CSM are not part of the site; a bundler's settings, files for Node and loops of renderers are not sketches; and
   // lost-context.test.js runs the code of uptime.md.
-  assert.deepEqual(still, [
+  assert.deepEqual(notRun, [
     'README.md',
     ...['babylon.md', 'babylon.md', 'babylon.md', 'babylon.md', 'babylon.md'],
     ...['core.md', 'how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'mesh.md'],

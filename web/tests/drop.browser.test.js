@@ -11,8 +11,8 @@ import { serveSite, serveSources } from '../../tests/support/browser/site.js'
 import { png } from '../../tests/support/png.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
-/** Starts with the time paused, so that only the test moves anything, and with a quarter of the pixels. */
-const still = { ...desktop, deviceScaleFactor: 0.5, reducedMotion: 'reduce' }
+/** Starts with the time paused, so that only the test moves anything, and draws a quarter of the pixels. */
+const paused = { ...desktop, deviceScaleFactor: 0.5, reducedMotion: 'reduce' }
 const screenshots = path('.build/screenshots')
 
 // A model far from the origin and small, as in some files; all green.
@@ -53,7 +53,7 @@ after(async () => {
 const waitUntilIdle = (page) =>
   page.waitForFunction(() => document.querySelector('main').ariaBusy === 'false', null, patience)
 
-async function open(options = still) {
+async function open(options = paused) {
   const context = await browser.newContext(options)
   await context.addInitScript(disableAntialiasing)
   const opened = await openPage(context, url)
@@ -81,7 +81,7 @@ async function drop(page, files) {
 }
 
 /** Redraws the canvas by a resize event and returns its pixels. */
-async function picture(page) {
+async function takePicture(page) {
   await waitUntilIdle(page)
   await page.evaluate(() => {
     const again = () => (dispatchEvent(new Event('resize')), requestAnimationFrame(again))
@@ -91,12 +91,12 @@ async function picture(page) {
 }
 
 const text = (page, selector) => page.locator(selector).first().textContent()
-const problem = (page) => text(page, '[role=alert]')
-const numbers = async (page, selector) =>
+const readProblem = (page) => text(page, '[role=alert]')
+const readNumbers = async (page, selector) =>
   (await text(page, selector)).match(/[\d,]+/g).map((number) => Number(number.replaceAll(',', '')))
 
-/** Returns the share of greenish pixels. */
-function green(image) {
+/** Returns the fraction of greenish pixels. */
+function greenShare(image) {
   let count = 0
   for (let i = 0; i < image.length; i += 4)
     if (image[i + 1] > 60 && image[i + 1] > image[i] + 25 && image[i + 1] > image[i + 2] + 25)
@@ -117,25 +117,25 @@ describe('the page for your own model', () => {
   after(() => page.context().close())
 
   test('starts with a model of the gallery', async () => {
-    const image = await picture(page)
+    const image = await takePicture(page)
     assert.equal(await text(page, '.name'), 'bunny')
-    assert.ok(green(image) < 0.001)
+    assert.ok(greenShare(image) < 0.001)
     await page.screenshot({ path: `${screenshots}/drop.png`, fullPage: true })
   })
 
   test('draws a model that is dropped on it', async () => {
     await drop(page, { 'ball.glb': glb })
-    assert.equal(await problem(page), '')
+    assert.equal(await readProblem(page), '')
     assert.equal(await text(page, '.name'), 'ball')
-    assert.deepEqual(await numbers(page, '.triangles'), [1024])
-    const share = green(await picture(page))
+    assert.deepEqual(await readNumbers(page, '.triangles'), [1024])
+    const share = greenShare(await takePicture(page))
     assert.ok(share > 0.03 && share < 0.5, `${(100 * share).toFixed(1)}% are green`)
   })
 
   test('warps the model with different amounts, times and axes', async () => {
     await page.getByText('Waves', { exact: true }).click()
-    const waves = await picture(page)
-    assert.ok(green(waves) > 0.03)
+    const waves = await takePicture(page)
+    assert.ok(greenShare(waves) > 0.03)
     const changes = {
       warp: () => page.getByText('Bend', { exact: true }).click(),
       amount: () => slide(page, '#amount', 0.9),
@@ -145,22 +145,22 @@ describe('the page for your own model', () => {
     let before = waves
     for (const [name, change] of Object.entries(changes)) {
       await change()
-      const image = await picture(page)
+      const image = await takePicture(page)
       assert.ok(difference(before, image) > 0.005, name)
-      assert.ok(green(image) > 0.02, name)
+      assert.ok(greenShare(image) > 0.02, name)
       before = image
     }
-    assert.equal(await problem(page), '')
+    assert.equal(await readProblem(page), '')
   })
 
   test('shows normals, edges and the bounding box', async () => {
-    const before = await picture(page)
+    const before = await takePicture(page)
     for (const name of ['normals', 'wireframe', 'bounding box']) {
       const box = page.getByLabel(name, { exact: true })
       await box.check()
-      assert.ok(difference(before, await picture(page)) > 0.001, name)
+      assert.ok(difference(before, await takePicture(page)) > 0.001, name)
       await box.uncheck()
-      assert.equal(difference(before, await picture(page)), 0, name)
+      assert.equal(difference(before, await takePicture(page)), 0, name)
     }
   })
 
@@ -169,15 +169,15 @@ describe('the page for your own model', () => {
     await page.getByText('Waves', { exact: true }).click()
     await subdivision.check()
     await waitUntilIdle(page)
-    const [before, coarse] = await numbers(page, '.triangles')
+    const [before, coarse] = await readNumbers(page, '.triangles')
     assert.equal(before, 1024)
     assert.ok(coarse > 1024)
     await slide(page, '#tolerance', -3.5)
     await waitUntilIdle(page)
-    assert.ok((await numbers(page, '.triangles'))[1] > 1.5 * coarse)
+    assert.ok((await readNumbers(page, '.triangles'))[1] > 1.5 * coarse)
     await subdivision.uncheck()
     await waitUntilIdle(page)
-    assert.deepEqual(await numbers(page, '.triangles'), [1024])
+    assert.deepEqual(await readNumbers(page, '.triangles'), [1024])
   })
 
   test('counts the vertices that are inside out', async () => {
@@ -185,12 +185,12 @@ describe('the page for your own model', () => {
     await page.locator('.axes').getByText('y', { exact: true }).click()
     await slide(page, '#amount', 0)
     await waitUntilIdle(page)
-    assert.deepEqual(await numbers(page, '.folded'), [0, 561])
+    assert.deepEqual(await readNumbers(page, '.folded'), [0, 561])
     await page.getByText('Waves', { exact: true }).click()
     await slide(page, '#amount', 1)
     await waitUntilIdle(page)
-    const [folded] = await numbers(page, '.folded')
-    assert.ok(folded > 0 && folded < 561, `${folded} are`)
+    const [folded] = await readNumbers(page, '.folded')
+    assert.ok(folded > 0 && folded < 561, `${folded} vertices are inside out`)
   })
 
   test('exports the warped model as a file', async () => {
@@ -222,7 +222,7 @@ describe('the page for your own model', () => {
   })
 
   test('explains what is wrong with a file, and keeps the model', async () => {
-    const before = await picture(page)
+    const before = await takePicture(page)
     const wrong = {
       'broken.glb': glb.subarray(0, 300),
       'words.obj': Buffer.from('no model at all'),
@@ -231,10 +231,10 @@ describe('the page for your own model', () => {
     }
     for (const [name, bytes] of Object.entries(wrong)) {
       await drop(page, { [name]: bytes })
-      const message = await problem(page)
+      const message = await readProblem(page)
       assert.match(message, /^[A-Z“][^\n]{15,300}\.$/, name)
       assert.equal(await text(page, '.name'), 'ball')
-      assert.equal(difference(before, await picture(page)), 0, name)
+      assert.equal(difference(before, await takePicture(page)), 0, name)
     }
     await page.screenshot({ path: `${screenshots}/drop-problem.png` })
   })
@@ -242,7 +242,7 @@ describe('the page for your own model', () => {
   test('accepts a .gltf with the files that it names, also from the file dialog', async () => {
     await page.getByRole('button', { name: 'box', exact: true }).click()
     await waitUntilIdle(page)
-    assert.deepEqual(await numbers(page, '.triangles'), [12])
+    assert.deepEqual(await readNumbers(page, '.triangles'), [12])
     const files = Object.entries(gltfAndBin())
     await page
       .locator('[type=file]')
@@ -251,9 +251,9 @@ describe('the page for your own model', () => {
       )
     await page.getByText('ball', { exact: true }).waitFor(patience)
     await waitUntilIdle(page)
-    assert.equal(await problem(page), '')
-    assert.deepEqual(await numbers(page, '.triangles'), [1024])
-    assert.ok(green(await picture(page)) > 0.03)
+    assert.equal(await readProblem(page), '')
+    assert.deepEqual(await readNumbers(page, '.triangles'), [1024])
+    assert.ok(greenShare(await takePicture(page)) > 0.03)
   })
 
   test('shows what was left out of a file', async () => {
@@ -281,19 +281,19 @@ describe('the page for your own model', () => {
     })
     for (const color of colors) {
       await drop(page, { 'tile.glb': exportGLB(tile(color)) })
-      const share = green(await picture(page))
+      const share = greenShare(await takePicture(page))
       assert.ok(color === colors[0] ? share > 0.03 : share === 0, `${color}: ${share}`)
     }
     await drop(page, { 'ball.glb': glb })
   })
 
   test('rotates and zooms by keys', async () => {
-    const before = await picture(page)
+    const before = await takePicture(page)
     await page.locator('canvas').focus()
     for (const key of ['ArrowLeft', 'ArrowUp', '+', '+']) await page.keyboard.press(key)
-    assert.ok(green(await picture(page)) > 1.1 * green(before))
+    assert.ok(greenShare(await takePicture(page)) > 1.1 * greenShare(before))
     await page.keyboard.press('0')
-    assert.equal(difference(before, await picture(page)), 0)
+    assert.equal(difference(before, await takePicture(page)), 0)
   })
 
   test('plays on request', async () => {
@@ -319,8 +319,8 @@ test('fits a phone, on which a finger rotates the model', async () => {
   assert.equal(small, 0)
   await drop(page, { 'ball.glb': glb })
   await page.getByText('Wobble', { exact: true }).tap()
-  const before = await picture(page)
-  assert.ok(green(before) > 0.03)
+  const before = await takePicture(page)
+  assert.ok(greenShare(before) > 0.03)
 
   const session = await page.context().newCDPSession(page)
   const { x, y, width, height } = await page.locator('canvas').boundingBox()
@@ -332,7 +332,7 @@ test('fits a phone, on which a finger rotates the model', async () => {
   await touch('touchStart', 0)
   for (const dx of [20, 40, 60]) await touch('touchMove', dx)
   await touch('touchEnd')
-  assert.ok(difference(before, await picture(page)) > 0.005)
+  assert.ok(difference(before, await takePicture(page)) > 0.005)
   await page.screenshot({ path: `${screenshots}/drop-phone.png`, fullPage: true })
   await page.context().close()
   assert.deepEqual(messages, [])
@@ -341,12 +341,12 @@ test('fits a phone, on which a finger rotates the model', async () => {
 test('works as built, and the gallery links to it', async () => {
   const built = await serveSite(5320)
   try {
-    const context = await browser.newContext(still)
+    const context = await browser.newContext(paused)
     const { page, messages } = await openPage(context, built.resolvedUrls.local[0])
     await page.getByRole('link', { name: 'Your model', exact: true }).first().click()
     await waitUntilIdle(page)
     await drop(page, { 'ball.glb': glb })
-    assert.ok(green(await picture(page)) > 0.03)
+    assert.ok(greenShare(await takePicture(page)) > 0.03)
     await context.close()
     assert.deepEqual(messages, [])
   } finally {

@@ -7,11 +7,11 @@ import { path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
-  plain,
+  measurePicture,
   reduceSketches,
   sketchesForTests,
-  statistics,
   still,
+  withoutEdges,
 } from '../../tests/support/browser/examples.js'
 import { drawLittle, fewFrames, keepFrames } from '../../tests/support/browser/frames.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
@@ -22,9 +22,9 @@ const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name
 
 /** Examples tested on their page in every run: a model, a shader from a file, and one with a second script. */
 const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
-const shown = isRun('every example in the gallery') ? names : everyday
-/** The example drawn with all its pixels. By default not the model, whose edges take p5 seconds to compute. */
-const asItIs = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
+const testedOnPage = isRun('every example in the gallery') ? names : everyday
+/** The example that is drawn with all its pixels. In the everyday run not the model, whose edges take p5 seconds to compute. */
+const fullExample = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
 
 // Without a GPU, a frame can take seconds on a busy machine.
 const patience = { timeout: 180_000 }
@@ -32,7 +32,10 @@ const patience = { timeout: 180_000 }
 const desktop = { viewport: { width: 1280, height: 900 } }
 const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
 
-/** Examples opened on a phone: those whose sketches read the window's size, and a few more. For the others the page is resized. */
+/**
+ * Returns whether an example is opened on a phone: if its sketch reads the window's size, and a few more. For the others the page is
+ * resized.
+ */
 const isOpenedOnPhone = (name) =>
   name === names[0] || everyday.includes(name) || name.startsWith('three-')
 
@@ -81,14 +84,14 @@ describe('the gallery of npm start', () => {
 
     // Skip the examples that are drawn on their page.
     const isDrawn = (name) =>
-      !shown.includes(name) &&
+      !testedOnPage.includes(name) &&
       (name !== 'domain-warping-3d' || isRun('deep domain warping')) &&
       (!['three-glass', 'three-lanterns'].includes(name) || isRun('glass and lanterns'))
     for (const name of names.filter(isDrawn))
       test(name, async () => {
         await page.goto(`${url}examples/${name}/gallery.html`, patience)
         await page.waitForFunction(() => window.frameCount >= 1, null, patience)
-        assertPicture(await statistics(page))
+        assertPicture(await measurePicture(page))
         assert.deepEqual(messages.splice(0), [])
       })
   })
@@ -97,7 +100,7 @@ describe('the gallery of npm start', () => {
     let page, messages, session
     before(async () => {
       const context = await browser.newContext(desktop)
-      await reduceSketches(context, url, { exceptions: [asItIs], before: plain })
+      await reduceSketches(context, url, { exceptions: [fullExample], before: withoutEdges })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
@@ -117,11 +120,11 @@ describe('the gallery of npm start', () => {
       assert.equal(await page.locator('.tiles img').count(), names.length)
     })
 
-    for (const name of shown)
+    for (const name of testedOnPage)
       test(`shows ${name}`, async () => {
         const frame = await openPlaying(page, url, name)
         await page.getByText(/^frame \d+ · [\d.]+ fps$/).waitFor(patience)
-        assertPicture(await statistics(frame))
+        assertPicture(await measurePicture(frame))
         const code = page.locator('.block code')
         assert.match(await code.textContent(), /^(\/\/|import) /)
         await page.getByRole('button', { name: 'GLSL' }).click()
@@ -160,7 +163,7 @@ describe('the gallery of npm start', () => {
 
       for (const name of names.filter(isOpenedOnPhone)) {
         const frame = await openPlaying(page, url, name, 1)
-        if (name === names[0]) assertPicture(await statistics(frame))
+        if (name === names[0]) assertPicture(await measurePicture(frame))
         await assertFits(page, frame, name)
         assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
         await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
@@ -178,7 +181,7 @@ if (isRun('the built gallery, and the gallery on a phone'))
       const context = await browser.newContext(desktop)
       await drawLittle(context)
       const { page, messages } = await openPage(context, url)
-      assertPicture(await statistics(await openPlaying(page, url, 'text-bulge')))
+      assertPicture(await measurePicture(await openPlaying(page, url, 'text-bulge')))
       await context.close()
       assert.deepEqual(messages, [])
     } finally {

@@ -1,5 +1,5 @@
 // Opens links that attack the page: they must do no harm. Runs in Chromium and Firefox, on the built site with its service worker, which
-// in an earlier version cached a page that a sketch had written.
+// once cached a page that a sketch had written.
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { after, before, describe, test } from 'node:test'
@@ -18,8 +18,8 @@ before(async () => {
 })
 after(() => server.close())
 
-/** Starts a server that records its requests → { address, requests, close() }. */
-async function startEvil() {
+/** Starts the attacker's server, which records its requests. Returns { address, requests, close() }. */
+async function startEvilServer() {
   const requests = []
   const evil = createServer((request, response) => {
     requests.push(request.url)
@@ -54,15 +54,15 @@ async function frameOf(page) {
 }
 
 /** Reads everything that the site stores in the browser, and the state of its page. */
-const look = (page) =>
+const readState = (page) =>
   page.evaluate(async () => {
-    const kept = []
+    const cached = []
     for (const key of await caches.keys()) {
       const cache = await caches.open(key)
       const addresses = (await cache.keys()).map(({ url }) => url)
-      kept.push(key, ...addresses)
+      cached.push(key, ...addresses)
       for (const address of addresses.filter((each) => /\/(?:index|host)\.html$/.test(each)))
-        if (!address.includes('/gallery/')) kept.push(await (await cache.match(address)).text())
+        if (!address.includes('/gallery/')) cached.push(await (await cache.match(address)).text())
     }
     return {
       address: location.href.replace(/#.*/, ''),
@@ -74,7 +74,7 @@ const look = (page) =>
       workers: (await navigator.serviceWorker.getRegistrations()).map(
         ({ active }) => active.scriptURL,
       ),
-      kept,
+      cached,
       added: document.querySelectorAll('body > iframe, body > script, img[src="x"]').length,
     }
   })
@@ -83,10 +83,10 @@ const mistakeOf = (page) => page.$eval('.mistake', ({ textContent }) => textCont
 
 for (const [name, launch] of Object.entries(browsers))
   describe(`in ${name}`, () => {
-    let browser, page, evil, was
+    let browser, page, evil, stateBefore
     before(async () => {
       browser = await launch()
-      evil = await startEvil()
+      evil = await startEvilServer()
       page = await browser.newPage()
       // A small window, since without a GPU a large picture takes all of the machine's time.
       await page.goto(await linkTo(still), patience)
@@ -99,7 +99,7 @@ for (const [name, launch] of Object.entries(browsers))
         const channel = new BroadcastChannel('secrets')
         setInterval(() => channel.postMessage('mine'), 200)
       })
-      was = await look(page)
+      stateBefore = await readState(page)
     })
     after(async () => {
       await browser.close()
@@ -132,7 +132,7 @@ for (const [name, launch] of Object.entries(browsers))
     })
 
     test(`the page, its storage, and other windows are unchanged, in ${name}`, async () => {
-      assert.deepEqual(await look(page), was)
+      assert.deepEqual(await readState(page), stateBefore)
       assert.equal(
         (await browser.pages()).filter((each) => each.url().startsWith('http')).length,
         1,
@@ -151,7 +151,7 @@ for (const [name, launch] of Object.entries(browsers))
           name === 'Chromium',
         false,
       )
-      assert.deepEqual((await look(page)).title, was.title)
+      assert.deepEqual((await readState(page)).title, stateBefore.title)
     })
 
     test(`forged messages of a sketch change nothing but its own output, in ${name}`, async () => {
@@ -179,12 +179,12 @@ for (const window of [parent, parent.parent, top])
 `),
       )
       await new Promise((go) => setTimeout(go, 500))
-      assert.deepEqual(await look(page), was)
+      assert.deepEqual(await readState(page), stateBefore)
       await follow(await linkTo(still))
       assert.equal(await mistakeOf(page), '')
     })
 
-    test(`another window can neither run code nor send messages in it, in ${name}`, async () => {
+    test(`another window can neither run code in the page nor send it messages, in ${name}`, async () => {
       const link = await linkTo(still)
       const other = await browser.newPage()
       await other.goto(evil.address)
@@ -211,7 +211,7 @@ for (const window of [parent, parent.parent, top])
       })
       await new Promise((go) => setTimeout(go, 500))
       assert.equal(await mistakeOf(opened), '')
-      assert.equal((await look(opened)).title, was.title)
+      assert.equal((await readState(opened)).title, stateBefore.title)
       await opened.close()
       await other.close()
       evil.requests.length = 0
@@ -251,7 +251,7 @@ function draw() {
         assert.equal(await mistakeOf(page), '', file)
         assert.equal(await (await frameOf(page)).evaluate('shape.faces.length'), 4, file)
       }
-      assert.deepEqual(await look(page), was)
+      assert.deepEqual(await readState(page), stateBefore)
     })
 
     test(`an honest sketch draws, and reports the line of a mistake, in ${name}`, async () => {

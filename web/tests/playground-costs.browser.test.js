@@ -9,9 +9,9 @@ let page, messages, close
 before(async () => ({ page, messages, close } = await openPlayground(5252, await launchBrowser())))
 after(() => close())
 
-const open = (name) => page.getByRole('tab', { name }).click()
+const openTab = (name) => page.getByRole('tab', { name }).click()
 /** Reads terms and figures of the open tab, once the sketch's frame has computed them. */
-const readOuts = async () => {
+const readFigures = async () => {
   await page.locator('#panel .read-outs').first().waitFor()
   await page.locator('#panel [aria-busy="true"]').waitFor({ state: 'detached' })
   return page
@@ -25,24 +25,24 @@ const readOuts = async () => {
 
 test('shows the cost of a warp: operations, characters, the first picture and a frame', async () => {
   await write(page, stillSketch('#ff0000', 'glsl.vec3(position.y().mult(3).sin(), 0, 0)'))
-  await open('Costs')
+  await openTab('Costs')
   const { stats } = compileWarp(({ glsl, position }) => glsl.vec3(position.y().mult(3).sin(), 0, 0))
   const row = await page.locator('#panel tbody td').allTextContents()
-  await open('GLSL 3.00')
+  await openTab('GLSL 3.00')
   // The first line names the function that made the code.
   const shown = (await page.locator('#panel').textContent()).replace(/^.*\n/, '').trimEnd()
-  await open('Costs')
+  await openTab('Costs')
   const { nodes, operations, temporaries } = stats
   assert.deepEqual(row.slice(0, 4), ['createWarp', ...[nodes, operations, temporaries].map(String)])
   assert.ok(Math.abs(Number(row[4]) - shown.length) <= 2, `${row[4]}, not ${shown.length}`)
   await page.waitForFunction(() => /\d ms/.test(document.querySelector('#panel .rate').textContent))
-  const { 'First picture': first, 'A frame': frame } = await readOuts()
+  const { 'First picture': first, 'A frame': frame } = await readFigures()
   assert.match(first, /^[\d,]+ ms$/)
   assert.match(frame, /^[\d.,]+ ms \([\d,]+ a second\)$/)
 })
 
 /** Counts the violet (inside out) and red (wrong) pixels of the map. */
-const map = async () => {
+const countMapPixels = async () => {
   await page.locator('#panel .map').waitFor()
   return page.locator('#panel .map').evaluate((canvas) => {
     const { width, height } = canvas
@@ -58,24 +58,24 @@ const map = async () => {
 
 test('finds the normals of a warp correct, compared with finite differences', async () => {
   await write(page, stillSketch('#ff0000', 'glsl.vec3(position.y().mult(3).sin().mult(0.3), 0, 0)'))
-  await open('Checks')
-  const outs = await readOuts()
-  assert.ok(parseFloat(outs['Max error of a normal']) < 0.5, JSON.stringify(outs))
-  const { all, violet, red } = await map()
-  assert.equal(outs['Turned inside out'], `0 of ${all.toLocaleString('en')} points`)
+  await openTab('Checks')
+  const figures = await readFigures()
+  assert.ok(parseFloat(figures['Max error of a normal']) < 0.5, JSON.stringify(figures))
+  const { all, violet, red } = await countMapPixels()
+  assert.equal(figures['Turned inside out'], `0 of ${all.toLocaleString('en')} points`)
   assert.deepEqual([violet, red], [0, 0])
 })
 
-test('finds points inside out: all of a mirrored sphere, half of one folded over its half', async () => {
+test('finds the points that are inside out: all of a mirrored sphere, half of a sphere that is folded in the middle', async () => {
   await write(page, stillSketch('#ff0000', 'glsl.vec3(position.x().mult(-2), 0, 0)'))
-  const mirrored = await map()
+  const mirrored = await countMapPixels()
   assert.equal(mirrored.violet, mirrored.all)
-  // x becomes x squared, which decreases to the left of the middle.
+  // x becomes x², which decreases where x is negative: that half of the sphere is folded over the other one.
   await write(
     page,
     stillSketch('#ff0000', 'glsl.vec3(position.x().mult(position.x()).sub(position.x()), 0, 0)'),
   )
-  const folded = await map()
+  const folded = await countMapPixels()
   assert.equal(folded.violet, folded.all / 2)
 })
 
@@ -84,11 +84,11 @@ test('reports normals that ignore the rotation of the surface as wrong', async (
   const sketch = (more) =>
     stillSketch('#ff0000', along, more).replace('position, uniforms', 'normal, position, uniforms')
   await write(page, sketch(''))
-  const right = parseFloat((await readOuts())['Max error of a normal'])
+  const right = parseFloat((await readFigures())['Max error of a normal'])
   await write(page, sketch(', { surfaceVariation: false }'))
-  const wrong = parseFloat((await readOuts())['Max error of a normal'])
+  const wrong = parseFloat((await readFigures())['Max error of a normal'])
   assert.ok(right < 0.5 && wrong > 20, `${right}°, ${wrong}°`)
-  const { all, red } = await map()
+  const { all, red } = await countMapPixels()
   assert.ok(red > all / 2)
 })
 
@@ -96,7 +96,7 @@ test('explains how to check a warp whose uniform is set only when the sketch dra
   const far = "glsl.vec3(glsl.param('far'), 0, 0)"
   const sketch = stillSketch('#ff0000', far, ", { defs: 'uniform float far;' }")
   await write(page, sketch.replace('warp()', 'warp({ far: 0.5 })'))
-  await open('Checks')
+  await openTab('Checks')
   assert.equal(await page.locator('.mistake').textContent(), '')
   assert.match(await page.locator('#panel .check').textContent(), /“far”.*uniforms: \{ far: 1 \}/)
 })

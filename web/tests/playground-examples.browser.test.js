@@ -1,13 +1,13 @@
-// Opens every example of the gallery in the playground by its link: it draws the same as in the gallery, without errors.
+// Opens every example of the gallery in the playground by its link, and checks that it draws as in the gallery, without errors.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
+  measurePicture,
   reduceSketches,
   sketchesForTests,
-  statistics,
   still,
 } from '../../tests/support/browser/examples.js'
 import { keepFrames } from '../../tests/support/browser/frames.js'
@@ -51,7 +51,7 @@ for (const { name, title } of sections.flatMap(({ examples }) => examples))
   test(`${name}: ${title}`, async () => {
     await open(name)
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assertPicture(await statistics(await visibleFrame(page)))
+    assertPicture(await measurePicture(await visibleFrame(page)))
     await page.getByRole('tab', { name: 'Console' }).click()
     assert.deepEqual(await page.locator('.printed li').allTextContents(), [])
     assert.deepEqual(messages.splice(0), [])

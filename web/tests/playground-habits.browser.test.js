@@ -1,4 +1,5 @@
-// Tests what users do in the playground besides writing a warp: choosing, printing, looking around, reloading, dropping files, finding.
+// Tests what users do in the playground besides writing a warp: choosing an example, printing, rotating the shape, reloading, dropping
+// files, searching.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -78,8 +79,8 @@ test('rotates the shape with the pointer if the sketch allows that', async () =>
 test('keeps the sketch and its slider across a reload', async () => {
   const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
   const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
-  const far = stillSketch('#80ff00', offset, `, { uniforms: ${uniforms} }`)
-  await write(page, far)
+  const sketch = stillSketch('#80ff00', offset, `, { uniforms: ${uniforms} }`)
+  await write(page, sketch)
   assert.equal(await mistake(), '')
   const moves = [
     () => slider('far').press('End'),
@@ -99,7 +100,7 @@ test('keeps the sketch and its slider across a reload', async () => {
   const before = await canvasPixels(page)
   await page.reload()
   await waitUntilSettled(page)
-  assert.equal(await editorText(page), far)
+  assert.equal(await editorText(page), sketch)
   assert.equal(Number(await slider('far').inputValue()), 2)
   assert.equal(Number(await slider('up.y').inputValue()), 0.8)
   assert.equal(await slider('tint').inputValue(), '#008040')
@@ -107,13 +108,13 @@ test('keeps the sketch and its slider across a reload', async () => {
 })
 
 test('keeps a slider’s value while the sketch is edited, until its number changes', async () => {
-  const far = (number, color) =>
+  const sketchWith = (number, color) =>
     stillSketch(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
-  await write(page, far(0.25, '#80ff00'))
+  await write(page, sketchWith(0.25, '#80ff00'))
   await slider('far').press('End')
-  await write(page, far(0.25, '#8000ff'))
+  await write(page, sketchWith(0.25, '#8000ff'))
   assert.equal(Number(await slider('far').inputValue()), 1)
-  await write(page, far(0.3, '#8000ff'))
+  await write(page, sketchWith(0.3, '#8000ff'))
   assert.equal(Number(await slider('far').inputValue()), 0.3)
 })
 
@@ -126,7 +127,7 @@ test('restores the sketch with the browser’s back button after following a lin
   await waitUntilSettled(page)
   assert.equal(await editorText(page), stillSketch('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
   assert.equal(difference(before, await canvasPixels(page)), 0)
-  // Messages of the first page, which was left before it had loaded.
+  // Ignores messages of the first page, which was left before it had loaded.
   messages.length = 0
 })
 

@@ -18,16 +18,16 @@ after(() => close())
 const list = () => page.locator('.cm-tooltip-autocomplete')
 const options = () => list().locator('.cm-completionLabel').allTextContents()
 
-/** Types text after the first `given` in the sketch. */
-async function typeAfter(given, typed) {
-  await write(page, stillSketch('#ff0000', `glsl.vec3(${given}, 0, 0)`))
-  const place = await page.evaluate((given) => {
+/** Writes a sketch with an expression, and types text after the expression. */
+async function typeAfter(expression, typed) {
+  await write(page, stillSketch('#ff0000', `glsl.vec3(${expression}, 0, 0)`))
+  const place = await page.evaluate((expression) => {
     const { view } = document.querySelector('.cm-content').cmTile
-    const anchor = view.state.doc.toString().indexOf(`(${given}, `) + 1 + given.length
+    const anchor = view.state.doc.toString().indexOf(`(${expression}, `) + 1 + expression.length
     view.dispatch({ selection: { anchor } })
     return anchor
-  }, given)
-  assert.ok(place > given.length)
+  }, expression)
+  assert.ok(place > expression.length)
   await page.keyboard.type(typed)
   await list().waitFor()
 }
@@ -45,10 +45,10 @@ async function meaningOf(word) {
   await page.mouse.move(box.x + 4, box.y)
   const tip = page.locator('.cm-tooltip-hover .about')
   await tip.waitFor()
-  const said = await tip.evaluate((tip) => [...tip.children].map((each) => each.textContent))
+  const texts = await tip.evaluate((tip) => [...tip.children].map((each) => each.textContent))
   await page.mouse.move(0, 0)
   await tip.waitFor({ state: 'detached' })
-  return said
+  return texts
 }
 
 test('offers the operations after a point, with their signatures and meanings', async () => {
@@ -92,7 +92,7 @@ async function completionsOf(text) {
 }
 
 /** Returns the inputs as the compiler lists them in its error for an unknown one. */
-function allInputs() {
+function listInputs() {
   try {
     compileWarp(({ nothing }) => nothing)
   } catch ({ message }) {
@@ -102,7 +102,7 @@ function allInputs() {
 
 test('offers every input and, in a function’s braces, every option, each with its meaning', async () => {
   const words = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(§, 0, 0)'))
-  for (const name of [...allInputs(), 'uniforms', 'createWarp'])
+  for (const name of [...listInputs(), 'uniforms', 'createWarp'])
     assert.match(words[name] ?? '', /\w+ \w+/, name)
   const options = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
   assert.deepEqual(Object.keys(options).sort(), [

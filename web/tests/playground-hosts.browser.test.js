@@ -1,4 +1,4 @@
-// Tests the hosts and languages that playground.browser.test.js does not: WebGPU, offsets in GLSL, and downloaded pages of each host.
+// Tests hosts and languages that playground.browser.test.js does not test: WebGPU, offsets in GLSL, and downloaded pages of each host.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -34,14 +34,15 @@ after(() => close())
 
 const host = () => page.getByLabel('Runs in')
 const mistake = () => page.locator('.mistake').textContent()
-const run = async (name) => {
+/** Selects a host, and waits until the sketch has run on it. */
+const runOn = async (name) => {
   await host().selectOption(name)
   await waitUntilSettled(page)
   assert.equal(await mistake(), '')
 }
 
 /** Opens the downloaded page from disk and returns the picture that it draws. */
-async function drawnFromDisk(name, isReady) {
+async function drawFromDisk(name, isReady) {
   const other = await openFromDisk(page, `${folder}/${name}.html`, isReady)
   const picture = await canvasPixels(other.page)
   const version = await other.page.evaluate(
@@ -57,7 +58,7 @@ const cosine = 'glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0)'
 test('draws the same on WebGPU as in WebGL, and reports mistakes there, too', async () => {
   await write(page, stillSketch('#ff8040', cosine))
   const before = await canvasPixels(page)
-  await run('p5-webgpu')
+  await runOn('p5-webgpu')
   assert.match(await editorText(page), /await createCanvas\(120, 90, WEBGPU\)/)
   const frame = await visibleFrame(page)
   assert.ok(await frame.evaluate('p5.instance._renderer.device instanceof GPUDevice'))
@@ -68,12 +69,12 @@ test('draws the same on WebGPU as in WebGL, and reports mistakes there, too', as
   await write(page, (await editorText(page)).replace('position.y()', 'position.w()'))
   assert.match(await mistake(), /^Line 5 /)
   await write(page, stillSketch('#ff8040', cosine))
-  await run('p5')
+  await runOn('p5')
   assert.equal(difference(before, await canvasPixels(page)), 0)
 })
 
-/** The offset of `stillSketch` in GLSL. */
-const inText = `\`
+/** The offset `cosine` in GLSL, as a template literal. */
+const glslLiteral = `\`
   vec3 offset(vec3 position) {
     return vec3(cos(position.y * 3.0) * 0.4, 0.0, 0.0);
   }\``
@@ -83,7 +84,7 @@ test('reads an offset in GLSL, shows its code, and marks a mistake in it', async
   const before = await canvasPixels(page)
   const sketch = stillSketch('#ff8040').replace(
     /createWarp\(.*\)$/m,
-    `createWarp(warpjet.glslOffset(${inText}))`,
+    `createWarp(warpjet.glslOffset(${glslLiteral}))`,
   )
   await write(page, sketch)
   assert.notEqual(await mistake(), '')
@@ -102,37 +103,37 @@ test('reads an offset in GLSL, shows its code, and marks a mistake in it', async
 
 test('downloads a page with p5 1.11 that opens from a disk', async () => {
   await write(page, stillSketch('#40ff40', cosine))
-  await run('p5-1')
+  await runOn('p5-1')
   const before = await canvasPixels(page)
-  const { picture, version } = await drawnFromDisk('p5-1', () => window.frameCount > 1)
+  const { picture, version } = await drawFromDisk('p5-1', () => window.frameCount > 1)
   assert.match(version, /^1\.11/)
   assert.equal(difference(before, picture), 0)
 })
 
-const open = (name) => page.getByRole('tab', { name }).click()
+const openTab = (name) => page.getByRole('tab', { name }).click()
 /** Waits for marked statements and returns them. */
 const markedStatements = async () => {
   await page.locator('.panel .lit').first().waitFor()
   return (await page.locator('.panel .lit').allTextContents()).join('')
 }
-const figures = async () => {
+const readFigures = async () => {
   await page.locator('#panel .read-outs').waitFor()
   return page.locator('#panel .read-outs dd').allTextContents()
 }
 
-test('shows the code of a three.js warp in each language, marked both ways, its costs and checks', async () => {
-  await run('three')
+test('shows the code of a three.js warp in each language, with statements and lines marked, its costs and its checks', async () => {
+  await runOn('three')
   await write(page, ball)
   assert.equal(await mistake(), '')
   await page.locator('.cm-line', { hasText: 'cos()' }).click()
   for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
-    await open(language)
+    await openTab(language)
     const statements = await markedStatements()
     assert.ok(/cos\(/.test(statements) && /sin\(/.test(statements), statements)
   }
   await page.locator('.panel [data-from]', { hasText: 'cos(' }).first().hover()
   assert.match(await page.locator('.cm-lit').textContent(), /^warp\(mesh/)
-  await open('Costs')
+  await openTab('Costs')
   const { stats } = compileWarp(
     ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0),
     { surfaceVariation: true },
@@ -140,24 +141,24 @@ test('shows the code of a three.js warp in each language, marked both ways, its 
   const row = await page.locator('#panel tbody td').allTextContents()
   const { nodes, operations, temporaries } = stats
   assert.deepEqual(row.slice(0, 4), ['warp', ...[nodes, operations, temporaries].map(String)])
-  await open('Checks')
-  const [worst, , insideOut] = await figures()
+  await openTab('Checks')
+  const [worst, , insideOut] = await readFigures()
   assert.ok(parseFloat(worst) < 0.5, worst)
   assert.match(insideOut, /^0 of 4,608 points$/)
-  await open('GLSL 3.00')
+  await openTab('GLSL 3.00')
 })
 
 /** Returns the colour of the middle of the picture. */
-const middle = async () => {
+const middleColor = async () => {
   const at = 4 * (120 * 45 + 60)
   return [...(await canvasPixels(page)).subarray(at, at + 3)]
 }
 
-/** Waits until the middle has that colour, since the picture follows its slider with a delay. */
-async function becomes(wanted, tolerance = 0) {
+/** Waits until the middle of the picture has a colour, since the picture follows its slider with a delay. */
+async function waitForColor(wanted, tolerance = 0) {
   let color
   for (let i = 0; i < 100; i++) {
-    color = await middle()
+    color = await middleColor()
     if (color.every((part, k) => Math.abs(part - wanted[k]) <= tolerance)) return
     await page.waitForTimeout(100)
   }
@@ -188,7 +189,7 @@ renderer.setAnimationLoop(() => {
 test('shows normals of three.js as colours, and its uniforms as sliders and fields', async () => {
   await write(page, uniformBall)
   assert.equal(await mistake(), '')
-  await becomes([255, 0, 0])
+  await waitForColor([255, 0, 0])
   const labels = await page.locator('.sliders label').allTextContents()
   assert.deepEqual(labels, [
     'more',
@@ -197,11 +198,11 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
     'tint',
   ])
   await page.getByLabel('tint').fill('#00ff00')
-  await becomes([0, 255, 0])
+  await waitForColor([0, 255, 0])
   // Move one slider to the left end and one to the right, so that the ball no longer covers the middle.
   await page.getByLabel('center.x').press('Home')
   await page.getByLabel('center.y').press('End')
-  await becomes([21, 24, 35])
+  await waitForColor([21, 24, 35])
   await page.getByLabel('Normals as colours').check()
   await write(page, uniformBall.replace('more: 0', 'more: 0.1'))
   assert.equal(await mistake(), '')
@@ -216,24 +217,24 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
     assert.ok(Math.abs(ends[i] - end) < 1e-2, `${ends}`)
   await page.getByLabel('center.x').fill('0')
   await page.getByLabel('center.y').fill('0')
-  await becomes([128, 128, 255], 9)
+  await waitForColor([128, 128, 255], 9)
   await page.getByLabel('Normals as colours').uncheck()
 })
 
-test('explains a mistake with operators in three.js, and names no box, since there is none', async () => {
-  await run('three')
+test('explains a mistake with operators in three.js, without the box to tick, which three.js does not have', async () => {
+  await runOn('three')
   await write(page, ball.replace('position.y().mult(3)', '(position * 3)'))
   assert.match(await mistake(), /do not work on expressions/)
   assert.doesNotMatch(await mistake(), /tick/)
 })
 
 test('downloads a page with three.js, its addons and warpjet that opens from a disk', async () => {
-  await run('three')
+  await runOn('three')
   await write(page, ball)
   assert.equal(await mistake(), '')
   const before = await canvasPixels(page)
   await context.addInitScript(keepFrames)
-  const { picture } = await drawnFromDisk('three', () =>
+  const { picture } = await drawFromDisk('three', () =>
     document.querySelector('canvas[data-engine]'),
   )
   assert.ok(difference(before, Buffer.alloc(before.length)) > 0.5)

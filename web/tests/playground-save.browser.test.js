@@ -115,17 +115,17 @@ ${stillSketch('#40ff40')
     await write(page, stillSketch('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
     const mesh = await loadMesh(await bytesOf(await downloadFromMenu(page, 'Warped shape')))
     const { positions, normals } = mesh
-    const most = [0, 0, 0]
+    const max = [0, 0, 0]
     for (let i = 0; i < positions.length; i += 3) {
-      for (let k = 0; k < 3; k++) most[k] = Math.max(most[k], positions[i + k])
-      // A sphere of 30 pixels, sheared by y and turned upright, satisfies (x - y)² + y² + z² = 30².
+      for (let k = 0; k < 3; k++) max[k] = Math.max(max[k], positions[i + k])
+      // A sphere of 30 pixels that is sheared by p5's y, which points down, satisfies (x + y)² + y² + z² = 30² with y upwards.
       const [x, y, z] = positions.subarray(i, i + 3)
       assert.ok(Math.abs(Math.hypot(x + y, y, z) - 30) < 1e-2, `${x} ${y} ${z}`)
       const gradient = [x + y, x + 2 * y, z]
       const cosine = gradient.reduce((sum, each, k) => sum + each * normals[i + k], 0)
       assert.ok(cosine / Math.hypot(...gradient) > 0.99999)
     }
-    assert.ok(Math.abs(most[1] - 30) < 1e-3 && most[0] > 40)
+    assert.ok(Math.abs(max[1] - 30) < 1e-3 && max[0] > 40)
   })
 
   test('logs nothing itself', () => assert.deepEqual(messages, []))

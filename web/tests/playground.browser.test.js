@@ -89,8 +89,8 @@ describe('the playground', () => {
       await write(page, sketch)
       const mistake = await page.locator('.mistake').textContent()
       assert.match(mistake.replace(/^Line \d+ /, ''), message)
-      const named = Number(/^Line (\d+) /.exec(mistake)?.[1])
-      assert.ok(named === number || named === other, `${mistake}, not line ${number}`)
+      const line = Number(/^Line (\d+) /.exec(mistake)?.[1])
+      assert.ok(line === number || line === other, `${mistake}, not line ${number}`)
       assert.equal(await page.locator('.cm-lint-marker-error').count(), 1, mistake)
       assert.equal(difference(before, await canvasPixels(page)), 0)
       assert.doesNotMatch(mistake, /blob:|warps\.js/)
@@ -185,7 +185,7 @@ describe('the playground', () => {
     await page.getByLabel('Normals as colours').check()
     await waitUntilSettled(page)
     const image = await canvasPixels(page)
-    // The sphere faces the camera in the middle, and the side at its right edge.
+    // The normal points to the camera in the middle of the sphere, and to the side at its right edge.
     const at = (x, y) => [...image.subarray(4 * (120 * y + x), 4 * (120 * y + x) + 3)]
     const [middle, right] = [at(60, 45), at(87, 45)]
     assert.ok(middle[2] > 240 && middle[0] < 40, `${middle}`)
@@ -244,7 +244,7 @@ describe('the playground', () => {
     assert.equal(difference(before, await canvasPixels(page)), 0)
   })
 
-  test('marks the statements of the line with the cursor, and the line of a statement', async () => {
+  test('marks the statements that come from the line with the cursor, and the line from which a statement comes', async () => {
     const lines = 'const a = position.y().mult(3).sin()\n  return glsl.vec3(a, a.mult(0.3), 0)'
     await write(page, stillSketch('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
     const markedStatements = () => page.locator('.panel .lit').allTextContents()
@@ -252,12 +252,12 @@ describe('the playground', () => {
       await page.getByRole('tab', { name: language }).click()
       await page.locator('.cm-line', { hasText: 'const a =' }).click()
       await page.locator('.panel .lit').first().waitFor()
-      const ofA = await markedStatements()
-      assert.ok(ofA.some((text) => /sin\(/.test(text)) && ofA.some((text) => /cos\(/.test(text)))
+      const statements = await markedStatements()
+      for (const call of [/sin\(/, /cos\(/]) assert.ok(statements.some((text) => call.test(text)))
       await page.keyboard.press('ArrowDown')
       await page.waitForFunction(
         (before) => document.querySelector('.panel .lit')?.textContent !== before,
-        ofA[0],
+        statements[0],
       )
       assert.ok(!(await markedStatements()).some((text) => /sin\(/.test(text)))
     }
@@ -270,7 +270,7 @@ describe('the playground', () => {
     await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
   })
 
-  test('applies a single offset function to a model, and restores both from the link', async () => {
+  test('applies a single offset function to a model, and restores function and model from the link', async () => {
     await page.getByLabel('Runs in').selectOption('offset')
     await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')

@@ -2,16 +2,16 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
-import { converted } from '../playground/convert.js'
+import { convert } from '../playground/convert.js'
 import { escapeForScript } from '../playground/document.js'
 import { guardLoops } from '../playground/guard.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
 import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
 import { modulesAsData } from '../playground/modules.js'
 import { completeSketch } from '../playground/offset.js'
-import { plain, withOrigins } from '../playground/origins.js'
-import { across, down, normalErrors, spherePoints } from '../playground/sphere.js'
-import { namesOfFiles, quote, stringsIn, withFiles } from '../playground/strings.js'
+import { removeOrigins, withOrigins } from '../playground/origins.js'
+import { columns, normalErrors, rows, spherePoints } from '../playground/sphere.js'
+import { namesOfFiles, quote, replaceFileNames, stringsIn } from '../playground/strings.js'
 import { zip } from '../playground/zip.js'
 
 describe('a sketch converted for another p5', () => {
@@ -27,28 +27,28 @@ function draw() {}
 `
   test('awaits its canvas on WEBGPU', () => {
     const plain = 'function setup() {\n  createCanvas(9, 9, WEBGL)\n}\n'
-    const there = converted(plain, 'p5-webgpu')
-    assert.equal(there, 'async function setup() {\n  await createCanvas(9, 9, WEBGPU)\n}\n')
-    assert.equal(converted(there, 'p5'), plain)
+    const converted = convert(plain, 'p5-webgpu')
+    assert.equal(converted, 'async function setup() {\n  await createCanvas(9, 9, WEBGPU)\n}\n')
+    assert.equal(convert(converted, 'p5'), plain)
   })
 
   test('loads in preload in p5 1.11, and converts back', () => {
-    const there = converted(sketch, 'p5-1')
-    assert.match(there, /function preload\(\) \{\n  hand = loadModel\('hand\.obj'\)\n\}/)
-    assert.match(there, /\nfunction setup\(\) \{\n  createCanvas/)
-    assert.doesNotMatch(there, /await/)
-    const back = converted(there, 'p5')
+    const converted = convert(sketch, 'p5-1')
+    assert.match(converted, /function preload\(\) \{\n  hand = loadModel\('hand\.obj'\)\n\}/)
+    assert.match(converted, /\nfunction setup\(\) \{\n  createCanvas/)
+    assert.doesNotMatch(converted, /await/)
+    const back = convert(converted, 'p5')
     assert.match(back, /async function setup\(\) \{\n  hand = await loadModel\('hand\.obj'\)\n/)
     assert.doesNotMatch(back, /preload/)
   })
 
-  test('declares local variables of setup for both functions', () => {
-    const there = converted(sketch.replace('hand = await', 'const font = await'), 'p5-1')
-    assert.match(there, /^let font\nfunction preload\(\) \{\n  font = /m)
+  test('declares local variables of setup as globals if preload needs them', () => {
+    const converted = convert(sketch.replace('hand = await', 'const font = await'), 'p5-1')
+    assert.match(converted, /^let font\nfunction preload\(\) \{\n  font = /m)
   })
 
-  test('is unchanged if nothing applies', () => {
-    for (const host of ['p5', 'p5-1', 'p5-webgpu']) assert.equal(converted('let x', host), 'let x')
+  test('is unchanged if there is nothing to convert', () => {
+    for (const host of ['p5', 'p5-1', 'p5-webgpu']) assert.equal(convert('let x', host), 'let x')
   })
 })
 
@@ -86,10 +86,10 @@ describe('a link', () => {
 })
 
 describe('a loop in a sketch', () => {
-  const rounds = (text) => {
+  const countIterations = (text) => {
     const playground = {
       count: 0,
-      goOn() {
+      checkLoop() {
         if (++this.count === 50) throw new Error('stopped')
       },
     }
@@ -97,7 +97,7 @@ describe('a loop in a sketch', () => {
     return playground.count
   }
 
-  test('without an end is stopped, however it is written', () => {
+  test('that never ends is stopped, however it is written', () => {
     for (const text of [
       'while (true) {}',
       'for (;;);',
@@ -106,20 +106,20 @@ describe('a loop in a sketch', () => {
       'for (;;) if (0) 1; else 2',
       'const run = () => { for (;;) {} }\nrun()',
     ])
-      assert.throws(() => rounds(text), /stopped/, text)
+      assert.throws(() => countIterations(text), /stopped/, text)
   })
 
-  test('with an end works as before', () => {
+  test('that ends works as before', () => {
     const text =
       'let sum = 0; for (let i = 0; i < 4; i++) if (i % 2) sum += i; else for (const j of [1, 2]) sum += j'
-    assert.equal(rounds(`${text}; if (sum !== 10) throw new Error(sum)`), 8)
+    assert.equal(countIterations(`${text}; if (sum !== 10) throw new Error(sum)`), 8)
   })
 
-  test('stays on its line, and is unchanged in functions that are parsed', () => {
+  test('stays on its line, and is unchanged in functions that warpjet or p5.strands may parse', () => {
     const text = 'while (a) {\n  b()\n}\nfor (;;) c()\n'
     assert.equal(guardLoops({ text }).split('\n').length, text.split('\n').length)
-    for (const read of ['createWarp(() => { for (;;) {} })', 'while (', 'for (;;'])
-      assert.equal(guardLoops({ text: read }), read)
+    for (const unchanged of ['createWarp(() => { for (;;) {} })', 'while (', 'for (;;'])
+      assert.equal(guardLoops({ text: unchanged }), unchanged)
     assert.equal(guardLoops({ text, chosen: ['operators'] }), text)
   })
 })
@@ -131,7 +131,7 @@ test('text in a script tag cannot end it', () => {
   assert.equal(new Function(`${inside}; return a`)(), new Function(`${text}; return a`)())
 })
 
-test('text in a script tag keeps its meaning, in strings and outside of them', () => {
+test('text in a script tag keeps its meaning, in strings and outside of strings', () => {
   for (const [text, isModule] of [
     ['const scripts = [1, 2]; let a = 0; while (a<scripts.length) a++; return a'],
     [
@@ -146,9 +146,9 @@ test('text in a script tag keeps its meaning, in strings and outside of them', (
     const inside = escapeForScript(text, { isModule })
     assert.doesNotMatch(inside, /<\/script|<!--/i)
     // `new Function` makes classic scripts, where `<!--` begins a comment.
-    const meant = isModule ? text.replace('<!--', '< !--') : text
+    const equivalent = isModule ? text.replace('<!--', '< !--') : text
     const run = (body) => new Function(isModule ? body.replace('const', 'let') : body)()
-    assert.equal(run(inside), run(meant), text)
+    assert.equal(run(inside), run(equivalent), text)
   }
 })
 
@@ -164,7 +164,7 @@ describe('the strings of a sketch', () => {
     assert.deepEqual(namesOfFiles(text), ["a'b.obj", 'ABC.obj', 'd.obj'])
   })
 
-  test('hold any file name, and return it', () => {
+  test('can contain any file name', () => {
     assert.equal(new Function(`return ${quote(nasty)}`)(), nasty)
     assert.deepEqual(
       stringsIn(`f(${quote(nasty)})`).map(({ value }) => value),
@@ -175,10 +175,10 @@ describe('the strings of a sketch', () => {
     new Function(text)
   })
 
-  test('name files that can be changed', () => {
+  test('are replaced where they name files', () => {
     const text = 'load("a.obj", "b.obj", "c")'
     assert.equal(
-      withFiles(text, (name) => name.replace('b.', "it's.")),
+      replaceFileNames(text, (name) => name.replace('b.', "it's.")),
       `load("a.obj", 'it\\'s.obj', "c")`,
     )
   })
@@ -228,7 +228,7 @@ describe('a message of a sketch’s frame', () => {
       assert.equal(readMessage(message), undefined)
   })
 
-  test('has arrays of the requested lengths, or is an error', () => {
+  test('with an answer is an error unless its arrays have the requested lengths', () => {
     const mesh = { positions: new Float32Array(6), normals: new Float32Array(6) }
     assert.equal(evaluatedOf(mesh, mesh), mesh)
     for (const wrong of [null, {}, { positions: mesh.positions }, { ...mesh, normals: [1] }])
@@ -257,7 +257,7 @@ test('modules as data: addresses import each other by name', async () => {
 })
 
 describe('the check of normals', () => {
-  const largest = (errors) => Math.max(...[...errors].filter((error) => !Number.isNaN(error)))
+  const maxOf = (errors) => Math.max(...[...errors].filter((error) => !Number.isNaN(error)))
   const bumps = ({ normal, uv, position }) =>
     normal.mult(
       position
@@ -276,8 +276,8 @@ describe('the check of normals', () => {
   test('accepts the normals of a warp, also if its offset depends on the normal and on uv', () => {
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const errors = normalErrors(evaluate(spherePoints(1)))
-    assert.equal(errors.length, across * down)
-    assert.ok(largest(errors) < 1e-3, `${largest(errors)}`)
+    assert.equal(errors.length, columns * rows)
+    assert.ok(maxOf(errors) < 1e-3, `${maxOf(errors)}`)
   })
 
   test('reports wrong normals as wrong', () => {
@@ -285,7 +285,7 @@ describe('the check of normals', () => {
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const { positions } = evaluate(points)
     // Use the normals of the unwarped sphere.
-    assert.ok(largest(normalErrors({ positions, normals: points.normals })) > 0.2)
+    assert.ok(maxOf(normalErrors({ positions, normals: points.normals })) > 0.2)
   })
 })
 
@@ -314,7 +314,7 @@ test('origins give each line its source line, and removing them restores the cod
     { text: '  a = b;', from: [7, 2] },
     { text: '}', from: [] },
   ])
-  assert.equal(plain(code), 'vec3 a;\n  a = b;\n}')
+  assert.equal(removeOrigins(code), 'vec3 a;\n  a = b;\n}')
 })
 
 test('debug names the line of the offset in each statement, of derivatives too', () => {

@@ -1,4 +1,4 @@
-// Compares the plots in the docs with the formulas there, and checks how the code below each plot moves a ball, in double precision
+// Compares the plots in the docs with the formulas in the docs, and checks how the code below each plot moves a ball, in double precision
 // and without a browser. web/tests/docs.browser.test.js runs one example per group as a reader would.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
@@ -14,10 +14,10 @@ const sections = ['plots.md', 'plots-vectors.md'].flatMap((file) =>
 )
 const titleOf = (section) => section.split('\n')[0]
 
-const callOf = (call) => new Function('glsl', 'x', `return ${call}`)
+const toFunction = (call) => new Function('glsl', 'x', `return ${call}`)
 
-/** Evaluates a call in double precision, with the formulas in JavaScript. */
-const plainOf = (call) => (x) => callOf(call)(builder, wrap(x)).plain
+/** Returns a function that evaluates a call in double precision, with the formulas in JavaScript. */
+const plainFunction = (call) => (x) => toFunction(call)(builder, wrap(x)).plain
 
 /** Compiles the offset function that a section's code passes to createWarp. Only positions are compared. */
 function warpOf(section) {
@@ -28,9 +28,9 @@ function warpOf(section) {
   return warp
 }
 
-function assertNear(found, expected, bound, what) {
+function assertNear(actual, expected, bound, what) {
   const size = bound * Math.max(1, Math.abs(expected))
-  assert.ok(Math.abs(found - expected) <= size, `${what}: ${found}, not ${expected}`)
+  assert.ok(Math.abs(actual - expected) <= size, `${what}: ${actual}, not ${expected}`)
 }
 
 // The expected offsets of code without a formula, computed from a point and its normal.
@@ -39,7 +39,7 @@ const gradient = (f, p) =>
   p.map((_, i) => (f(p.with(i, p[i] + 1e-5)) - f(p.with(i, p[i] - 1e-5))) / 2e-5)
 const unit = (v) => times(1 / Math.sqrt(dot(v, v)), v)
 const bumpSlope = ([x]) => 0.8 * Math.cos(4 * x)
-/** The Jacobian is the identity, except for the slope in its second row and first column. */
+/** Returns the normal of the bumps. Their Jacobian is the identity, except for the slope in its second row and first column. */
 const bumpNormal = (p, [x, y, z]) => unit([x - bumpSlope(p) * y, y, z])
 const byHand = {
   derivative: ([, y]) => [0.3 * Math.cos(3 * y), 0, 0],
@@ -70,12 +70,12 @@ for (const section of sections) {
     describe(`${title}: ${call}`, () => {
       const [low, high] = [Number(from), Number(to)]
       const places = Array.from({ length: 9 }, (_, i) => low + ((high - low) * (i + 0.37)) / 9)
-      const plain = plainOf(call)
+      const plain = plainFunction(call)
 
       test('the plot matches the formula', () => {
         const program = compile((glsl) => {
           const x = glsl.param('x')
-          const value = callOf(call)(glsl, x)
+          const value = toFunction(call)(glsl, x)
           return { value, derivative: glsl.derivative(value, x) }
         })
         for (const x of places) {

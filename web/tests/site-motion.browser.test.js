@@ -27,14 +27,14 @@ function fixTime() {
   window.requestAnimationFrame = (work) => requestAnimationFrame(() => work(2000))
   const { drawElements } = WebGL2RenderingContext.prototype
   window.draws = 0
-  WebGL2RenderingContext.prototype.drawElements = function (...how) {
+  WebGL2RenderingContext.prototype.drawElements = function (...args) {
     window.draws++
-    return drawElements.apply(this, how)
+    return drawElements.apply(this, args)
   }
 }
 
 /** Returns how far the ball extends to the left and right of the center of its element, as fractions of its width. */
-const reach = (page) =>
+const measureReach = (page) =>
   page.locator('.hero canvas').evaluate((canvas) => {
     const { width, height } = canvas
     const copy = new OffscreenCanvas(width, height).getContext('2d')
@@ -50,7 +50,7 @@ const reach = (page) =>
     return { left: 0.5 - left / width, right: (right + 1) / width - 0.5 }
   })
 
-const drawsIn = async (page, milliseconds) => {
+const countDraws = async (page, milliseconds) => {
   const before = await page.evaluate(() => window.draws)
   await page.waitForTimeout(milliseconds)
   return (await page.evaluate(() => window.draws)) - before
@@ -64,24 +64,24 @@ test('the first page’s ball swells towards the pointer, and draws only while i
   const { page, messages } = await openPage(context, url)
   await page.waitForSelector('.hero canvas', patience)
   const { x, y, width, height } = await page.locator('.hero .picture').boundingBox()
-  const seen = {}
-  for (const [side, share] of [
+  const reach = {}
+  for (const [side, fraction] of [
     ['left', 0.1],
     ['right', 0.9],
   ]) {
-    await page.mouse.move(x + share * width, y + height / 2)
+    await page.mouse.move(x + fraction * width, y + height / 2)
     const from = await page.evaluate(() => window.draws)
     await page.waitForFunction((from) => window.draws > from + 60, from, patience)
-    seen[side] = await reach(page)
+    reach[side] = await measureReach(page)
   }
-  const { left, right } = seen
-  assert.ok(left.left > right.left + 0.04, JSON.stringify(seen))
-  assert.ok(right.right > left.right + 0.04, JSON.stringify(seen))
+  const { left, right } = reach
+  assert.ok(left.left > right.left + 0.04, JSON.stringify(reach))
+  assert.ok(right.right > left.right + 0.04, JSON.stringify(reach))
 
   await page.evaluate(() => scrollTo({ top: document.body.scrollHeight, behavior: 'instant' }))
-  // A frame in progress ends first.
-  for (let i = 0; i < 20 && (await drawsIn(page, 300)); i++);
-  assert.equal(await drawsIn(page, 500), 0)
+  // Waits for the end of a frame in progress.
+  for (let i = 0; i < 20 && (await countDraws(page, 300)); i++);
+  assert.equal(await countDraws(page, 500), 0)
   await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
   const from = await page.evaluate(() => window.draws)
   await page.waitForFunction((from) => window.draws > from + 2, from, patience)
@@ -119,9 +119,9 @@ test('the full page of an example describes it, fills the window, and links back
   assert.ok(width === desktop.viewport.width && height > 0.7 * desktop.viewport.height)
   // The picture is centered and as large as fits.
   const canvas = await page.frameLocator('iframe').locator('.p5Canvas').boundingBox()
-  const fits = Math.min(width, (height * 4) / 3)
-  assert.ok(Math.abs(canvas.width - fits) < 1, `${canvas.width} of ${fits}`)
-  assert.ok(Math.abs((4 / 3) * canvas.height - fits) < 2)
+  const maxWidth = Math.min(width, (height * 4) / 3)
+  assert.ok(Math.abs(canvas.width - maxWidth) < 1, `${canvas.width} of ${maxWidth}`)
+  assert.ok(Math.abs((4 / 3) * canvas.height - maxWidth) < 2)
   await page.getByRole('button', { name: 'Pause' }).click()
   assert.equal(await page.locator('iframe').count(), 0)
   await page.getByRole('link', { name: 'Sketch and sliders' }).click()
@@ -154,7 +154,7 @@ test('without WebGL there are pictures, which fit a phone, and no pause button',
   const { page, messages } = await openPage(context, url)
   await page.waitForTimeout(500)
   const isLoaded = (selector) => page.locator(selector).evaluate((image) => image.naturalWidth > 0)
-  const fits = async () =>
+  const assertFits = async () =>
     assert.equal(
       await page.evaluate(() => document.documentElement.scrollWidth),
       phone.viewport.width,
@@ -162,25 +162,25 @@ test('without WebGL there are pictures, which fit a phone, and no pause button',
     )
   assert.equal(await page.locator('.hero canvas').count(), 0)
   assert.ok(await isLoaded('.hero img'))
-  await fits()
+  await assertFits()
   for (const file of ['index', 'full']) {
     await page.goto(`${url}gallery/deformer-bend/${file}.html`)
     assert.ok(await isLoaded('.stage img'))
     assert.match(await page.locator('.rate').textContent(), /no WebGL/)
     assert.equal(await page.locator('.pause').isVisible(), false)
-    await fits()
+    await assertFits()
   }
   await page.goto(`${url}playground/index.html#example=lotus`)
   await waitUntilSettled(page)
   await page.locator('.still').evaluate((image) => image.decode())
   assert.match(await page.locator('.still').getAttribute('src'), /lotus/)
   assert.match(await page.locator('.stage').textContent(), /no WebGL/)
-  await fits()
+  await assertFits()
   for (const file of ['drop', 'bench']) {
     await page.goto(`${url}${file}/index.html`)
     await page.locator('main img').evaluate((image) => image.decode())
     assert.match(await page.getByRole('alert').textContent(), /WebGL ?2/)
-    await fits()
+    await assertFits()
   }
   assert.deepEqual(messages, [])
   await context.close()

@@ -35,7 +35,7 @@ test('after one visit, the whole site works offline', async () => {
   await page.waitForSelector('.hero canvas', patience)
   await page.locator('#search').fill('noise')
   await page.waitForSelector('#found a', patience)
-  // Use addresses with .html, as in links, and without, as this host leaves them in the address bar.
+  // Use addresses with .html, as in links, and without, as they are in the address bar with this host.
   for (const [address, title] of [
     ['docs/plots.html', /plotted/],
     ['docs/plots', /plotted/],
@@ -63,7 +63,7 @@ test('after one visit, the whole site works offline', async () => {
   await context.close()
 })
 
-test('a host that gives x/index.html at x serves all of it, too', async (t) => {
+test('a host that serves x/index.html at the address x serves the whole site, too', async (t) => {
   const bare = await serveCleanly(path(folder), '/some/folder', { slashes: false })
   t.after(() => bare.close())
   const context = await browser.newContext(withReducedMotion(desktop))
@@ -73,7 +73,7 @@ test('a host that gives x/index.html at x serves all of it, too', async (t) => {
   const places = ['', 'docs/', 'gallery/lotus/', 'drop/', 'bench/', 'playground/']
   for (const place of places) {
     await page.goto(bare.url + place, patience)
-    // The files that it links to exist and are served at these addresses.
+    // The files to which the page links exist and are served at these addresses.
     const links = await page.locator('a[href]').evaluateAll((all) => all.map(({ href }) => href))
     for (const link of new Set(links.filter((link) => link.startsWith(bare.url)))) {
       const response = await page.request.get(link)

@@ -1,4 +1,4 @@
-// Tests the built site in a folder of a server: every page has no console message and no finding of axe, works by keyboard, and fits a
+// Tests the built site in a folder of a server: every page causes no console message and no finding of axe, works by keyboard, and fits a
 // phone. site-motion.browser.test.js tests motion, site-offline.browser.test.js opens the pages offline.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
@@ -35,10 +35,10 @@ after(async () => {
 })
 
 /**
- * Runs axe's default and optional rules, except for contrast beyond WCAG's level AA, and a rule that forbids focus on scrolling tables,
- * where another rule requires it.
+ * Returns the violations of axe's default and optional rules. Left out are the rule for contrast beyond WCAG's level AA, and a rule that
+ * forbids focus on scrolling tables, where another rule requires it.
  */
-const findings = (page) =>
+const findViolations = (page) =>
   page.evaluate(async () => {
     const optional = [
       'css-orientation-lock',
@@ -57,7 +57,7 @@ const findings = (page) =>
   })
 
 /** Finds focusable elements that are not visible, or have no focus ring, while they have the focus. */
-const unseen = (page) =>
+const findInvisibleFocus = (page) =>
   page.evaluate(() => {
     const wrong = []
     const stops = 'a[href], button, input, select, textarea, summary, [tabindex]'
@@ -76,7 +76,7 @@ const unseen = (page) =>
   })
 
 /** Finds tables of words that are wider than the page. Tables of figures may be wider than a phone. */
-const wideTables = (page) =>
+const findWideTables = (page) =>
   page.evaluate(() =>
     [...document.querySelectorAll('.table:not(.figures)')]
       .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)
@@ -97,8 +97,8 @@ for (const [name, size, colorScheme] of [
     for (const file of pages) {
       await page.goto(url + file, patience)
       if (file.startsWith('playground')) await waitUntilSettled(page)
-      for (const look of [findings, unseen, wideTables])
-        for (const finding of await look(page)) wrong.push(`${file}: ${finding}`)
+      for (const find of [findViolations, findInvisibleFocus, findWideTables])
+        for (const finding of await find(page)) wrong.push(`${file}: ${finding}`)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       if (width > size.viewport.width) wrong.push(`${file} is ${width} wide`)
       for (const message of messages.splice(0)) wrong.push(`${file}: ${message}`)
@@ -123,7 +123,7 @@ for (const file of [
     await drawLittle(context)
     const { page } = await openPage(context, url + file)
     if (file.startsWith('playground')) await waitUntilSettled(page)
-    const wanted = await page.evaluate(() => {
+    const expected = await page.evaluate(() => {
       const stops = 'a[href], button, input, select, textarea, summary, [tabindex]'
       const all = [...document.querySelectorAll(stops)].filter(
         (stop) => stop.tabIndex >= 0 && !stop.disabled && stop.checkVisibility(),
@@ -136,7 +136,7 @@ for (const file of [
     })
     await page.evaluate(() => document.activeElement.blur())
     const reached = []
-    for (let i = 0; i < wanted.length + 20; i++) {
+    for (let i = 0; i < expected.length + 20; i++) {
       await page.keyboard.press('Tab')
       const stop = await page.evaluate(() => {
         const { activeElement } = document
@@ -148,7 +148,7 @@ for (const file of [
       reached.push(stop)
     }
     await context.close()
-    const missed = wanted.filter((stop) => !reached.includes(stop))
+    const missed = expected.filter((stop) => !reached.includes(stop))
     assert.deepEqual(missed, [], `${reached}`)
   })
 
@@ -190,13 +190,13 @@ describe('the first page', () => {
   })
   after(() => context.close())
 
-  const looks = () => page.locator('.hero canvas').screenshot()
+  const takePicture = () => page.locator('.hero canvas').screenshot()
 
   test('has an animated warp', async () => {
     await page.waitForSelector('.hero canvas', patience)
-    const first = await looks()
+    const first = await takePicture()
     await page.waitForTimeout(500)
-    assert.notDeepEqual(await looks(), first)
+    assert.notDeepEqual(await takePicture(), first)
     await page.screenshot({ path: `${screenshots}/site-first.png` })
   })
 
@@ -272,12 +272,12 @@ test('the list beside a page of the docs shows the current page, and the page st
   const context = await browser.newContext(desktop)
   await context.addInitScript(withoutWorker)
   const { page, messages } = await openPage(context, `${url}docs/develop.html`)
-  const seen = await page.evaluate(() => {
+  const isVisible = await page.evaluate(() => {
     const box = (selector) => document.querySelector(selector).getBoundingClientRect()
     const [list, entry] = [box('.contents'), box('.contents [aria-current]')]
     return entry.top >= list.top && entry.bottom <= Math.min(list.bottom, innerHeight)
   })
-  assert.ok(seen)
+  assert.ok(isVisible)
   assert.equal(await page.evaluate(() => scrollY), 0)
   await context.close()
   assert.deepEqual(messages, [])

@@ -8,11 +8,11 @@ import { viteBuild } from '../../.scripts/lib/vite.mjs'
 import { sections } from '../catalogue.js'
 import { sketchOf } from '../playground/link.js'
 import { blocksOf, makeMarkdown } from '../site/markdown.js'
-import { pages as listed } from '../site/navigation.js'
+import { pages as listedPages } from '../site/navigation.js'
 import { sitePages } from '../site/pages.js'
 import { linkTo, runnable } from '../site/runnable.js'
 import { makeSearch } from '../site/search.js'
-import { sliders } from '../sliders.js'
+import { findSliders } from '../sliders.js'
 
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFileSync(new URL(path, root), 'utf8')
@@ -26,10 +26,10 @@ before(async () => {
 })
 
 test('the navigation lists every file of the docs once, and nothing else', () => {
-  assert.deepEqual(listed.map(({ file }) => `${file}.md`).sort(), markdown.sort())
+  assert.deepEqual(listedPages.map(({ file }) => `${file}.md`).sort(), markdown.sort())
 })
 
-/** Returns true if Vite generates or serves a file at that path. */
+/** Returns whether Vite generates or serves a file at a path. */
 const isServed = (path) =>
   /^(?:playground|bench|drop)\/\w+\.html$/.test(path)
     ? existsSync(new URL(`web/${path}`, root))
@@ -46,10 +46,10 @@ test('every link and picture of every page exists, including anchors', () => {
       if (/^(?:https:|data:)/.test(link)) continue
       const [file, anchor] = link.split('#')
       const target = file ? join(dirname(path), file, file.endsWith('/') ? 'index.html' : '') : path
-      const there = pages.get(target)
+      const page = pages.get(target)
       const hasAnchor =
-        !anchor || /^(?:sketch|example)=/.test(anchor) || there?.includes(`id="${anchor}"`)
-      if (!(there || isServed(target)) || !hasAnchor) wrong.push(`${path}: ${link}`)
+        !anchor || /^(?:sketch|example)=/.test(anchor) || page?.includes(`id="${anchor}"`)
+      if (!(page || isServed(target)) || !hasAnchor) wrong.push(`${path}: ${link}`)
     }
   assert.deepEqual(wrong, [])
 })
@@ -110,7 +110,7 @@ test('a table of words has a heading for each cell, and keeps its roles when its
   assert.doesNotMatch(figures, /role="(?:table|cell)"|data-head/)
 })
 
-test('no sketch leaves a warp active for shapes that the next frame draws first', () => {
+test('no sketch leaves a warp active for the shapes that the next frame draws before its first warp', () => {
   const blocks = markdown.flatMap((file) =>
     [...read(`web/docs/${file}`).matchAll(/```js\n([^]*?)```/g)].map(([, text]) => ({
       file,
@@ -126,8 +126,8 @@ test('no sketch leaves a warp active for shapes that the next frame draws first'
     if (!draw || !warps.length) continue
     const before = draw.split(new RegExp(`\\b(?:${warps.join('|')})\\(`))[0]
     const count = (call) => before.split(call).length - 1
-    const isAlone = count('push()') > count('pop()')
-    if (before !== draw && shape.test(before) && !isAlone) wrong.push(file)
+    const isIsolated = count('push()') > count('pop()')
+    if (before !== draw && shape.test(before) && !isIsolated) wrong.push(file)
   }
   assert.deepEqual(wrong, [])
 })
@@ -155,9 +155,9 @@ test('the HTML copied from an example has the script tags that the sketch needs'
 test('each example has a slider for a number of its sketch, which starts within its range', () => {
   for (const name of names) {
     const sketch = read(`examples/${name}/sketch.js`)
-    const found = sliders(name, sketch)
-    assert.ok(found.length, `${name} has none`)
-    for (const { label, value, from, to, at, length } of found) {
+    const sliders = findSliders(name, sketch)
+    assert.ok(sliders.length, `${name} has none`)
+    for (const { label, value, from, to, at, length } of sliders) {
       assert.equal(Number(sketch.slice(at, at + length)), value, `${name}: ${label}`)
       assert.ok(from <= value && value <= to, `${name}: ${label} is ${value}`)
     }
@@ -214,14 +214,14 @@ describe('the first search result answers', () => {
   })
 })
 
-test('a build is a production build and restores NODE_ENV, whatever servers run before and after it', async () => {
+test('a build is a production build and restores NODE_ENV, even if servers run before and after it', async () => {
   const { NODE_ENV } = process.env
-  const seen = []
+  const environments = []
   const entry = {
     name: 'entry',
     resolveId: (id) => id,
     load: () => {
-      seen.push(process.env.NODE_ENV)
+      environments.push(process.env.NODE_ENV)
       return 'export {}'
     },
   }
@@ -233,7 +233,7 @@ test('a build is a production build and restores NODE_ENV, whatever servers run 
       await viteBuild({ configFile: false, logLevel: 'silent', plugins: [entry], build })
       assert.equal(process.env.NODE_ENV, value)
     }
-    assert.deepEqual(seen, ['production', 'production'])
+    assert.deepEqual(environments, ['production', 'production'])
   } finally {
     delete process.env.NODE_ENV
     if (NODE_ENV) process.env.NODE_ENV = NODE_ENV

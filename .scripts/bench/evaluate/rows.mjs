@@ -2,10 +2,10 @@
 // they map { positions, normals } and the time → { positions, normals }.
 import { stackedSines, stress } from '../../../tests/warps/stress.js'
 
-const NODES_OF_A_SINE = 5
+const NODES_PER_SINE = 5
 const { sin, cos, sqrt } = Math
 
-/** Writes n' = cof(M) n, normalized. `m` is in columns. */
+/** Writes n' = cof(M) n, normalized. `m` is in column-major order. */
 function transformNormal(m, normals, i, out) {
   const [a, b, c, d, e, f, g, h, k] = m
   const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]]
@@ -54,9 +54,9 @@ function sines(waves) {
       }
       for (const { component, coordinate, frequency, speed, amplitude } of waves) {
         const angle = frequency * positions[i + coordinate] + speed * millis
-        const share = amplitude / waves.length
-        moved[component] += share * sin(angle)
-        m[3 * coordinate + component] += share * frequency * cos(angle)
+        const scale = amplitude / waves.length
+        moved[component] += scale * sin(angle)
+        m[3 * coordinate + component] += scale * frequency * cos(angle)
       }
       out.positions.set(moved, i)
       transformNormal(m, normals, i, out.normals)
@@ -65,7 +65,7 @@ function sines(waves) {
 }
 
 const stackSines = (nodes) => {
-  const { warp, waves } = stackedSines(nodes / NODES_OF_A_SINE)
+  const { warp, waves } = stackedSines(nodes / NODES_PER_SINE)
   return { warp, byHand: sines(waves) }
 }
 

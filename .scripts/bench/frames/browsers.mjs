@@ -3,7 +3,7 @@ import { chromium } from 'playwright-core'
 import { gpuFlags, softwareFlags, uncappedFlags } from '../../lib/flags.mjs'
 import { Stop, good } from '../../lib/terminal.mjs'
 
-const software = /swiftshader|llvmpipe|softpipe|basic render/i
+const softwareRenderers = /swiftshader|llvmpipe|softpipe|basic render/i
 
 /** Runs in the page: returns the name of the WebGL 2 renderer, or null. */
 function findRenderer() {
@@ -12,7 +12,7 @@ function findRenderer() {
   return gl && gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
 }
 
-async function rendererWith(launch, flags) {
+async function readRenderer(launch, flags) {
   const browser = await launch(flags)
   try {
     const page = await browser.newPage()
@@ -22,12 +22,13 @@ async function rendererWith(launch, flags) {
   }
 }
 
-/** Chooses the machine's GPU, or software if there is none or if `withoutGpu` → { flags, renderer, isSoftware } */
+/** Chooses the machine's GPU, or software if there is none or if `withoutGpu`. Returns { flags, renderer, isSoftware }. */
 export async function chooseRenderer(launch, withoutGpu) {
   // A GPU whose driver crashes the browser counts as no GPU.
-  const gpu = withoutGpu ? null : await rendererWith(launch, gpuFlags).catch(() => null)
-  if (gpu && !software.test(gpu)) return { flags: gpuFlags, renderer: gpu, isSoftware: false }
-  const renderer = await rendererWith(launch, softwareFlags)
+  const gpu = withoutGpu ? null : await readRenderer(launch, gpuFlags).catch(() => null)
+  if (gpu && !softwareRenderers.test(gpu))
+    return { flags: gpuFlags, renderer: gpu, isSoftware: false }
+  const renderer = await readRenderer(launch, softwareFlags)
   if (!renderer) throw new Stop('This Chromium has no WebGL 2: name another one in CHROME_PATH.')
   return { flags: softwareFlags, renderer, isSoftware: true }
 }
@@ -40,7 +41,7 @@ export async function launchFastest(withoutGpu) {
   return launch(flags)
 }
 
-/** Opens the benchmark's page twice, uncapped and capped → { version, renderer, isSoftware, uncapped, capped, close() } */
+/** Opens the benchmark's page twice, uncapped and capped. Returns { version, renderer, isSoftware, uncapped, capped, close() }. */
 export async function openBrowsers(url, size, withoutGpu) {
   const executablePath = process.env.WARPJET_CHROMIUM
   const launch = (args) => chromium.launch({ executablePath, args, handleSIGINT: false })

@@ -30,8 +30,8 @@ GPU if it has one. Prints the time of a frame and the error of the normals, and 
 GPU, on two cores, it takes about a quarter of an hour, in which the machine should do nothing else.
 
   --quick         a minute, to see that all of it works: a small picture, few rows and rounds; appends nothing without --out
-  --row <name>    this row alone; can be repeated. 14000x150 for 14,000 × 150, or a part of a name that no other has
-  --rounds <n>    how many times each method has its turn
+  --row <name>    only this row; can be repeated. 14000x150 means 14,000 × 150; a part of a name suffices if no other name has it
+  --rounds <n>    how many times each method is measured
   --out <file>    the CSV file to append to
   --software      draw without the GPU
   --help          this text
@@ -51,11 +51,13 @@ const options = {
 }
 
 /** Normalizes a name for comparison: '14,000 × 150' is '14000x150'. */
-const plain = (name) => name.toLowerCase().replaceAll('×', 'x').replace(/[\s,]/g, '')
+const normalize = (name) => name.toLowerCase().replaceAll('×', 'x').replace(/[\s,]/g, '')
 
 function findRow(wanted, rows) {
-  const exact = rows.filter((name) => plain(name) === plain(wanted))
-  const found = exact.length ? exact : rows.filter((name) => plain(name).includes(plain(wanted)))
+  const exact = rows.filter((name) => normalize(name) === normalize(wanted))
+  const found = exact.length
+    ? exact
+    : rows.filter((name) => normalize(name).includes(normalize(wanted)))
   if (found.length === 1) return found[0]
   throw new Stop(
     `Expected the name of one row, got '${wanted}': choose from ${(found.length ? found : rows).join('; ')}.`,

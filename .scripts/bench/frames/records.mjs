@@ -54,10 +54,10 @@ const withRates = (record, { uncapped, capped }) => ({
 })
 
 /**
- * @param run { date, commit, chromium, renderer, sizePx, rounds }, which all lines have
+ * @param run { date, commit, chromium, renderer, sizePx, rounds }: the fields that all lines share
  * @param row { name, nodes }
  * @param measured the result of measureRow in web/bench/measure.js
- * @param rates { uncapped, capped }, frames a second by method
+ * @param rates { uncapped, capped }, each of which maps a method → frames per second
  */
 export const rowRecords = (run, row, measured, rates) =>
   recordsOf(row, measured).map((record) => withRates({ ...run, ...record }, rates))

@@ -1,7 +1,7 @@
 // The tables for the terminal: one for each row, and one that compares all rows with the aims.
-import { degrees, plain, whole } from '../../../web/bench/figures.js'
+import { formatDegrees, formatExact, formatInteger } from '../../../web/bench/figures.js'
 import { paint } from '../../lib/terminal.mjs'
-import { alike, table, withDecimals } from './table.mjs'
+import { sameDecimals, table, withDecimals } from './table.mjs'
 
 const indent = (lines) => lines.map((line) => line && `  ${line}`).join('\n')
 
@@ -19,26 +19,26 @@ export const legend = indent(
   }).map(([word, meaning]) => `${word.padEnd(8)}  ${paint('dim', meaning)}`),
 )
 
-/** A column of the figures `record[name]`, written by `format`. */
-const figures = (upper, lower, name, format) => ({
+/** Returns a column of the figures `record[name]`, written by `format`. */
+const figureColumn = (upper, lower, name, format) => ({
   head: [upper, lower],
   text: (record) => (record[name] === undefined ? undefined : format(record[name])),
 })
 
-const words = (name) => ({ head: ['', ''], left: true, text: (record) => record[name] })
+const textColumn = (name) => ({ head: ['', ''], left: true, text: (record) => record[name] })
 
-const alikeIn = (records, name) => alike(records.map((record) => record[name]))
+const formatterOf = (records, name) => sameDecimals(records.map((record) => record[name]))
 
 const rateColumns = [
-  figures('fps', 'uncapped', 'uncappedFps', withDecimals(1)),
-  figures('fps', 'vsync', 'cappedFps', withDecimals(1)),
+  figureColumn('fps', 'uncapped', 'uncappedFps', withDecimals(1)),
+  figureColumn('fps', 'vsync', 'cappedFps', withDecimals(1)),
 ]
 
 function frameColumns(records) {
-  const format = alikeIn(records, 'frameMs')
+  const format = formatterOf(records, 'frameMs')
   return [
-    words('method'),
-    figures('frame', 'ms', 'frameMs', format),
+    textColumn('method'),
+    figureColumn('frame', 'ms', 'frameMs', format),
     {
       head: ['middle half', 'ms'],
       text: ({ frameLowMs, frameHighMs }) => `${format(frameLowMs)} … ${format(frameHighMs)}`,
@@ -48,65 +48,71 @@ function frameColumns(records) {
 
 const rowColumns = (records) => [
   ...frameColumns(records),
-  figures('×', 'positions', 'toPositions', withDecimals(3)),
-  figures('×', 'warpjet', 'toWarpjet', withDecimals(3)),
+  figureColumn('×', 'positions', 'toPositions', withDecimals(3)),
+  figureColumn('×', 'warpjet', 'toWarpjet', withDecimals(3)),
   ...rateColumns,
-  figures('first', 'ms', 'firstMs', alikeIn(records, 'firstMs')),
-  figures('×', 'positions', 'firstToPositions', withDecimals(2)),
-  figures('×', 'by hand', 'firstToByHand', withDecimals(2)),
-  figures('text', 'characters', 'characters', whole),
-  figures('×', 'by hand', 'charactersToByHand', withDecimals(2)),
-  figures('generate', 'ms', 'generationMs', plain),
-  figures('error', '°', 'errorDegrees', degrees),
-  figures('', 'h', 'h', plain),
+  figureColumn('first', 'ms', 'firstMs', formatterOf(records, 'firstMs')),
+  figureColumn('×', 'positions', 'firstToPositions', withDecimals(2)),
+  figureColumn('×', 'by hand', 'firstToByHand', withDecimals(2)),
+  figureColumn('text', 'characters', 'characters', formatInteger),
+  figureColumn('×', 'by hand', 'charactersToByHand', withDecimals(2)),
+  figureColumn('generate', 'ms', 'generationMs', formatExact),
+  figureColumn('error', '°', 'errorDegrees', formatDegrees),
+  figureColumn('', 'h', 'h', formatExact),
 ]
 
 const p5Columns = (records) => [
   ...frameColumns(records),
-  figures('×', 'no warp', 'toNoWarp', withDecimals(3)),
+  figureColumn('×', 'no warp', 'toNoWarp', withDecimals(3)),
   ...rateColumns,
 ]
 
-const facts = ({ vertices, nodes, clock, jsHeapMb, wasmHeapMb }) => [
-  `${whole(vertices)} vertices`,
-  `${whole(nodes)} nodes`,
+const describeRow = ({ vertices, nodes, clock, jsHeapMb, wasmHeapMb }) => [
+  `${formatInteger(vertices)} vertices`,
+  `${formatInteger(nodes)} nodes`,
   `clock: ${clock}`,
-  jsHeapMb && `peak heap: ${whole(jsHeapMb)} MB of JavaScript, ${whole(wasmHeapMb)} of WebAssembly`,
+  jsHeapMb &&
+    `peak heap: ${formatInteger(jsHeapMb)} MB of JavaScript, ${formatInteger(wasmHeapMb)} of WebAssembly`,
 ]
 
 /** Formats the records of a row, or of p5's sketches. */
 export function rowText(records) {
   const columns = (records[0].toNoWarp ? p5Columns : rowColumns)(records)
-  const ours = ({ method }) => (/\bwarpjet$/.test(method) ? 'bold' : undefined)
-  const line = facts(records[0]).filter(Boolean).join(' · ')
-  return indent([line, '', ...table(columns, records, ours)])
+  const style = ({ method }) => (/\bwarpjet$/.test(method) ? 'bold' : undefined)
+  const line = describeRow(records[0]).filter(Boolean).join(' · ')
+  return indent([line, '', ...table(columns, records, style)])
 }
 
-const find = (records, name) => records.find(({ method }) => method === name) ?? {}
-const ours = (records) => find(records, 'warpjet')
+const findMethod = (records, name) => records.find(({ method }) => method === name) ?? {}
+const ours = (records) => findMethod(records, 'warpjet')
 /** Returns warpjet's frame time divided by another method's. */
-const frameRatio = (records, name) => 1 / find(records, name).toWarpjet
+const frameRatio = (records, name) => 1 / findMethod(records, name).toWarpjet
 
 /**
- * The performance aims of warpjet, as ratios of measurements of one run. Missing an aim is not a failure. `ratio(records)` takes the
- * records of one row; it is undefined or NaN if the aim does not apply.
+ * The performance aims of warpjet: `figure`, as a multiple of that of the method `to`, should be at most `max`. Missing an aim is not a
+ * failure. `ratio(records)` takes the records of one row and returns undefined or NaN if the aim does not apply.
  */
 export const aims = [
-  { of: 'frame ×', to: 'by hand', max: 1.03, ratio: (row) => frameRatio(row, 'by hand') },
-  { of: 'frame ×', to: 'forward', max: 1, ratio: (row) => frameRatio(row, 'forward differences') },
+  { figure: 'frame ×', to: 'by hand', max: 1.03, ratio: (row) => frameRatio(row, 'by hand') },
   {
-    of: 'frame ×',
+    figure: 'frame ×',
+    to: 'forward',
+    max: 1,
+    ratio: (row) => frameRatio(row, 'forward differences'),
+  },
+  {
+    figure: 'frame ×',
     to: 'positions',
     max: 1.5,
     ratio: (row) => (row[0].nodes === 3000 ? ours(row).toPositions : undefined),
   },
-  { of: 'first ×', to: 'positions', max: 2, ratio: (row) => ours(row).firstToPositions },
-  { of: 'first ×', to: 'by hand', max: 1.15, ratio: (row) => ours(row).firstToByHand },
-  { of: 'characters ×', to: 'by hand', max: 1.3, ratio: (row) => ours(row).charactersToByHand },
+  { figure: 'first ×', to: 'positions', max: 2, ratio: (row) => ours(row).firstToPositions },
+  { figure: 'first ×', to: 'by hand', max: 1.15, ratio: (row) => ours(row).firstToByHand },
+  { figure: 'characters ×', to: 'by hand', max: 1.3, ratio: (row) => ours(row).charactersToByHand },
 ]
 
-const aimColumn = ({ of, to, max, ratio }) => ({
-  head: [of, `${to} ≤ ${max}`],
+const aimColumn = ({ figure, to, max, ratio }) => ({
+  head: [figure, `${to} ≤ ${max}`],
   text(row) {
     const value = ratio(row)
     return value ? `${value.toFixed(3)} ${value <= max ? '✓' : '✗'}` : undefined
@@ -116,10 +122,10 @@ const aimColumn = ({ of, to, max, ratio }) => ({
 
 /** Returns a table that compares each row with the aims; `undefined` if no row has any. */
 export function aimsText(records) {
-  const judged = records.filter(({ toWarpjet }) => toWarpjet !== undefined)
-  if (!judged.length) return undefined
-  const names = [...new Set(judged.map(({ row }) => row))]
-  const rows = names.map((name) => judged.filter(({ row }) => row === name))
-  const name = { ...words('row'), text: ([{ row }]) => row }
+  const withAims = records.filter(({ toWarpjet }) => toWarpjet !== undefined)
+  if (!withAims.length) return undefined
+  const names = [...new Set(withAims.map(({ row }) => row))]
+  const rows = names.map((name) => withAims.filter(({ row }) => row === name))
+  const name = { ...textColumn('row'), text: ([{ row }]) => row }
   return indent(table([name, ...aims.map(aimColumn)], rows, (row, column) => column.style?.(row)))
 }

@@ -15,18 +15,18 @@ async function readCommit() {
   const id = await capture('git', ['rev-parse', '--short', 'HEAD'])
   if (id === null) return ''
   // The results of earlier runs do not affect the measurements.
-  const others = ['--untracked-files=no', '--', '.', ':!web/bench/results.csv']
-  const changes = await capture('git', ['status', '--porcelain', ...others])
+  const exclusions = ['--untracked-files=no', '--', '.', ':!web/bench/results.csv']
+  const changes = await capture('git', ['status', '--porcelain', ...exclusions])
   return `${id.trim()}${changes ? '-dirty' : ''}`
 }
 
-/** Measures the frame rates in each browser. */
-const bothRates = async ({ uncapped, capped }, ask, question) => ({
-  uncapped: await uncapped.evaluate(ask, question),
-  capped: await capped.evaluate(ask, question),
+/** Measures the frame rates in each browser with `measureInPage`, which runs there. */
+const measureRates = async ({ uncapped, capped }, measureInPage, options) => ({
+  uncapped: await uncapped.evaluate(measureInPage, options),
+  capped: await capped.evaluate(measureInPage, options),
 })
 
-/** Measures every method in the row of that name → its records. */
+/** Measures every method in the row `name`; returns the row's records. */
 async function measureRow(browsers, run, name, settings) {
   // Otherwise this row's peak would include the garbage of the previous row.
   await browsers.uncapped.requestGC()
@@ -35,7 +35,7 @@ async function measureRow(browsers, run, name, settings) {
     { name, settings },
   )
   const steps = Object.fromEntries(measured.results.map(({ method, error }) => [method, error.h]))
-  const rates = await bothRates(
+  const rates = await measureRates(
     browsers,
     ({ name, steps, duration }) => window.bench.frameRates(name, steps, duration),
     { name, steps, duration: settings.duration },
@@ -44,18 +44,18 @@ async function measureRow(browsers, run, name, settings) {
   return rowRecords(run, row, measured, rates)
 }
 
-/** Measures the p5 sketches → their records. */
+/** Measures the p5 sketches; returns their records. */
 async function measureP5(browsers, run, name, settings) {
   // Half the rounds suffice: differences of a few percent do not matter here, and each round has to load p5 again, which is slow.
   const rounds = Math.ceil(settings.rounds / 2)
-  const ask = (settings) => window.bench.measureP5(settings)
-  const measured = await browsers.uncapped.evaluate(ask, { ...settings, rounds })
-  const askRates = (settings) => window.bench.p5FrameRates(settings)
-  const rates = await bothRates(browsers, askRates, settings)
+  const measureInPage = (settings) => window.bench.measureP5(settings)
+  const measured = await browsers.uncapped.evaluate(measureInPage, { ...settings, rounds })
+  const measureRatesInPage = (settings) => window.bench.p5FrameRates(settings)
+  const rates = await measureRates(browsers, measureRatesInPage, settings)
   return p5Records(run, workloads[0], measured, rates)
 }
 
-/** Measures each row, prints its table and passes its records to `save` → all records. */
+/** Measures each row, prints its table and passes its records to `save`; returns all records. */
 async function measureRows(browsers, run, { rows, settings }, save) {
   const all = []
   for (const [i, name] of rows.entries()) {
@@ -95,7 +95,9 @@ export async function measure(options) {
     const save = (records) => file && appendRecords(file, records)
     const aims = aimsText(await measureRows(browsers, run, options, save))
     if (aims) {
-      heading('What we aim at: warpjet as a multiple of other methods; noise decides few rounds')
+      heading(
+        'What we aim at: warpjet as a multiple of other methods; with few rounds, noise decides',
+      )
       say(aims)
     }
     if (file) good(`Appended to ${relative(process.cwd(), file)}`)

@@ -5,7 +5,7 @@ import { paint } from '../../lib/terminal.mjs'
 export const withDecimals = (digits) => (value) => value.toFixed(digits)
 
 /** Returns a formatter with as many decimals as the largest of `values` needs for three digits, so that numbers compare at a glance. */
-export function alike(values) {
+export function sameDecimals(values) {
   const largest = Math.max(...values.filter(Number.isFinite).map(Math.abs))
   return withDecimals(largest >= 100 ? 0 : largest >= 10 ? 1 : 2)
 }
@@ -14,7 +14,7 @@ export function alike(values) {
  * @param columns [{ head: [upper, lower], text, left? }]: `text(record)` returns a cell, or `undefined` if it is empty. Cells are aligned
  * to the right, or to the left with `left`
  * @param style `style(record, column)` returns the style of a cell, or `undefined`
- * @returns two lines of head and one for each record
+ * @returns two header lines and one line for each record
  */
 export function table(columns, records, style = () => undefined) {
   const padded = columns.map(({ head, text, left }) => {

@@ -1,7 +1,7 @@
 // A reference for the time of generation: a plain JavaScript graph (interned objects in a Map, forward derivatives with respect to three
 // inputs, one statement per node) of the stacked sines in the paper's performance test. It packs no vectors, folds little and schedules
-// nothing, so its time shows only how fast the machine is at such work. It is measured in the same run.
-// Both functions take the number of sines per component: 200 ≈ 3,006 builder nodes.
+// nothing, so its time shows only how fast the machine is at such work. The benchmark measures it in turn with warpjet.
+// sineWarp and plainGraph take the number of sines per component: 200 ≈ 3,006 builder nodes.
 let state
 const random = (low, high) => {
   state = (state * 1664525 + 1013904223) >>> 0
@@ -30,15 +30,15 @@ export const sineWarp = (count) => {
   }
 }
 
-/** Builds the graph, differentiates it and writes it; returns the length of the text. */
+/** Builds the graph, differentiates it and writes its source; returns the length of the source. */
 export function plainGraph(count) {
   state = 7
   const nodes = []
-  const known = new Map()
+  const interned = new Map()
   const node = (op, a = -1, b = -1, value = 0) => {
     const key = `${op},${a},${b},${value}`
-    let id = known.get(key)
-    if (id === undefined) known.set(key, (id = nodes.push({ op, a, b, value }) - 1))
+    let id = interned.get(key)
+    if (id === undefined) interned.set(key, (id = nodes.push({ op, a, b, value }) - 1))
     return id
   }
   const constant = (value) => node('constant', -1, -1, value)
@@ -71,19 +71,19 @@ export function plainGraph(count) {
     for (const output of outputs) roots.push(derivative[output])
   }
   const isUsed = new Uint8Array(nodes.length)
-  const open = [...roots]
-  while (open.length) {
-    const id = open.pop()
+  const pending = [...roots]
+  while (pending.length) {
+    const id = pending.pop()
     if (id < 0 || isUsed[id]) continue
     isUsed[id] = 1
-    open.push(nodes[id].a, nodes[id].b)
+    pending.push(nodes[id].a, nodes[id].b)
   }
-  let text = ''
+  let source = ''
   nodes.forEach(({ op, a, b, value }, id) => {
     if (!isUsed[id]) return
-    if (op === 'constant' || op === 'input') text += `float t${id} = ${value};\n`
-    else if (op === '+' || op === '*') text += `float t${id} = t${a} ${op} t${b};\n`
-    else text += `float t${id} = ${op}(t${a});\n`
+    if (op === 'constant' || op === 'input') source += `float t${id} = ${value};\n`
+    else if (op === '+' || op === '*') source += `float t${id} = t${a} ${op} t${b};\n`
+    else source += `float t${id} = ${op}(t${a});\n`
   })
-  return text.length
+  return source.length
 }

@@ -14,17 +14,18 @@ const watchWebAssembly = `
 const inWasm = { compile: 0, instantiate: 0 }
 for (const [name, stage] of [['Module', 'compile'], ['Instance', 'instantiate']])
   WebAssembly[name] = new Proxy(WebAssembly[name], {
-    construct(made, given) {
+    construct(constructor, args) {
       const start = performance.now()
-      const result = Reflect.construct(made, given)
+      const result = Reflect.construct(constructor, args)
       inWasm[stage] += performance.now() - start
       return result
     },
   })
 const offset = ({ glsl, position, millis }) => glsl.vec3(0, position.x().add(millis).sin(), 0)`
 
-const stages = (script, first, second) => `({
-  'script': ${script}, 'first warp': ${first}, 'of it compile': inWasm.compile, 'of it instantiate': inWasm.instantiate, 'second warp': ${second},
+/** Returns code for the milliseconds of each stage. The parameters are expressions. */
+const writeStages = (script, first, second) => `({
+  'script': ${script}, 'first warp': ${first}, 'part of it: compile': inWasm.compile, 'part of it: instantiate': inWasm.instantiate, 'second warp': ${second},
 })`
 
 const page = `<!doctype html>
@@ -43,11 +44,11 @@ function setup() {
     createWarp(offset)
     times.push(performance.now())
   }
-  window.stages = ${stages('loaded - start', 'times[1] - times[0]', 'times[2] - times[1]')}
+  window.stages = ${writeStages('loaded - start', 'times[1] - times[0]', 'times[2] - times[1]')}
 }
 </script>`
 
-async function inChromium() {
+async function measureInChromium() {
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
     args: softwareFlags,
@@ -66,9 +67,9 @@ async function inChromium() {
           body: readFileSync(path(`.${pathname}`)),
         })
       })
-      const opened = await context.newPage()
-      await opened.goto('http://localhost/')
-      times.push(await (await opened.waitForFunction('window.stages')).jsonValue())
+      const tab = await context.newPage()
+      await tab.goto('http://localhost/')
+      times.push(await (await tab.waitForFunction('window.stages')).jsonValue())
       await context.close()
     }
     return times
@@ -77,7 +78,7 @@ async function inChromium() {
   }
 }
 
-function inNode() {
+function measureInNode() {
   const code = `${watchWebAssembly}
     const times = [performance.now()]
     const { compileWarp } = await import('./dist/warpjet.js')
@@ -86,7 +87,7 @@ function inNode() {
       compileWarp(offset)
       times.push(performance.now())
     }
-    console.log(JSON.stringify(${stages('times[1] - times[0]', 'times[2] - times[1]', 'times[3] - times[2]')}))`
+    console.log(JSON.stringify(${writeStages('times[1] - times[0]', 'times[2] - times[1]', 'times[3] - times[2]')}))`
   const run = () =>
     execFileSync(process.execPath, ['--input-type=module', '--eval', code], {
       cwd: path('.'),
@@ -103,7 +104,7 @@ export async function measureStartUp() {
       return [stage, Number(ms.toFixed(1))]
     })
   return {
-    'Chromium, p5.warpjet.min.js': Object.fromEntries(medians(await inChromium())),
-    'Node, warpjet': Object.fromEntries(medians(inNode())),
+    'Chromium, p5.warpjet.min.js': Object.fromEntries(medians(await measureInChromium())),
+    'Node, warpjet': Object.fromEntries(medians(measureInNode())),
   }
 }

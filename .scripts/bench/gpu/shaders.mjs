@@ -16,7 +16,7 @@ const declareUniforms = declare('uniform highp')
 const varyingsFor = (variables) =>
   variables.map(({ type, name }) => ({ type, name: `passed_${name}`, input: name }))
 
-/** `outputs` are variables for pixels; their `input` is an expression. */
+/** `outputs` are the varyings; the expression `input` of each is assigned to it. */
 const vertexShader = ({ code, declarations, uniforms, attributes }, outputs) => {
   const inputs = new Map(attributes.map((each) => [each.name, each]))
   for (const each of outputs)
@@ -29,7 +29,7 @@ void main() {
 ${[...inputs.values()].map(({ type, name }) => `  ${type} ${name} = ${values[name] ?? gradient};\n`).join('')}
 ${code}
 ${outputs.map(({ name, input }) => `  ${name} = ${input};\n`).join('')}
-  // The sheet stays where it is, but the warp is computed.
+  // The factor is so small that the sheet stays in place, but the compiler cannot remove the warp.
   gl_Position = vec4(corner + 1e-20 * clamp(warpedPosition.xy, -1.0, 1.0), 0.0, 1.0);
 }`
 }
@@ -47,33 +47,34 @@ ${body}
 const readInputs = (inputs) =>
   inputs.map(({ type, name, input }) => `  ${type} ${input} = ${name};\n`).join('')
 
-/** The normal by central differences along two tangents: four evaluations of the offset. */
-function differencesOf(warp) {
+/** Returns shaders that compute the normal by central differences along two tangents: four evaluations of the offset. */
+function createDifferences(warp) {
   const inputs = varyingsFor([
-    ...new Map([...warp.attributes, ...frame].map((each) => [each.name, each])).values(),
+    ...new Map([...warp.attributes, ...requiredInputs].map((each) => [each.name, each])).values(),
   ])
   const others = inputs.filter(({ input }) => input !== 'position')
   const parameters = others.map(({ type, input }) => `, ${type} ${input}`).join('')
   const rest = others.map(({ input }) => `, ${input}`).join('')
   const move = `vec3 move(vec3 position${parameters}) {\n${warp.code}\nreturn warpedPosition;\n}`
-  const at = (step) => `move(position ${step}${rest})`
+  const moveBy = (step) => `move(position ${step}${rest})`
   const body = `${readInputs(inputs)}
   vec3 u = normalize(cross(normal, vec3(0.3, 0.8, 0.5))) * 1e-3;
   vec3 v = cross(normal, u);
-  vec3 lit = normalize(cross(${at('+ u')} - ${at('- u')}, ${at('+ v')} - ${at('- v')}));`
+  vec3 lit = normalize(cross(${moveBy('+ u')} - ${moveBy('- u')}, ${moveBy('+ v')} - ${moveBy('- v')}));`
   const { uniforms, declarations } = warp
   const source = { uniforms, declarations: `${declarations}\n${move}` }
   return { vertex: vertexShader(warp, inputs), fragment: fragmentShader(source, inputs, body) }
 }
 
-const frame = [
+const requiredInputs = [
   { type: 'vec3', name: 'position' },
   { type: 'vec3', name: 'normal' },
 ]
 
 const isSame = (a, b) => a.code === b.code && a.declarations === b.declarations
 
-function byJacobian(plain, fragment) {
+/** Returns shaders that compute the exact normal at each pixel. */
+function createExact(plain, fragment) {
   const inputs = varyingsFor(fragment.attributes)
   return {
     vertex: vertexShader(plain, inputs),
@@ -85,7 +86,10 @@ function byJacobian(plain, fragment) {
   }
 }
 
-/** `warp` has normals in its code, `plain` is the same without; `fragment` and `faded` are the code of its fragment stage. */
+/**
+ * `warp` computes normals in the vertex stage, `plain` is the same warp without normals; `fragment` and `faded` are its code for the
+ * fragment stage without and with fading of noise.
+ */
 export function shadersOf(warp, plain, fragment, faded) {
   const shown = [{ type: 'vec3', name: 'shown', input: 'warpedNormal', isResult: true }]
   const none = { uniforms: [], declarations: '' }
@@ -94,8 +98,8 @@ export function shadersOf(warp, plain, fragment, faded) {
       vertex: vertexShader(warp, shown),
       fragment: fragmentShader(none, shown, '  vec3 lit = normalize(shown);'),
     },
-    pixel: byJacobian(plain, fragment),
-    ...(isSame(fragment, faded) ? {} : { faded: byJacobian(plain, faded) }),
-    differences: differencesOf(plain),
+    pixel: createExact(plain, fragment),
+    ...(isSame(fragment, faded) ? {} : { faded: createExact(plain, faded) }),
+    differences: createDifferences(plain),
   }
 }

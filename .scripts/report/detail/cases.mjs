@@ -1,4 +1,4 @@
-// The warps of the gallery, meshes and views by which the option `detail` is measured.
+// The warps of the gallery, the meshes and the views with which the option `detail` is measured.
 import teapot from 'teapot'
 import * as THREE from 'three'
 import { compileWarp } from '../../../dist/warpjet.js'
@@ -10,7 +10,7 @@ export const pixels = 600
 /** The max number of triangles of a uniform mesh. */
 const maxUniform = 3e5
 
-/** Half of the size of the meshes, as in each sketch, and the inputs at a moment at which it bends strongly. */
+/** Maps each warp → half of its mesh's size, as in its sketch, and its inputs at a moment at which it bends the mesh strongly. */
 const cases = {
   'airplane-twist': [[100, 34, 98], { millis: 1885 }],
   'bunny-twist': [[100, 100, 100], { millis: 1414 }],
@@ -26,10 +26,10 @@ const cases = {
   spoon: [[100, 12.5, 20.6], { millis: 2356 }],
 }
 
-/** Returns the warps with their cases → [{ name, offset, options, warp, sizes, uniforms }]; `warp` computes no normals. */
+/** Returns the warps with their cases: [{ name, offset, options, warp, sizes, uniforms }]. `warp` computes no normals. */
 export async function galleryWarps() {
-  const found = await sketchWarps()
-  return found
+  const warps = await sketchWarps()
+  return warps
     .filter(({ name }) => cases[name])
     .map(({ name, warp: offset, options }) => {
       const [sizes, uniforms] = cases[name]
@@ -63,7 +63,7 @@ function teapotGeometry() {
   return geometry
 }
 
-/** From -1 to 1. */
+/** Meshes inside of the cube from -1 to 1. */
 export const meshes = {
   box: arraysOf(new THREE.BoxGeometry(1.6, 1.6, 1.6)),
   plane: arraysOf(new THREE.PlaneGeometry(2, 2)),
@@ -72,7 +72,7 @@ export const meshes = {
   teapot: arraysOf(teapotGeometry()),
 }
 
-/** Makes a view of a mesh of this size from a place, in a square picture. */
+/** Returns a view from `place` of a mesh of this size at the origin, in a square picture. */
 export function viewFrom(place, size) {
   const camera = new THREE.PerspectiveCamera(60, 1, 0.03 * size, 20 * size)
   camera.position.copy(place)
@@ -85,7 +85,7 @@ export function viewFrom(place, size) {
   return { matrix: matrix.elements, width: pixels, height: pixels }
 }
 
-/** Returns the numbers of `max` triangles, or of all if there are no more. */
+/** Returns the indices of `max` random triangles, or of all triangles if there are no more. */
 export function chooseTriangles(random, { indices }, max) {
   const count = indices.length / 3
   if (count <= max) return Array.from({ length: count }, (_, i) => i)
@@ -93,28 +93,28 @@ export function chooseTriangles(random, { indices }, max) {
 }
 
 /**
- * Returns into how many pieces the sides of all triangles are split in the coarsest uniform mesh whose error is not larger; as many as
- * `maxUniform` triangles allow if there is none.
+ * Returns into how many pieces the sides of all triangles are split in the coarsest uniform mesh whose error is at most `error`; if no mesh
+ * of at most `maxUniform` triangles is fine enough, as many as these allow.
  */
-export function findUniform(mesh, warpPositions, view, error, random) {
-  const isFine = (n) => {
+export function countUniformPieces(mesh, warpPositions, view, error, random) {
+  const isFineEnough = (n) => {
     const split = splitUniformly(mesh, n)
     const triangles = chooseTriangles(random, split, 10_000)
-    return worstOf(screenErrors(split, warpPositions, view, triangles)) <= error
+    return robustMax(screenErrors(split, warpPositions, view, triangles)) <= error
   }
   let [low, high] = [1, Math.ceil(Math.sqrt((3 * maxUniform) / mesh.indices.length))]
   while (low < high) {
     const middle = (low + high) >> 1
-    if (isFine(middle)) high = middle
+    if (isFineEnough(middle)) high = middle
     else low = middle + 1
   }
   return low
 }
 
-/** The largest error, but for one of 10,000 points: single points say little. */
-export const worstOf = (errors) => quantile(errors, 0.9999)
+/** Returns the error that only one of 10,000 points exceeds. The maximum itself depends on single points. */
+export const robustMax = (errors) => quantile(errors, 0.9999)
 
-/** Scales a mesh. Its normals stay: they are as good as any others. */
+/** Scales the positions of a mesh. Its normals stay: no figure depends on which normals it has. */
 export const scale = ({ positions, ...others }, sizes) => ({
   ...others,
   positions: positions.map((x, i) => x * sizes[i % 3]),

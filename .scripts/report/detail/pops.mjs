@@ -7,45 +7,51 @@ import { randomNumbers } from '../../../tests/support/three-meshes.js'
 import { chooseTriangles, scale, viewFrom } from './cases.mjs'
 
 const frames = 200
-/** The number of triangles of each division that are looked at, at random. */
-const chosen = 300
-/** The changes of the inputs of warps in a frame. */
+/** The number of random triangles of each division that are measured. */
+const maxTriangles = 300
+/** The change of the inputs of warps per frame. */
 const steps = { millis: 16, bend: 0.005 }
 
-/** The camera moves around the mesh, by half a degree in a frame, and towards it and back: from 4 to 2.4 times its size. */
+/**
+ * Returns the view in a frame. The camera circles the mesh by half a degree per frame, and its distance changes from 4 to 2.4 times the
+ * size and back.
+ */
 function viewAt(frame, size) {
   const distance = size * (3.2 + 0.8 * Math.cos((2 * Math.PI * frame) / frames))
   const angle = (frame * Math.PI) / 360
   return viewFrom(new THREE.Vector3().setFromSphericalCoords(distance, 1.1, angle), size)
 }
 
-/** Returns the largest jump, that of all points but a thousandth, and how many of the changes had one of more than a pixel. */
+/**
+ * Returns, in pixels, the largest jump of a point (`pop`) and the jump that only a thousandth of the points exceeds; and the number of
+ * changes of the division, and of those (`pops`) in which a point jumps by more than a pixel.
+ */
 export function measurePops(warp, mesh, sizes, uniforms) {
   const random = randomNumbers(11)
   const detail = createDetail(markPlaces(scale(mesh, sizes)), warp)
-  const choose = (division) => chooseTriangles(random, division, chosen)
+  const choose = (division) => chooseTriangles(random, division, maxTriangles)
   const all = []
   let [changes, pops] = [0, 0]
   let before
   for (let frame = 0; frame < frames; frame++) {
-    const moved = Object.fromEntries(
+    const inputs = Object.fromEntries(
       Object.entries(uniforms).map(([name, x]) => [name, x + frame * (steps[name] ?? 0)]),
     )
     const view = viewAt(frame, Math.max(...sizes))
-    if (!detail.update(view, { uniforms: moved })) continue
+    if (!detail.update(view, { uniforms: inputs })) continue
     const after = copyDivision(detail)
     if (before) {
       changes++
-      const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms: moved }).positions
-      const found = popsBetween(before, after, warpPositions, view, choose)
-      for (const distance of found) all.push(distance)
-      if (quantile(found, 1) > 1) pops++
+      const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms: inputs }).positions
+      const jumps = popsBetween(before, after, warpPositions, view, choose)
+      for (const distance of jumps) all.push(distance)
+      if (quantile(jumps, 1) > 1) pops++
     }
     before = after
   }
   detail.dispose()
   return {
-    'nearly pop': quantile(all, 0.999),
+    pop999: quantile(all, 0.999),
     pop: quantile(all, 1),
     changes,
     pops,

@@ -1,4 +1,4 @@
-// The angle between the normal that light is computed with and the exact one, at random points of p5's sphere, on the CPU.
+// Measures the angle between the normal with which light is computed and the exact normal, at random points of p5's sphere, on the CPU.
 import { compileWarp } from '../../../dist/warpjet.js'
 import { normalize } from '../../../tests/support/browser/matrix.js'
 import { angleBetween, warpVertex } from '../../../tests/support/browser/oracle.js'
@@ -26,8 +26,8 @@ const subdivisions = [
   [240, 160],
 ]
 
-/** Returns p5's sphere of radius 1 → { vertices, faces }. Its normals are its vertices. */
-function sphere([columns, rows]) {
+/** Returns p5's sphere of radius 1, { vertices, faces }. Its normals equal its vertices. */
+function createSphere([columns, rows]) {
   const vertices = []
   const faces = []
   for (let row = 0; row <= rows; row++)
@@ -43,14 +43,14 @@ function sphere([columns, rows]) {
   return { vertices, faces }
 }
 
-/** Park and Miller's generator, for the same points in each run. */
+/** Returns Park and Miller's generator, so that each run uses the same points. */
 function makeRandom() {
   let state = 1
   return () => (state = (state * 16807) % 2147483647) / 2147483647
 }
 
-const mix = (shares, vectors) =>
-  [0, 1, 2].map((k) => shares.reduce((sum, share, i) => sum + share * vectors[i][k], 0))
+const interpolate = (weights, vectors) =>
+  [0, 1, 2].map((k) => weights.reduce((sum, weight, i) => sum + weight * vectors[i][k], 0))
 
 function areaOf([a, b, c]) {
   const [u, v] = [b, c].map((end) => end.map((x, k) => x - a[k]))
@@ -61,50 +61,54 @@ function areaOf([a, b, c]) {
   return Math.hypot(...cross) / 2
 }
 
-/** Returns points that are spread evenly over the triangles → [{ face, shares }]. */
+/** Returns points that are spread evenly over the triangles: [{ face, weights }]. */
 function randomPoints({ vertices, faces }) {
   const random = makeRandom()
   let total = 0
+  // The sums of the areas up to the end of each face.
   const ends = faces.map((face) => (total += areaOf(face.map((i) => vertices[i]))))
   return Array.from({ length: pointCount }, () => {
-    const at = random() * total
+    const area = random() * total
     let [first, last] = [0, ends.length - 1]
     while (first < last) {
       const middle = (first + last) >> 1
-      if (ends[middle] < at) first = middle + 1
+      if (ends[middle] < area) first = middle + 1
       else last = middle
     }
-    const [root, share] = [Math.sqrt(random()), random()]
-    return { face: faces[first], shares: [1 - root, root * (1 - share), root * share] }
+    const [root, fraction] = [Math.sqrt(random()), random()]
+    return { face: faces[first], weights: [1 - root, root * (1 - fraction), root * fraction] }
   })
 }
 
-/** Returns the angles of interpolated normals and of those computed at the points, in degrees. A kink has no normal and is left out. */
-function anglesOf({ offset, at }, mesh) {
+/**
+ * Returns the angles of interpolated normals and of those computed at the points, in degrees. Points on kinks, which have no normal, are
+ * left out.
+ */
+function anglesOf({ offset, at: evaluateOffset }, mesh) {
   const warp = compileWarp((0, eval)(offset), { surfaceVariation: false })
   const normalsAt = (places) => {
     const positions = new Float32Array(places.flatMap(({ position }) => position))
     const normals = new Float32Array(places.flatMap(({ normal }) => normal))
-    const found = warp.evaluate({ positions, normals }).normals
-    return places.map((_, i) => [...found.subarray(3 * i, 3 * i + 3)])
+    const warped = warp.evaluate({ positions, normals }).normals
+    return places.map((_, i) => [...warped.subarray(3 * i, 3 * i + 3)])
   }
   const corners = mesh.vertices.map((p) => ({ position: p, normal: normalize(p) }))
   const atVertices = normalsAt(corners)
   const points = randomPoints(mesh)
-  const places = points.map(({ face, shares }) => {
-    const position = mix(
-      shares,
+  const places = points.map(({ face, weights }) => {
+    const position = interpolate(
+      weights,
       face.map((i) => mesh.vertices[i]),
     )
     return { position, normal: normalize(position) }
   })
   const atPixels = normalsAt(places)
   const angles = { vertex: [], pixel: [] }
-  for (const [i, { face, shares }] of points.entries()) {
-    const { normal } = warpVertex(at, places[i], {}, step)
+  for (const [i, { face, weights }] of points.entries()) {
+    const { normal } = warpVertex(evaluateOffset, places[i], {}, step)
     if (!normal) continue
-    const interpolated = mix(
-      shares,
+    const interpolated = interpolate(
+      weights,
       face.map((corner) => atVertices[corner]),
     )
     angles.vertex.push(angleBetween(interpolated, normal))
@@ -113,22 +117,25 @@ function anglesOf({ offset, at }, mesh) {
   return angles
 }
 
-const short = (x) => `${Number(x.toPrecision(2))}°`
+const format = (x) => `${Number(x.toPrecision(2))}°`
 
 function summarize(angles) {
   const sorted = angles.toSorted((a, b) => a - b)
-  return [0.5, 0.99].map((share) => sorted[Math.floor(share * (sorted.length - 1))])
+  return [0.5, 0.99].map((fraction) => sorted[Math.floor(fraction * (sorted.length - 1))])
 }
 
-/** Returns the table: the median and the 99th percentile of each warp and subdivision, and at pixels the largest of all of them. */
+/**
+ * Returns the table. Normals at vertices: median and 99th percentile per warp and subdivision; at pixels: the maximum of each over all
+ * subdivisions.
+ */
 export function measureAngles() {
   const rows = Object.entries(warps).map(([name, title]) => {
-    const measured = subdivisions.map((size) => anglesOf(pixelWarps[name], sphere(size)))
+    const measured = subdivisions.map((size) => anglesOf(pixelWarps[name], createSphere(size)))
     const pixel = measured.map((angles) => summarize(angles.pixel))
     const largest = [0, 1].map((k) => Math.max(...pixel.map((each) => each[k])))
     const cells = measured.map((angles) => summarize(angles.vertex))
     say(`${title}: ${measured.map(({ vertex }) => vertex.length).join(', ')} points`)
-    return [title, ...[...cells, largest].map((pair) => pair.map(short).join(' / '))]
+    return [title, ...[...cells, largest].map((pair) => pair.map(format).join(' / '))]
   })
   const heads = subdivisions.map(([columns, rows]) => `\`'vertex'\`, ${columns} × ${rows}`)
   return markdownTable(['warp', ...heads, "`'pixel'`, all four"], rows, true)

@@ -1,5 +1,5 @@
-// The light of coarse spheres in p5, with normals at vertices and at pixels, against that of a sphere of two million triangles; and of the
-// coarsest one with the option `detail` and curved triangles.
+// Measures by how much the light of coarse spheres in p5, with normals at vertices and at pixels, differs from that of a sphere of two
+// million triangles; and that of the coarsest sphere with the option `detail` and curved triangles.
 // Also draws the two pictures of the slider in web/docs/normals.md.
 import assert from 'node:assert/strict'
 import { writeFileSync } from 'node:fs'
@@ -36,7 +36,7 @@ const reference = [1600, 625]
 
 const countOf = ([columns, rows]) => (2 * columns * rows).toLocaleString('en-US')
 
-/** The outline is wider than this many pixels on each side. */
+/** The outline consists of the pixels within this distance of the edge of the sphere. */
 const margin = 2
 
 const html = `<!doctype html><meta charset="utf-8"><body>
@@ -106,7 +106,7 @@ async function drawPair([left, right], ...args) {
 }
 </script>`
 
-/** Returns whether each pixel is inside all of the pictures, and whether it is on the outline of one. */
+/** Returns the indices of pixels that are inside the sphere in all pictures (`inside`) and of the other drawn ones (`outline`). */
 function regionsOf(images) {
   const isCovered = (i) => images.every(({ data }) => data[4 * i + 3] > 0)
   const isDrawn = (i) => images.some(({ data }) => data[4 * i + 3] > 0)
@@ -121,7 +121,7 @@ function regionsOf(images) {
   return regions
 }
 
-/** Returns the mean difference of two pictures at these pixels, of 255. */
+/** Returns the mean difference of two pictures at these pixels, on a scale from 0 to 255. */
 function differenceOf(image, other, pixels) {
   const sum = pixels.reduce(
     (total, i) =>
@@ -159,7 +159,7 @@ async function measureView(page, name, view) {
   return { inside: differences(inside), outline: differences(outline) }
 }
 
-const short = (x) => (x < 10 ? x.toFixed(2) : x.toFixed(1))
+const format = (x) => (x < 10 ? x.toFixed(2) : x.toFixed(1))
 
 async function writePictures(page) {
   for (const normals of ['vertex', 'pixel']) {
@@ -182,8 +182,8 @@ export async function measureLight() {
       const measured = await measureView(page, name, view)
       for (const region of Object.keys(rows)) {
         const { pairs, detailed, triangles } = measured[region]
-        const cells = pairs.map((pair) => pair.map(short).join(' / '))
-        const last = `${short(detailed)} (${triangles.toLocaleString('en-US')})`
+        const cells = pairs.map((pair) => pair.map(format).join(' / '))
+        const last = `${format(detailed)} (${triangles.toLocaleString('en-US')})`
         rows[region].push([`${name}, view ${i + 1}`, ...cells, last])
       }
     }

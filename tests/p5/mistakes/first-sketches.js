@@ -1,9 +1,9 @@
-// Mistakes in first sketches, with the whole message of each.
+// Mistakes that are common in first sketches, each with its complete message.
 
-const ownOperators =
+const operatorMessage =
   "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do."
 
-/** Bodies of offset functions: an expression to return or, in braces, statements. */
+/** Maps the body of an offset function → the message. A body is an expression to return or, in braces, statements. */
 export const offsets = {
   5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
   'glsl.vec3(position.sine(), 0, 0)': 'sine: an expression has no such method; did you mean sin?',
@@ -33,20 +33,20 @@ export const offsets = {
   '(({ texCoord }) => texCoord)(inputs)': 'An offset function gets no "texCoord"; did you mean uv?',
   'glsl.vec3(inputs.uniforms.amount, 0, 0)':
     'createWarp: the offset reads uniforms.amount, which nothing declares; add the option { uniforms: { amount: 0.5 } }.',
-  'glsl.vec3(position.y * 4, 0, 0)': ownOperators,
-  'glsl.vec3(position.y + 1, 0, 0)': ownOperators,
-  'glsl.vec3(-position.y, 0, 0)': ownOperators,
-  'glsl.vec3(position.y > 0 ? 1 : 0, 0, 0)': ownOperators,
-  'glsl.vec3(position.y ** 2, 0, 0)': ownOperators,
-  '{ let x = position.x; x += 1; return glsl.vec3(x, 0, 0) }': ownOperators,
+  'glsl.vec3(position.y * 4, 0, 0)': operatorMessage,
+  'glsl.vec3(position.y + 1, 0, 0)': operatorMessage,
+  'glsl.vec3(-position.y, 0, 0)': operatorMessage,
+  'glsl.vec3(position.y > 0 ? 1 : 0, 0, 0)': operatorMessage,
+  'glsl.vec3(position.y ** 2, 0, 0)': operatorMessage,
+  '{ let x = position.x; x += 1; return glsl.vec3(x, 0, 0) }': operatorMessage,
   '{ position.x = 3; return position }':
     'x: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).',
-  '{ for (let i = 0; i < position.x; i++) {} return position }': ownOperators,
+  '{ for (let i = 0; i < position.x; i++) {} return position }': operatorMessage,
   'glsl.vec3(Math.sin(position.y), 0, 0)':
     'Math.sin works on numbers, not on expressions of a warp; write x.sin().',
   'glsl.vec3(Math.max(position.y, 0), 0, 0)':
     'Math.max works on numbers, not on expressions of a warp; write glsl.max(x, y).',
-  'glsl.vec3(Math.PI * position.y, 0, 0)': ownOperators,
+  'glsl.vec3(Math.PI * position.y, 0, 0)': operatorMessage,
   'glsl.vec3(sin(position.y), 0, 0)': `p5's sin works on numbers, not on expressions of a warp; write x.sin().`,
   'glsl.vec3(noise(position.x, position.y), 0, 0)': `p5's noise works on numbers, not on expressions of a warp; write position.mult(3).noise(), or glsl.vec3(x, y, z).noise().`,
   'glsl.vec3(map(position.y, -1, 1, 0, 10), 0, 0)': `p5's map works on numbers, not on expressions of a warp; write x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow).`,
@@ -98,7 +98,7 @@ export const offsets = {
     'createWarp: the warp reads "amount", which nothing declares; add the option { defs: "uniform float amount;" }.',
 }
 
-/** Statements of a sketch. */
+/** Maps a statement of a sketch → the message. */
 export const calls = {
   'createWarp()': 'createWarp: expected a function, got undefined.',
   'createWarp("twist")': 'createWarp: expected a function, got the text "twist".',
@@ -127,7 +127,9 @@ export const calls = {
   'warp({ amount: 1 })': `The warp has no uniform "amount"; createWarp's option "uniforms" must declare it: { uniforms: { amount: 0.5 } }.`,
 }
 
-/** Cases that differ on WEBGPU, where defs are WGSL, which is compiled on first use: see webgpu.browser.test.js. */
+/**
+ * Messages that differ on WEBGPU; null if there is none: there, defs are WGSL, which is compiled on first use (see webgpu.browser.test.js).
+ */
 export const onWebGPU = {
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; give it a value by the option { uniforms: { amount: 0.5 } }, and read it as uniforms.amount.',
@@ -138,7 +140,7 @@ export const onWebGPU = {
   ),
 }
 
-/** Statements whose errors nothing catches, with the message of p5's friendly errors. */
+/** Maps a statement whose error is not caught → the message that p5's friendly errors show. */
 export const uncaught = {
   'createWarp(({ position }) => position.sine())':
     'sine: an expression has no such method; did you mean sin?',

@@ -54,7 +54,7 @@ export default [
       },
     }),
   },
-  // After an error p5 is still inside of buildGeometry().
+  // One case each: after an error, p5 is still inside of buildGeometry().
   ...Object.entries(unbuildable).map(([title, { warp, message }]) => ({
     title,
     table: () => ({

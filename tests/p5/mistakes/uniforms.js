@@ -66,7 +66,7 @@ export default [
           ? /reads "heights", which nothing declares; give it a value by the option/
           : /reads "heights", .* "uniform highp sampler2D heights;"/,
         'inUniforms({ heights: 5 })': noImage('the number 5'),
-        // On WEBGPU p5 itself fails with an image of defs that is none.
+        // On WEBGPU, p5 itself fails if the value of a texture in defs is no image.
         ...(!isWebGPU && {
           'distort({ heights: 5 })':
             /expected an image, such as one of loadImage or createGraphics, for the uniform "heights", got the number 5/,

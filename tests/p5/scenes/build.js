@@ -1,5 +1,4 @@
-// Warps that are called while p5 builds a geometry, and p5's functions that take a shader, called with a warp instead: they look as on
-// the GPU.
+// Warps that are called while p5 builds a geometry must look as on the GPU. So must shader() with a warp as its argument.
 export const setup = `
   noStroke()
   warps.wave = createWarp(({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(0.2), 0))
@@ -12,7 +11,10 @@ export const setup = `
     { space: 'world' })
 `
 
-/** Maps a name to [warp, shape, view]: a rotation by p5 would come after a warp in world space while it is drawn, but not in a built shape. */
+/**
+ * Maps a name to [warp, shape, view]. Scenes in world space have no view, since a rotation by p5 applies before the warp if it is drawn,
+ * but after it in a built shape.
+ */
 const shapes = {
   'local space': ['warps.wave()', 'sphere(60, 40, 30)', 'rotateX(0.3)'],
   'with normal and uv': [
@@ -56,7 +58,7 @@ export default [
     table: () => ({
       setup,
       pairs: {
-        handed: ['shader(warps.wave)', 'warps.wave()', ''].map(
+        'shader(warp)': ['shader(warps.wave)', 'warps.wave()', ''].map(
           (code) => `${red}; ${code}; sphere(60)`,
         ),
       },

@@ -1,4 +1,4 @@
-// Shapes with enough vertices to bend: warpBox against p5's own box, and subdivide.
+// Shapes with enough vertices to bend: compares warpBox() with p5's box(), and with a subdivided box.
 const turned = 'rotateX(0.5); rotateY(0.7)'
 const lit = `noStroke(); ambientLight(60); directionalLight(200, 200, 200, 0.5, 1, -1); ${turned}`
 const outlines = `noFill(); stroke(255); strokeWeight(4); ${turned}`
@@ -24,7 +24,7 @@ export default [
           ['warpBox', 'box'].map((box) => `${look}; ${box}(${size})`),
         ]),
       ),
-      // Smooth edges differ where a line is split into pieces; one missing line of twelve would be 8 %.
+      // Antialiased lines differ where they are split into pieces. One missing line of twelve would be 8%.
       ...{ lit: 1500, tolerance: 6, differing: (name) => (name === 'outlines' ? 0.03 : 0.01) },
     }),
   },

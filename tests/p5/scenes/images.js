@@ -1,4 +1,4 @@
-// Images that displace a plane: each way to pass an image looks the same, and each wrap mode looks like that of p5.
+// Images that displace a plane: all ways to pass an image must look the same, and each wrap mode must look like that of p5.
 import {
   planeHeight as height,
   heightOffset as offset,
@@ -24,7 +24,7 @@ export default [
         ['value()', 'follow()', 'other({ heights: warps.image })'].map((call) => [
           call,
           [call, 'byName({ heights: warps.image })', 'other()'].map(
-            (each) => `warps.${each}; ${plane}`,
+            (code) => `warps.${code}; ${plane}`,
           ),
         ]),
       ),
@@ -38,8 +38,8 @@ export default [
         `warps.${name} = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
           .texture(uniforms.heights, position.xy().mult(2.6)${options}).r().mult(${height})),
           { type: 'normal', uniforms: { heights: warps.image } })`
-      const own = (wrap) => `textureWrap(CLAMP); warps.${wrap}(); ${plane}`
-      // The third picture has another mode, which must look different.
+      const withOption = (wrap) => `textureWrap(CLAMP); warps.${wrap}(); ${plane}`
+      // Maps a wrap mode to another one, with which the third picture must look different.
       const others = { clamp: 'repeat', repeat: 'mirror', mirror: 'repeat' }
       return {
         setup: [
@@ -52,7 +52,11 @@ export default [
         pairs: Object.fromEntries(
           Object.entries(others).map(([wrap, other]) => [
             wrap,
-            [`textureWrap(${wrap.toUpperCase()}); warps.host(); ${plane}`, own(wrap), own(other)],
+            [
+              `textureWrap(${wrap.toUpperCase()}); warps.host(); ${plane}`,
+              withOption(wrap),
+              withOption(other),
+            ],
           ]),
         ),
         ...{ lit: 20_000, tolerance: 1, differing: 0, different: [3000, 30] },

@@ -1,6 +1,6 @@
-// model(shape, count): the warp differs per instance. Compares the light with p5's own shear.
+// model(shape, count) with a warp that differs between instances. Compares the light with that of shapes that p5 itself shears.
 const light = `noStroke(); directionalLight(255, 255, 255, 0.6, 0.3, -1); fill('red')`
-const each = (code) =>
+const drawEach = (code) =>
   `${light}; for (const which of [-1, 0, 1]) { push(); translate(50 * which, 0, 0); ${code}; pop() }`
 
 export default [
@@ -17,8 +17,8 @@ export default [
       pairs: {
         sheared: [
           `${light}; warps.sheared(); model(shape, 3)`,
-          each('applyMatrix(1, 0, which, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1); model(shape)'),
-          each('model(shape)'),
+          drawEach('applyMatrix(1, 0, which, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1); model(shape)'),
+          drawEach('model(shape)'),
         ],
       },
       ...{ lit: 2000, tolerance: 6, differing: 0.004, different: [1000, 6], withinEdges: 'both' },

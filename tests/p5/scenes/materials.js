@@ -9,7 +9,7 @@ const sphere = sphereMesh(32, 24)
 const warped = {
   ...sphere,
   vertices: sphere.vertices.map((p) => m.add(p, offset(p))),
-  normals: sphere.normals.map((n) => m.turnNormal(identityPlusJacobian(n), n)),
+  normals: sphere.normals.map((n) => m.transformNormal(identityPlusJacobian(n), n)),
 }
 
 const materials = {

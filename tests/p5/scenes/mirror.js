@@ -1,4 +1,4 @@
-// A mirroring warp is lit like the same shape under p5's `scale(-1, 1, 1)`: normals point outwards.
+// A warp that mirrors must be lit like the same shape under p5's scale(-1, 1, 1), with normals that point outwards.
 import { addon, glslAddon } from '../../support/browser/p5-hosts.js'
 
 const scales = 'glsl.vec3(position.x().mult(uniforms.flip.sub(1)), 0, 0)'
@@ -8,7 +8,7 @@ const setup = `
   for (const space of ['local', 'world', 'camera'])
     warps[space] = createWarp(({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0), { space })
   warps.byUniform = createWarp(({ glsl, position, uniforms }) => ${scales}, { uniforms: { flip: 1 } })
-  // On p5's sphere, whose local radius is 1, the normal equals the position, so this warp is linear there, too.
+  // On p5's sphere, whose local radius is 1, the normal equals the position, so that this warp is linear, too.
   warps.along = createWarp(({ glsl, position, normal }) =>
     glsl.vec3(position.x().mult(-2), 0, 0).add(normal.mult(0.2)))`
 
@@ -52,11 +52,11 @@ const hooks = {
 
 export default [
   {
-    title: "a mirroring warp is lit as under p5's scale(), in each space and with a uniform",
+    title: "a warp that mirrors is lit as under p5's scale(), in each space and with a uniform",
     table: inMaterial(lit),
   },
   {
-    title: "a mirroring warp shows the same normals as p5's scale()",
+    title: "a warp that mirrors has the same normals as p5's scale()",
     // p5 has no normalMaterial() on WebGPU.
     isOn: ({ isWebGPU }) => !isWebGPU,
     table: inMaterial('normalMaterial()'),

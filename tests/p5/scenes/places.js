@@ -1,4 +1,4 @@
-// Warps wherever a sketch draws, beside p5's own translate: in a framebuffer, on shapes of each kind, and under each light.
+// Compares warps with p5's translate() wherever a sketch can draw: in a framebuffer, with shapes of each kind, and under each light.
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
 
 const shapes = {
@@ -16,7 +16,7 @@ const shapes = {
     `${move}; fill('red'); beginShape(); vertex(-20, -20); vertex(20, -20); vertex(0, 20); endShape(CLOSE)`,
 }
 
-/** Seen head-on from far away, so that a shape shows the same side after it moves. */
+/** A parallel projection, so that a shape looks the same after it moves. */
 const look = 'ortho(); noStroke()'
 
 export default [

@@ -1,5 +1,5 @@
-// The option `shader`: a warp on a shader of the sketch, whose hooks still run. The pictures that it is compared with have the hook's
-// motion by p5, or in the warp.
+// The option `shader`: a warp on a shader of the sketch, whose hooks must still run. In the reference pictures, p5 or the warp performs the
+// motion of the hook.
 import assert from 'node:assert/strict'
 import * as m from '../../support/browser/matrix.js'
 import { geometryCode, sphereMesh } from '../../support/browser/mesh.js'
@@ -11,7 +11,7 @@ const light = `${directional}; ambientLight(40)`
 export const bend = `({ glsl, position }) => glsl.vec3(position.y.mult(3).sin().mult(0.25), 0, 0)`
 const bendPixels = `({ glsl, position }) => glsl.vec3(position.y.div(20).sin().mult(15), 0, 0)`
 
-// The hook maps (x, y, z) to (-y, x, z), like rotateZ(PI / 2), and its normal too.
+// The hook maps positions and normals (x, y, z) to (-y, x, z), like rotateZ(PI / 2).
 const hooks = {
   glsl300: `
     warps.turning = baseMaterialShader().modify({
@@ -44,19 +44,19 @@ const sphere = sphereMesh(32, 24)
 const stretch = m.scaling(1, 1.5, 0.6)
 const plain = {
   ...sphere,
-  vertices: sphere.vertices.map((p) => m.movePoint(stretch, p)),
-  normals: sphere.normals.map((n) => m.turnNormal(stretch, n)),
+  vertices: sphere.vertices.map((p) => m.transformPoint(stretch, p)),
+  normals: sphere.normals.map((n) => m.transformNormal(stretch, n)),
 }
 const turn = ([x, y, z]) => [-y, x, z]
 const turned = { ...plain, vertices: plain.vertices.map(turn), normals: plain.normals.map(turn) }
 
-/** Draws only red. */
-const reds = (image) => ({
+/** Returns an image with only its red channel. */
+const onlyRed = (image) => ({
   ...image,
   data: image.data.map((value, i) => (i % 4 === 1 || i % 4 === 2 ? 0 : value)),
 })
 
-/** Maps an order to its offsets by space. On p5 1.11 the hooks of the shader always run first. */
+/** Maps the option `hooks` → a map from space to offset. On p5 1.11, the hooks of the shader always run first. */
 const ordersOf = ({ isV1 }) => ({
   first: { local: bend, world: bendPixels, camera: bendPixels },
   ...(!isV1 && { last: { local: bend } }),
@@ -85,12 +85,12 @@ export default [
           ].map((code) => `${light}; rotateY(0.5); ${code}`)
         }
       return {
-        ...{ setup: setup.join('\n'), pairs, view: reds },
+        ...{ setup: setup.join('\n'), pairs, view: onlyRed },
         ...{ lit: 4000, tolerance: 3, differing: 24, different: [500, 30] },
         check(images) {
           for (const [name, [image]] of Object.entries(images)) {
             const others = litPixels(image).filter(({ color }) => color[1] > 0).length
-            assert.equal(others, 0, `${name}: colours of the sketch's hook`)
+            assert.equal(others, 0, `${name}: pixels that the hook did not colour`)
           }
         },
       }

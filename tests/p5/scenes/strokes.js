@@ -1,11 +1,11 @@
-// Lines, wireframes and points under a warp, compared with p5's own `rotate`: the oracle is p5's own transformation.
+// Lines, wireframes and points under a warp, compared with p5's transformations and with lines through moved points.
 import assert from 'node:assert/strict'
 import { leavePage } from '../../support/browser/browser.js'
 import { font } from '../../support/browser/p5-hosts.js'
 import { p5Versions, runSketch } from '../../support/browser/sketch.js'
 
-/** The outlines of a word, computed by p5 2.x since 1.11 cannot: [[[x, y], …], …]. */
-async function contoursOf(text, { webgl, server }) {
+/** Returns the outlines of a text, [[[x, y], …], …]. Computes them with p5 2.x, since 1.11 cannot. */
+async function computeContours(text, { webgl, server }) {
   const { page, messages } = await runSketch(
     webgl,
     server,
@@ -25,7 +25,7 @@ async function contoursOf(text, { webgl, server }) {
   return contours
 }
 
-/** One rotation, written twice: in p5, and as an offset. */
+/** One rotation, in p5 and as an offset. */
 const turn = 'rotateZ(0.6); rotateX(0.5)'
 const turned = `({ glsl, position }) =>
   glsl.rotateZ(0.6).mult(glsl.rotateX(0.5)).mult(position).sub(position)`
@@ -33,7 +33,7 @@ const turned = `({ glsl, position }) =>
 /** Resets settings that pop() does not restore. */
 const camera = 'camera(0, 0, 700, 0, 0, 0, 0, 1, 0); strokeJoin(ROUND); strokeCap(ROUND)'
 
-/** The drawing after the rotation. */
+/** Maps a title → the style and the code of a drawing. */
 const shapes = {
   'a wireframe': { style: 'noFill(); stroke(255); strokeWeight(3)', shape: 'box(60)' },
   'a fill with its edges': {
@@ -75,11 +75,13 @@ const shapes = {
   },
 }
 
-/** Points of a line, close enough that chords approximate its tangents, and their warped positions in double. */
+/**
+ * Points of a line, so close that chords approximate tangents after it is bent; and the warp, as a function of numbers and as an offset.
+ */
 const straight = Array.from({ length: 161 }, (_, i) => [i - 80, 0.3 * i - 24, 20])
 const bent = ([x, y, z]) => [x, y + 40 * Math.sin(x / 20), z + 30 * Math.cos(x / 30)]
 const bending = `({ glsl, position: { x } }) => glsl.vec3(0, x.div(20).sin().mult(40), x.div(30).cos().mult(30))`
-const through = (points) =>
+const lineThrough = (points) =>
   `beginShape(); ${points.map((point) => `vertex(${point})`).join('; ')}; endShape()`
 
 const bentStyles = {
@@ -90,7 +92,7 @@ const bentStyles = {
 
 const spaces = ['world', 'camera', 'local']
 
-/** Makes warps of the same offset in each space; the camera's space is 700 pixels away from the world's. */
+/** Returns code that makes warps with the same offset in each space. Camera space is world space moved by 700 pixels. */
 const inSpaces = (offset) => `
   const offset = ${offset}
   warps.world = createWarp(offset, { space: 'world' })
@@ -102,7 +104,7 @@ export default [
   {
     title: "strokes follow a warp in the same way as p5's transforms, in each space",
     table: async (host) => ({
-      setup: `word = ${JSON.stringify(await contoursOf('We8', host))}; ${inSpaces(turned)}`,
+      setup: `word = ${JSON.stringify(await computeContours('We8', host))}; ${inSpaces(turned)}`,
       pairs: Object.fromEntries(
         Object.entries(shapes).flatMap(([name, { style, shape }]) =>
           spaces.map((space) => [
@@ -125,13 +127,13 @@ export default [
         Object.entries(bentStyles).flatMap(([name, style]) =>
           spaces.map((space) => [
             `${name}, in ${space} space`,
-            [`warps.${space}(); ${through(straight)}`, through(straight.map(bent))].map(
+            [`warps.${space}(); ${lineThrough(straight)}`, lineThrough(straight.map(bent))].map(
               (code) => `${camera}; noFill(); stroke(255); ${style}; ${code}`,
             ),
           ]),
         ),
       ),
-      // Chords approximate tangents, which antialiasing shows along the edges.
+      // Since chords only approximate tangents, antialiased edges differ slightly.
       ...{ lit: 150, tolerance: 8, differing: 0.04, withinEdges: 'first' },
     }),
   },

@@ -1,4 +1,4 @@
-// The same by require.
+// Does the same as program.js by require().
 const { compileWarp } = require('warpjet')
 const { gen } = require('warpjet/autodiff')
 const { twist } = require('warpjet/deformers')

@@ -5,7 +5,7 @@ import { compileWarp } from 'warpjet'
 import { chain, twist } from 'warpjet/deformers'
 import { loadMesh } from 'warpjet/mesh'
 
-// p5's own check of variable names mistakes those of a bundle for the sketch's.
+// p5's check of variable names mistakes variables of a bundle for those of the sketch.
 p5.disableFriendlyErrors = true
 
 const triangle = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'

@@ -1,4 +1,4 @@
-// The same as worker.js, without an import map.
+// Does the same as worker.js. Imports files by their paths, since workers have no import map.
 import { loadMesh } from './node_modules/warpjet/dist/mesh.js'
 import { compileWarp } from './node_modules/warpjet/dist/warpjet.js'
 

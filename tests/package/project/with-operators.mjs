@@ -1,4 +1,4 @@
-// An offset function with operators. A build translates it in place, so that it can read the variable around it.
+// An offset function with operators. The bundler's plugin translates it in place, so that it can read the variable `far`.
 import { compileWarp } from 'warpjet'
 
 const far = 0.5

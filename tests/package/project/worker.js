@@ -1,4 +1,4 @@
-// A module worker that warps.
+// A module worker that warps a mesh.
 import { compileWarp } from 'warpjet'
 import { loadMesh } from 'warpjet/mesh'
 

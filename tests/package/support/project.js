@@ -9,10 +9,10 @@ export const folder = '.build/package'
 
 const require = createRequire(`${project}/package.json`)
 
-/** The file name of the packed package in it. */
+/** Returns the file name of the packed package in the project. */
 export const tarball = () => readdirSync(project).find((name) => name.endsWith('.tgz'))
 
-/** Imports a program's module from the project's own node_modules. */
+/** Imports a module from the project's node_modules. */
 export const load = (name) => import(pathToFileURL(require.resolve(name)).href)
 
 /** Runs a program in the project → { output, status }. */

@@ -12,8 +12,8 @@ export const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, is
 export const cells = (table) =>
   table
     .locator('tbody tr:not(.title)')
-    .evaluateAll((lines) =>
-      lines.map((line) => [...line.cells].map((cell) => cell.textContent.replaceAll(',', ''))),
+    .evaluateAll((rows) =>
+      rows.map((row) => [...row.cells].map((cell) => cell.textContent.replaceAll(',', ''))),
     )
 
 /** Waits until no overlay covers the picture and all numbers are shown. */
@@ -35,6 +35,7 @@ export async function choose(page, method) {
   await waitUntilMeasured(page)
 }
 
+/** Returns the figures with these names. */
 export const readOuts = (page, names) =>
   Promise.all(
     names.map(async (name) => {
@@ -49,8 +50,8 @@ export async function pixels(page) {
     const source = document.querySelector('canvas')
     const { width, height } = source
     const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
-    // A browser clears the canvas after it has shown it, and not every frame is drawn again. A frame requested between two frames
-    // comes after that of the page, which requests its own while it draws.
+    // A browser clears the canvas after it has shown it, and the page does not draw in every frame. A callback that is requested between
+    // two frames runs after the page's own, which is requested while the page draws.
     for (let i = 0; i < 600; i++) {
       await new Promise((drawn) => setTimeout(() => requestAnimationFrame(drawn)))
       copy.drawImage(source, 0, 0)

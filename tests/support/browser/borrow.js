@@ -11,7 +11,7 @@ export async function borrow() {
     const mark = join(taken, `${i}`)
     if (!take(mark)) continue
     const browser = await chromium.connect(address).catch(() => null)
-    // A browser that crashed is not given to another file.
+    // The mark remains, so that no other file tries to borrow a browser that crashed.
     if (!browser) continue
     browser.on('disconnected', () => rmSync(mark, { force: true }))
     return browser

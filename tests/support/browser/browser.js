@@ -4,7 +4,7 @@ import { findBrowser } from '../../../.scripts/lib/browser.mjs'
 import { softwareFlags, testFlags } from '../../../.scripts/lib/flags.mjs'
 import { borrow } from './borrow.js'
 
-/** Starts the Chromium that WARPJET_CHROMIUM names, or the one that is found. `moreFlags` are added to its command line. */
+/** Starts the Chromium that WARPJET_CHROMIUM names, or the one found on this machine. `moreFlags` are added to its command line. */
 export const launchBrowser = async (moreFlags = []) =>
   (moreFlags.length ? null : await borrow()) ?? launch([...testFlags, ...moreFlags])
 
@@ -22,18 +22,18 @@ export const webgpuFlags = [
   '--enable-features=Vulkan',
 ]
 
-/** The driver's warnings about a page that is composited on the CPU, and so reads its canvas. */
-const isOfDriver = (text) => /GL Driver Message .*: GPU stall due to ReadPixels/.test(text)
+/** Tests for the driver's warning that a page reads its canvas, which it always does when composited on the CPU. */
+const isDriverWarning = (text) => /GL Driver Message .*: GPU stall due to ReadPixels/.test(text)
 
 /** Maps a page to its console messages, and to the context that opened it. */
 const opened = new WeakMap()
-/** Pages that are free for reuse, by context. */
-const left = new WeakMap()
+/** Maps a context to its page that is free for reuse. */
+const unused = new WeakMap()
 
 /** Opens `url` → { page, messages }; `messages` collects console lines and uncaught errors, in order. */
 export async function openPage(browser, url) {
-  const page = left.get(browser) ?? (await newPage(browser))
-  left.delete(browser)
+  const page = unused.get(browser) ?? (await newPage(browser))
+  unused.delete(browser)
   const messages = []
   opened.set(page, { browser, messages })
   // A server may first generate a model, while other tests keep the machine busy.
@@ -43,24 +43,26 @@ export async function openPage(browser, url) {
 
 async function newPage(browser) {
   const page = await browser.newPage()
-  const print = (text) => isOfDriver(text) || opened.get(page).messages.push(text)
-  page.on('console', (message) => print(message.text()))
-  page.on('pageerror', (error) => print(`uncaught: ${error.message}`))
+  const record = (text) => isDriverWarning(text) || opened.get(page).messages.push(text)
+  page.on('console', (message) => record(message.text()))
+  page.on('pageerror', (error) => record(`uncaught: ${error.message}`))
   return page
 }
 
 /**
- * Keeps a page of `servePages` for the next `openPage`: a new page, or one that was at about:blank in between, is a new process, which
- * compiles all of p5 again.
+ * Keeps a page of `servePages` for the next `openPage`. A new page, or one that was at about:blank in between, would run in a new process,
+ * which compiles all of p5 again.
  */
 export async function leavePage(page) {
   const { browser } = opened.get(page)
   await page.mouse.move(0, 0)
   await page.goto(new URL('/', page.url()).href)
-  left.set(browser, page)
+  unused.set(browser, page)
 }
 
-/** Returns the file that the page has saved. The browser may be shared by several test files, and then has no download path. */
+/**
+ * Returns the content of the file that the page has saved. Streams it, since a browser shared by several test files has no download path.
+ */
 export async function bytesOf(download) {
   const chunks = []
   for await (const chunk of await download.createReadStream()) chunks.push(chunk)

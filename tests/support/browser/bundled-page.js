@@ -7,11 +7,11 @@ import { servePages } from './server.js'
 const root = fileURLToPath(new URL('../../../', import.meta.url))
 
 /**
- * Opens a page that runs `script`, a file of this folder, which sets the title "ready" → { page, messages, close() }; `messages`
- * collects the console messages of the page.
+ * Opens a page that runs `script`, a file of this folder that sets the title "ready" when it has loaded → { page, messages, close() };
+ * `messages` collects the console messages of the page.
  */
 export async function bundledPage(script, { hasWebGPU = false } = {}) {
-  const project = `.build/bundled/${script.replace('.js', '')}`
+  const folder = `.build/bundled/${script.replace('.js', '')}`
   await build({
     configFile: false,
     logLevel: 'error',
@@ -21,7 +21,7 @@ export async function bundledPage(script, { hasWebGPU = false } = {}) {
     resolve: { dedupe: ['three', 'react'] },
     define: { 'process.env.NODE_ENV': '"development"' },
     build: {
-      outDir: project,
+      outDir: folder,
       minify: false,
       target: 'es2022',
       rolldownOptions: {
@@ -32,7 +32,7 @@ export async function bundledPage(script, { hasWebGPU = false } = {}) {
   })
   const browser = await (hasWebGPU ? launchBrowserWithWebGPU() : launchBrowser())
   const pages = await servePages()
-  const html = `<!doctype html><body><script type="module" src="/${project}/page.js"></script>`
+  const html = `<!doctype html><body><script type="module" src="/${folder}/page.js"></script>`
   const { page, messages } = await openPage(browser, pages.page(html))
   await page
     .waitForFunction(() => document.title === 'ready')

@@ -1,4 +1,4 @@
-// Passes bytes to a page and back over HTTP, since passing the data of 50,000 vertices as text through the driver takes a second.
+// Passes bytes to a page and back over HTTP: passing the data of 50,000 vertices through Playwright as text would take a second.
 import { createServer } from 'node:http'
 
 const collect = async (stream) => {
@@ -8,8 +8,8 @@ const collect = async (stream) => {
 }
 
 /**
- * Serves an empty page at `url`. There `fetch('/given')` returns the bytes last passed to `give`, and `take()` returns the next
- * body sent to `/taken` by POST, as an ArrayBuffer.
+ * Serves an empty page at `url`. In the page, `fetch('/given')` returns the bytes last passed to `give`. `take()` returns the body that the
+ * page last sent by POST, as an ArrayBuffer.
  */
 export async function serveBytes() {
   let given = new Uint8Array()

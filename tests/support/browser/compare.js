@@ -1,7 +1,7 @@
 // Measures the errors of warped vertices.
 import { angleBetween, distanceBetween } from './oracle.js'
 
-/** The max error of a normal in degrees, for warps without a bound of their own. */
+/** The default bound of a warp's errors of normals, in degrees. */
 export const maxDegrees = 0.02
 
 /** Above this sensitivity a surface is almost collapsed, and float32 cannot represent its direction. */
@@ -14,7 +14,7 @@ export const moments = [0, 1234, 98765].map((millis) => ({
   pixelDensity: 2,
 }))
 
-const vectorAt = (numbers, at) => [numbers[at], numbers[at + 1], numbers[at + 2]]
+const vectorAt = (numbers, start) => [numbers[start], numbers[start + 1], numbers[start + 2]]
 
 /** Returns position and normal of vertex i, which has six numbers. */
 export const positionAndNormal = (results, i) => [
@@ -23,9 +23,10 @@ export const positionAndNormal = (results, i) => [
 ]
 
 /**
- * Returns the max differences between `results` and `expected`. Both are lists by time: `results` has six numbers per vertex,
- * `expected` the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For vertices
- * with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees off.
+ * Returns the max differences between `results` and `expected`. Both have a list per moment: `results` with six numbers per vertex,
+ * `expected` with the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For
+ * vertices with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees
+ * off.
  */
 export function compare(results, expected, reach, bound = maxDegrees) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }

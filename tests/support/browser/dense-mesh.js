@@ -21,32 +21,32 @@ const sphere = (count) =>
     uv: [(1 + point[0]) / 2, (1 - point[1]) / 2],
   }))
 
-/** Faces at ±1 of `cells` × `cells` squares, with their corners and edges. */
+/** Returns the vertices of a cube with faces at ±1, each divided into `cells` × `cells` squares. */
 const cube = (cells) =>
   [0, 1, 2].flatMap((axis) =>
     [-1, 1].flatMap((side) =>
       Array.from({ length: (cells + 1) ** 2 }, (_, i) => {
         const [u, v] = [(i % (cells + 1)) / cells, Math.floor(i / (cells + 1)) / cells]
-        const place = (a, b, c) => [0, 1, 2].map((k) => [a, b, c][(k - axis + 3) % 3])
+        const rotateAxes = (a, b, c) => [0, 1, 2].map((k) => [a, b, c][(k - axis + 3) % 3])
         return {
-          position: place(side, 2 * u - 1, 2 * v - 1),
-          normal: place(side, 0, 0),
+          position: rotateAxes(side, 2 * u - 1, 2 * v - 1),
+          normal: rotateAxes(side, 0, 0),
           uv: [u, v],
         }
       }),
     ),
   )
 
-/** Points on the axes, and normals that a loaded model may have. */
-function oddities() {
+/** Returns points on the axes and others, each with unusual normals that a loaded model may have. */
+function unusualVertices() {
   const scaleTo = (length) => (n) => n.map((x) => length * x)
-  const given = [
+  const constants = [
     [1, 1e-20, 0],
     [1e-20, 1, 0],
     [0, 0, 0],
     [0, 3, 4],
   ].map((n) => () => n)
-  const normals = [...given, ...[1, 1e-3, 1e-6, 1e3, 1e6].map(scaleTo)]
+  const normals = [...constants, ...[1, 1e-3, 1e-6, 1e3, 1e6].map(scaleTo)]
   const onAxes = [0, 1, 2].flatMap((axis) =>
     [-1, 1].map((side) => [0, 1, 2].map((k) => (k === axis ? side : 0))),
   )
@@ -58,9 +58,9 @@ function oddities() {
 
 const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
 
-/** A sphere, a cube and special cases, `size` from the middle to the faces, each with every `every`th vertex. */
+/** Makes a sphere, a cube and special cases, of radius `size`, with only one in `every` vertices. */
 export function denseMesh(size, every = 1) {
-  const all = [...sphere(1200), ...cube(13), ...oddities()]
+  const all = [...sphere(1200), ...cube(13), ...unusualVertices()]
   const points = all.filter((_, i) => i % every === 0)
   return Float32Array.from(
     points.flatMap(({ position, normal, uv }) => [
@@ -80,12 +80,12 @@ export function vertexAt(mesh, i) {
   return Object.fromEntries(Object.entries(layout).map(([name, size]) => [name, read(size)]))
 }
 
-/** Returns all vertices. */
+/** Returns all vertices as objects. */
 export const vertices = (mesh) =>
   Array.from({ length: mesh.length / stride }, (_, i) => vertexAt(mesh, i))
 
 /** Returns one attribute of all vertices. */
-function column(mesh, name) {
+function readAttribute(mesh, name) {
   const names = Object.keys(layout)
   const first = names.slice(0, names.indexOf(name)).reduce((sum, each) => sum + layout[each], 0)
   const size = layout[name]
@@ -96,11 +96,11 @@ function column(mesh, name) {
 }
 
 /**
- * Returns a mesh as `evaluate` takes it for a warp that reads `attributes`: the gradients of the normal are included if the
- * shader reads them.
+ * Returns a mesh in the form that `evaluate` takes, with those gradients of the normal that are in `attributes`, which the warp's shader
+ * reads.
  */
 export function arraysOf(mesh, attributes) {
-  const all = (name) => column(mesh, name)
+  const all = (name) => readAttribute(mesh, name)
   const gradients = attributes
     .filter(({ name }) => name.endsWith('Gradient'))
     .map(({ name }) => [`${name}s`, all(name)])

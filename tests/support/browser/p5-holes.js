@@ -1,4 +1,4 @@
-// A sketch with closed shapes that a warp moves with detail, while the camera moves, and the holes in its pictures.
+// Counts holes in the pictures of a sketch in which the camera moves around closed shapes that are warped with detail.
 import assert from 'node:assert/strict'
 import { leavePage } from './browser.js'
 import { breakEdge, countHoles } from './holes.js'
@@ -6,9 +6,9 @@ import { breakEdge, countHoles } from './holes.js'
 const size = 128
 
 /**
- * Draws frames → { holes, framesWithHoles, least, changes, broken }: the numbers of pixels and of frames with holes, the smallest number of
- * pixels that the shapes cover, how often indices were uploaded, and how often with an edge that was broken on purpose, if `isBroken`.
- * The shapes are white, and everything behind and inside of them is magenta.
+ * Draws frames → { holes, framesWithHoles, least, changes, broken }: the number of pixels in holes, the number of frames with holes, the
+ * smallest number of pixels that the shapes cover, how often indices were uploaded, and how many of these uploads had an edge that
+ * `isBroken` breaks on purpose. The shapes are white, and everything behind and inside of them is magenta.
  */
 export async function watchHoles(host, { frames, isBroken = false, tolerance = 1 }) {
   const { page, messages } = await host.open(`
@@ -28,8 +28,8 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
       return copy
     }
 
-    /** Detail uploads positions first, then the other attributes, and indices last. */
-    function watch(target, isIndices, args, at) {
+    /** Records attributes, and changes indices. Detail uploads positions first, then the other attributes, and indices last. */
+    function watch(isIndices, args, at) {
       const values = args[at]
       if (isIndices && values instanceof Uint32Array) {
         args[at] = changeIndices(values)
@@ -43,17 +43,17 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
         const { writeBuffer } = device.queue
         device.queue.writeBuffer = function (...args) {
           if (args[0].usage & (GPUBufferUsage.INDEX | GPUBufferUsage.VERTEX))
-            watch(this, args[0].usage & GPUBufferUsage.INDEX, args, 2)
+            watch(args[0].usage & GPUBufferUsage.INDEX, args, 2)
           return writeBuffer.apply(this, args)
         }
-        // The indices that compute passes write are not seen here.
+        // We cannot watch indices that compute passes write, so the passes must fail.
         if (${isBroken}) device.createComputePipelineAsync = () => Promise.reject(new Error('none'))
         return
       }
       const gl = drawingContext
       const { bufferData } = gl
       gl.bufferData = function (...args) {
-        watch(this, args[0] === gl.ELEMENT_ARRAY_BUFFER, args, 1)
+        watch(args[0] === gl.ELEMENT_ARRAY_BUFFER, args, 1)
         return bufferData.apply(this, args)
       }
     }
@@ -61,7 +61,7 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
     async function setup() {
       pixelDensity(1)
       ${host.canvas(size, size)}
-      // With more samples per pixel, one of them shows the inside at some edge-on triangles of any mesh.
+      // With several samples per pixel, some samples at edge-on triangles would show the inside of any mesh.
       await setAttributes('antialias', false)
       noLoop()
       watchUploads()
@@ -76,7 +76,7 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
     function draw() {
       background(255, 0, 255)
       noStroke()
-      // The camera stays near the plane of the torus, whose own hole it never sees.
+      // The camera stays near the plane of the torus, so that it never looks through the torus.
       const angle = frameCount / 50
       const distance = 330 + 70 * cos(frameCount / 30)
       const [x, y] = [distance * cos(angle), distance * sin(angle)]
@@ -87,7 +87,7 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
         if (isInside) fill(255, 0, 255)
         else {
           fill(255)
-          // As material shaders are those that are warped.
+          // Lights make p5 use its material shaders, which are those that are warped.
           ambientLight(255)
           moving({ shift: frameCount / 40 })
         }

@@ -1,4 +1,4 @@
-// The hosts of p5 sketches as objects: each version of p5 with each of its renderers that belongs to this run.
+// The hosts of p5 sketches as objects: a host is a version of p5 with one of its renderers. Only some belong to each run of the tests.
 import { leavePage } from './browser.js'
 import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from './sketch.js'
 
@@ -7,8 +7,9 @@ export const glslAddon = '/dist/warpjet.glsl.min.js'
 export const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
 
 /**
- * Opens the browsers of all hosts until the tests of the calling file have finished → hosts. `hosts` narrows the table down, and the
- * scripts `more` follow p5 and the addon. The code of a sketch starts with `async function setup() { ${host.canvas(100, 100)}`.
+ * Opens the browsers of the hosts until the tests of the calling file have finished → an object for each host. `hosts` are rows of the
+ * table in sketch.js, and the scripts `more` are loaded after p5 and the addon. The code of a sketch starts with `async function setup() {
+ * ${host.canvas(100, 100)}`.
  */
 export async function openP5Hosts({ hosts = p5HostsInThisRun, more = [] } = {}) {
   const { browsers, server } = await openHosts([['2.x', 'WEBGL'], ...hosts])

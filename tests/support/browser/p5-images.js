@@ -2,15 +2,15 @@
 import { randomImage } from '../../operations/textures.js'
 
 export const heightImage = randomImage(7, 5, 4)
-// p5 stores images with premultiplied alpha.
+// All texels are opaque, since p5 stores images with premultiplied alpha.
 heightImage.data = heightImage.data.map((byte, i) => (i % 4 === 3 ? 255 : byte))
 
 const { width, height, data } = heightImage
 
-/** The size of the plane, and how far white displaces it, in pixels. */
+/** The side of the plane, and how far white texels displace it, in pixels. */
 export const [planeSide, planeHeight] = [160, 30]
 
-/** Creates the image in each of p5's pixel containers. */
+/** Maps a p5 pixel container → code that creates the image in it. */
 export const imageSources = {
   image: `warps.image = createImage(${width}, ${height})
     fillPixels(warps.image)`,
@@ -42,7 +42,7 @@ export const setupOfImages = ({ isWebGPU }, ...sources) => `
   noStroke()
   ${isWebGPU ? '// p5 2.3 cuts off the front half of ortho() on WEBGPU.\n  ortho(-100, 100, -100, 100, -1000, 1000)' : 'ortho()'}`
 
-/** The offset of a plane by an image, sampled by a B-spline. */
+/** Returns the source of an offset that displaces a plane by an image, sampled by a B-spline. */
 export const heightOffset = (
   image,
   amount,

@@ -7,22 +7,23 @@ import { packedVariants } from '../models/packed-variants.js'
 import { shapes } from '../models/shapes.js'
 import { png } from '../png.js'
 
-/** A file in glTF's conventions: y upwards, counterclockwise front faces, linear colours. It is two wide and one high. */
-export const tip = {
+/** A triangle in glTF's conventions, with y upwards, counterclockwise front faces and linear colours. It is 2 wide and 1 high. */
+export const triangle = {
   positions: [4, 0, 0, 6, 0, 0, 5, 1, 0],
   normals: [0, 0, 1, 0, 0, 1, 0, 0, 1],
   indices: [0, 1, 2],
 }
 export const white = [255, 255, 255]
 export const red = [255, 0, 0]
+/** Maps the name of a file → its content. */
 const files = {
-  'plain.glb': exportGLB(tip),
+  'plain.glb': exportGLB(triangle),
   'colors.glb': exportGLB({
-    ...tip,
+    ...triangle,
     colors: [0, 1, 2].flatMap(() => [0.5, 0.001, 1, 1]),
     material: { baseColor: [0.5, 1, 0, 1] },
   }),
-  'material.glb': exportGLB({ ...tip, material: { baseColor: [0, 0.2140411, 0, 1] } }),
+  'material.glb': exportGLB({ ...triangle, material: { baseColor: [0, 0.2140411, 0, 1] } }),
   'picture.glb': exportGLB({
     positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
     normals: Array.from({ length: 12 }, (_, i) => (i % 3 === 2 ? 1 : 0)),
@@ -51,14 +52,14 @@ usemtl white\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf 4 5 6\n`,
 facet normal 0.6 0 0.8\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet
 facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 2\nendloop\nendfacet
 endsolid a\n`,
-  'binary.stl': binaryStl([
+  'binary.stl': encodeBinaryStl([
     [0.6, 0, 0.8, 0, 0, 0, 1, 0, 0, 1, 1, 0],
     [0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 2],
   ]),
 }
 
-/** The normal and corners of each facet. */
-function binaryStl(facets) {
+/** Encodes a binary STL. Each facet is 12 numbers: its normal and its three corners. */
+function encodeBinaryStl(facets) {
   const view = new DataView(new ArrayBuffer(84 + 50 * facets.length))
   view.setUint32(80, facets.length, true)
   facets.forEach((numbers, i) =>
@@ -67,8 +68,8 @@ function binaryStl(facets) {
   return new Uint8Array(view.buffer)
 }
 
-/** The bunny with the y axis pointing downwards, as in p5. */
-function bunnyOfP5() {
+/** Encodes the bunny with the y axis pointing downwards, as in p5. */
+function encodeP5Bunny() {
   const { positions, normals, uvs, indices } = bunny()
   for (const numbers of [positions, normals])
     for (let i = 1; i < numbers.length; i += 3) numbers[i] *= -1
@@ -80,11 +81,11 @@ function bunnyOfP5() {
 
 export const path = (name) => fileURLToPath(new URL(`../../..${name}`, import.meta.url))
 
-/** Writes the models into a folder of the build → its address on pages of `servePages`. */
+/** Writes the models into `.build/<name>` → the URL path of this folder on pages of `servePages`. */
 export function writeModels(name) {
   const folder = `/.build/${name}`
   mkdirSync(path(folder), { recursive: true })
-  for (const [file, bytes] of Object.entries({ ...files, 'bunny.glb': bunnyOfP5() }))
+  for (const [file, bytes] of Object.entries({ ...files, 'bunny.glb': encodeP5Bunny() }))
     writeFileSync(path(`${folder}/${file}`), bytes)
   return folder
 }

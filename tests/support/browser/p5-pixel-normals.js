@@ -1,4 +1,4 @@
-// The shapes of p5 that normals at pixels are tested on, how they are drawn, and the comparison.
+// For tests of normals at pixels: p5 shapes, code that draws them, and a comparison with the exact normals.
 import assert from 'node:assert/strict'
 import { subdivide } from '../../../dist/mesh.js'
 import { icosahedron } from '../coarse-meshes.js'
@@ -8,12 +8,12 @@ import { anglesOf, exactNormals, pixelWarps } from './pixel-normals.js'
 export const size = 160
 const radius = 60
 
-/** Vertices and faces of a sphere of 1,280 nearly equal triangles. */
-function icosphere() {
+/** Makes vertices and faces of a sphere of 1,280 nearly equal triangles. */
+function makeIcosphere() {
   const { positions, indices } = subdivide(icosahedron(1), { levels: 3 })
-  const threes = (list) =>
+  const groupByThree = (list) =>
     Array.from({ length: list.length / 3 }, (_, i) => [...list.subarray(3 * i, 3 * i + 3)])
-  return { vertices: threes(positions).map(m.normalize), faces: threes(indices) }
+  return { vertices: groupByThree(positions).map(m.normalize), faces: groupByThree(indices) }
 }
 
 /** Maps a name → p5 code for the geometry, of about radius 1. */
@@ -23,7 +23,7 @@ const shapes = {
   plane: 'buildGeometry(() => plane(1, 1))',
   torus: 'buildGeometry(() => torus(1, 0.3))',
   icosahedron: `new p5.Geometry(1, 1, function () {
-    const { vertices, faces } = ${JSON.stringify(icosphere())}
+    const { vertices, faces } = ${JSON.stringify(makeIcosphere())}
     this.gid = 'icosahedron'
     this.vertices = vertices.map((p) => createVector(...p))
     this.vertexNormals = vertices.map((p) => createVector(...p))
@@ -32,26 +32,27 @@ const shapes = {
   })`,
 }
 
-const namesOfWarps = Object.keys(pixelWarps)
+const warpNames = Object.keys(pixelWarps)
 
 /** Maps a shape → the warps that it is drawn with. */
-export const allPairs = Object.fromEntries(Object.keys(shapes).map((name) => [name, namesOfWarps]))
+export const allPairs = Object.fromEntries(Object.keys(shapes).map((name) => [name, warpNames]))
 
-/** The pairs of slower renderers and of old versions: each shape and each warp. */
+/** Pairs for slower renderers and old versions: each shape at least once, and each warp at least once. */
 export const somePairs = {
-  sphere: namesOfWarps,
+  sphere: warpNames,
   box: ['fbm', 'waves', 'blob'],
   plane: ['waves', 'flag'],
   torus: ['simplex', 'twist'],
   icosahedron: ['worley'],
 }
 
+/** The rotation of the shapes in `drawShape`. */
 const turn = m.product(m.rotation(0.5, 1, 2), m.rotation(0.4, 2, 0))
 
 /** The distance of the eye. p5 2.3 draws nothing on WebGPU without perspective. */
 const distance = 1000
 
-/** Draws a shape; the code of `setup` makes `geometries` and `eye`. */
+/** Code that draws a shape. The sketch's `setup` must define `geometries` and the camera `eye`. */
 export const drawShape = `(shape) => {
   background(0)
   setCamera(eye)
@@ -65,15 +66,15 @@ export const drawShape = `(shape) => {
 }`
 
 const toScreen = (p) => {
-  const [x, y, z] = m.movePoint(turn, p).map((each) => radius * each)
-  const near = distance - z
-  // 1 / near is linear on the screen.
-  return [...[x, y].map((each) => size / 2 + (distance * each) / near), -1 / near, near]
+  const [x, y, z] = m.transformPoint(turn, p).map((each) => radius * each)
+  const depth = distance - z
+  // 1 / depth is linear on the screen.
+  return [...[x, y].map((each) => size / 2 + (distance * each) / depth), -1 / depth, depth]
 }
 
 export const geometries = `{ ${Object.entries(shapes).map(([name, code]) => `${name}: ${code}`)} }`
 
-/** Returns a shape as a mesh of `exactNormals`, after it was drawn. */
+/** Code that returns a shape, after it has been drawn, as a mesh for `exactNormals`. */
 export const describeShape = `(shape) => {
   const { vertices, vertexNormals, uvs, faces } = geometries[shape]
   const list = (vectors) => vectors.map(({ x, y, z }) => [x, y, z])
@@ -82,12 +83,21 @@ export const describeShape = `(shape) => {
     gradients: names.map((name) => [...geometries[shape]['warpjet_' + name] ?? []]) }
 }`
 
-/** Asserts that 99.9% of the normals shown are within 0.1 degrees, and returns that angle. `restAt` is that of `exactNormals`; `shownAt` is in view space. */
+/**
+ * Asserts that 99.9% of the drawn normals are off by less than 0.1 degrees; returns the angle that they do not exceed. `restAt` is passed
+ * to `exactNormals`; `shownAt` returns the drawn normal of a pixel, in view space.
+ */
 export function checkNormals(warp, shape, mesh, { restAt, shownAt }) {
   const { exact, share } = exactNormals(warp, mesh, { toScreen, restAt, width: size, height: size })
-  const inView = exact.map(({ pixel, normal }) => ({ pixel, normal: m.turnNormal(turn, normal) }))
+  const inView = exact.map(({ pixel, normal }) => ({
+    pixel,
+    normal: m.transformNormal(turn, normal),
+  }))
   const { median, max, count } = anglesOf(inView, shownAt)
-  assert.ok(count > 500 && share > 0.97, `${shape}: ${count} pixels, ${share} of them compared`)
-  assert.ok(max < 0.1, `${shape}: ${max} degrees off at 99.9%, ${median} in the median`)
+  assert.ok(
+    count > 500 && share > 0.97,
+    `${shape}: ${count} pixels compared, ${share} of the sample`,
+  )
+  assert.ok(max < 0.1, `${shape}: 99.9% are within ${max} degrees, half within ${median}`)
   return max
 }

@@ -1,4 +1,4 @@
-// Shaders of a p5 sketch that draw the normal of the light as a color: n / 2 + 0.5.
+// p5 shaders that draw the normal n that lights use as the color n / 2 + 0.5.
 
 const webgl = (parameters) => ({
   fragmentDeclarations: 'vec3 shown;',
@@ -13,11 +13,11 @@ const webgpu = {
     '(color: vec4<f32>, texCoord: vec2<f32>) { return vec4<f32>(shown * 0.5 + 0.5, 1.0); }',
 }
 
-/** Returns the source of an expression for the shader, for a version and a renderer of p5. */
+/** Returns the source of an expression that makes the shader, for a version and a renderer of p5. */
 export function shaderOfNormals(version, renderer) {
   // Texture coordinates are a second parameter in p5 2.x.
-  const colors = webgl(version === '1.11' ? 'vec4 color' : 'vec4 color, vec2 texCoord')
-  return `baseMaterialShader().modify(${JSON.stringify(renderer === 'WEBGPU' ? webgpu : colors)})`
+  const hooks = webgl(version === '1.11' ? 'vec4 color' : 'vec4 color, vec2 texCoord')
+  return `baseMaterialShader().modify(${JSON.stringify(renderer === 'WEBGPU' ? webgpu : hooks)})`
 }
 
 /** Code of a sketch that looks at the plane z = 0 from afar: a unit is a pixel. */

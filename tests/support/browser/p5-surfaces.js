@@ -1,7 +1,7 @@
-// The shapes of p5 as documented: smooth parametric surfaces in double. `code` draws one; `setup`, for shapes of buildGeometry,
-// runs before and stores the shape in `warps`. `sides` are its smooth parts: `at(s, t)` returns position, normal and uv, `of(p,
-// n, uv)` the parameters of a vertex, or false if it is on another part. `edges` are values of t where u has no derivative.
-// `grain` is the scale of a warp's offset for the shape.
+// The shapes of p5 as documented: smooth parametric surfaces in double. `code` draws a shape; `setup`, for shapes of buildGeometry,
+// runs before and stores the shape in `warps`. `sides` are its smooth parts: `at(s, t)` returns position, normal and uv,
+// `parametersOf(p, n, uv)` the parameters of a vertex, or false if it is on another part. `edges` are values of t where u has no
+// derivative. `grain` is the scale of a warp's offset for the shape.
 import * as m from './matrix.js'
 
 const { PI, sin, cos, hypot } = Math
@@ -11,7 +11,7 @@ export const radius = 150
 
 /** Makes a shape with one smooth part, whose parameters are u and v. */
 const byUv = (at, edges = []) => [
-  { at: (u, v) => ({ ...at(u, v), uv: [u, v] }), of: (_, __, [u, v]) => [u, v], edges },
+  { at: (u, v) => ({ ...at(u, v), uv: [u, v] }), parametersOf: (_, __, [u, v]) => [u, v], edges },
 ]
 
 const ball = ([a, b, c]) =>
@@ -34,7 +34,7 @@ const ring = (size) =>
     }
   })
 
-/** Makes a side that gets narrower, and caps, whose second parameter is the radius. */
+/** Makes a side that narrows by `taper`, from 0 for a cylinder to 1 for a cone, and two caps, whose second parameter is the radius. */
 const pillar = (size, taper) => {
   const tilt = m.normalize([1, taper, 0])
   const side = {
@@ -46,7 +46,7 @@ const pillar = (size, taper) => {
         uv: [u, v],
       }
     },
-    of: (_, n, [u, v]) => Math.abs(n[1]) < 0.9 && [u, v],
+    parametersOf: (_, n, [u, v]) => Math.abs(n[1]) < 0.9 && [u, v],
     edges: taper ? [1] : [],
   }
   const cap = (y) => ({
@@ -55,15 +55,15 @@ const pillar = (size, taper) => {
       n: [0, (2 * y) / size, 0],
       uv: [u, y + 0.5],
     }),
-    of: (p, n, [u]) => n[1] * y > 0.45 && [u, hypot(p[0], p[2]) / size],
+    parametersOf: (p, n, [u]) => n[1] * y > 0.45 && [u, hypot(p[0], p[2]) / size],
     edges: [0],
   })
   return [side, cap(-0.5), cap(0.5)]
 }
 
 /**
- * p5 does not record how a shape was built, so its poles have only their triangles; and it does not normalize the normals after
- * the scale of each shape.
+ * Makes a shape of buildGeometry. p5 does not record how it was built, so a pole has only the data of its triangles; and p5 does not
+ * normalize the normals after it has scaled them.
  */
 const builtShape = (name, code, sides) => ({
   isBuilt: true,
@@ -74,8 +74,9 @@ const builtShape = (name, code, sides) => ({
 })
 
 /**
- * p5 scales its own shapes, of size 1, to the `scale` of the draw call; built shapes include their size. `height` multiplies an
- * offset, `length` divides positions in it, and `normals` normalizes normals. Shapes without `sides` are flat.
+ * Maps names → shapes. p5 scales its own shapes, of size 1, to the `scale` of the draw call; the vertices of built shapes include their
+ * size. In `grain`, `height` multiplies the offset, `length` divides the positions that it reads, and `normals` multiplies normals to
+ * length 1. Shapes without `sides` consist of flat faces.
  */
 export const surfaces = {
   sphere: { code: `sphere(${radius})`, sides: ball([1, 1, 1]), scale: [radius, radius, radius] },

@@ -1,4 +1,4 @@
-// An offset whose Jacobian is known by hand, in a sketch and in double precision.
+// An offset with a Jacobian that was derived by hand, as code for a sketch and in double precision.
 import { linear } from './matrix.js'
 
 /**

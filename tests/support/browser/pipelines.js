@@ -4,6 +4,7 @@ import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { launchBrowser, openPage, webgpuFlags } from './browser.js'
 import { servePages } from './server.js'
 
+/** Maps a language → the module that runs it. */
 const modules = { glsl300: 'webgl2', glsl100: 'webgl1', wgsl: 'webgpu' }
 
 const html = `<!doctype html>
@@ -18,7 +19,7 @@ async function pipeline(target) {
 const last = {}
 window.run = async (target, program, points) => {
   const work = await (opened[target] ??= pipeline(target))
-  // Runs one after the other: an error is reported to the first that asks.
+  // Programs run one after the other: WebGL and WebGPU would report an error to the first program that queries errors.
   const running = (last[target] ?? Promise.resolve())
     .catch(() => {})
     .then(() => work(program, new Float32Array(Uint8Array.fromBase64(points).buffer)))
@@ -31,7 +32,7 @@ window.run = async (target, program, points) => {
 /** The languages that have pipelines. */
 export const targets = Object.keys(modules)
 
-/** Those whose numbers this run compares with the references. */
+/** The languages whose results this run of the tests compares with references. */
 export const targetsInThisRun = targets.filter(
   (target) => target === 'glsl300' || isRun('all dialects'),
 )
@@ -39,13 +40,12 @@ export const targetsInThisRun = targets.filter(
 /**
  * Starts a browser → { run, close }.
  *
- * `run(target, program, points)` runs a program at many points at once. The program is { code,
- * declarations, inputs, outputs, images }; images, which are optional, are { width, height, data } by
- * name, with four bytes per texel. Inputs and outputs are lists of { name, shape }, the variables
- * that the code reads and declares. Shapes are 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
- * (column-major) and 'bool' (1 or 0). A point is a list of the floats of all inputs, and so
- * is each result of all outputs, as a Float32Array. Code that does not compile throws an error
- * with the compiler's log and the whole shader, and so does a missing pipeline.
+ * `run(target, program, points)` runs a program at many points at once. The program is { code, declarations, inputs, outputs, images }.
+ * `images`, which is optional, maps names to { width, height, data }, with four bytes per texel. Inputs are the variables that the code
+ * reads, outputs those that it declares: lists of { name, shape }, where `shape` is 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
+ * (column-major), or 'bool' (1 or 0). A point is a list of the floats of all inputs; its result is a Float32Array of the floats of all
+ * outputs. `run` throws if the browser has no such pipeline, or, with the compiler's log and the whole shader, if the code does not
+ * compile.
  */
 export async function openPipelines() {
   const browser = await launchBrowser(webgpuFlags)
@@ -54,16 +54,16 @@ export async function openPipelines() {
   await page.waitForFunction(() => window.run)
 
   async function run(target, { code, declarations, inputs, outputs, images = {} }, points) {
-    const given = Float32Array.from(points.flat())
-    const text = await page.evaluate(
+    const inputFloats = Float32Array.from(points.flat())
+    const base64 = await page.evaluate(
       ([target, program, points]) => window.run(target, program, points),
       [
         target,
         { code, declarations, inputs, outputs, images },
-        Buffer.from(given.buffer).toString('base64'),
+        Buffer.from(inputFloats.buffer).toString('base64'),
       ],
     )
-    const results = new Float32Array(Uint8Array.from(Buffer.from(text, 'base64')).buffer)
+    const results = new Float32Array(Uint8Array.from(Buffer.from(base64, 'base64')).buffer)
     const size = results.length / points.length
     return points.map((_, i) => results.subarray(i * size, (i + 1) * size))
   }

@@ -1,17 +1,17 @@
-// Warps and meshes whose normals at pixels are compared with exact ones, in all hosts.
+// Warps for tests of normals at pixels in all hosts, and the exact normals of a warped mesh.
 import { compileWarp } from '../../../dist/warpjet.js'
 import * as noise from '../noise.js'
 import { cross, dot, subtract } from './matrix.js'
 import { angleBetween, warpVertex } from './oracle.js'
-import { mixValues, restPlaces } from './rest-places.js'
+import { mixValues, rasterize } from './rasterize.js'
 
 const { cos, sin } = Math
 const scale = (p, factor) => p.map((x) => x * factor)
 const along = (height) => (p) => scale(p, height(p))
 
 /**
- * Maps a name → `offset`, source of an offset function for a mesh of radius 1, and `at`, the same in numbers. Offsets of normal and uv
- * have no `at`: their normals depend on how these vary over the mesh.
+ * Maps a name → `offset`, the source of an offset function for a mesh of radius 1, and `at`, the same function of numbers. Offsets that
+ * read normal or uv have no `at`: their warped normals depend on how these inputs vary over the mesh.
  */
 export const pixelWarps = {
   fbm: {
@@ -46,13 +46,14 @@ export const pixelWarps = {
 }
 
 const names = ['normalXGradient', 'normalYGradient', 'normalZGradient', 'uGradient', 'vGradient']
-const three = (numbers, at) => numbers.slice(at, at + 3)
+const vectorAt = (numbers, start) => numbers.slice(start, start + 3)
 
 /**
- * Returns { pixel, normal }, the exact outward normal in the mesh's own space, for about `count` of the pixels that the warped mesh
- * covers. A mesh has `vertices`, `normals`, `uvs`, `faces` and, for offsets of normal or uv, `gradients`. `toScreen` maps a warped
- * position to [x, y, depth, w]. `restAt` returns position, normal and uv at a pixel as the GPU interpolated them, nine numbers, since GPUs
- * snap vertices to fractions of a pixel; pixels where they are not near ours, at silhouettes, are left out.
+ * Returns { share, exact }; `exact` lists { pixel, normal }, the exact outward normal in the mesh's own space, for about `count` of the
+ * pixels that the warped mesh covers. A mesh has `vertices`, `normals`, `uvs`, `faces` and, for offsets of normal or uv, `gradients`.
+ * `toScreen` maps a warped position to [x, y, depth, w]. `restAt` returns position, normal and uv at a pixel as the GPU interpolated them,
+ * nine numbers, since GPUs snap vertices to fractions of a pixel; pixels at silhouettes, where they differ much from ours, are left out.
+ * `share` is the fraction of pixels that remain.
  */
 export function exactNormals(name, mesh, { toScreen, restAt, width, height, count = 1200 }) {
   const { offset, at } = pixelWarps[name]
@@ -68,29 +69,31 @@ export function exactNormals(name, mesh, { toScreen, restAt, width, height, coun
   ])
   const moved = warp.evaluate(arraysOf(values)).positions
   const corners = vertices.map((_, i) => toScreen([...moved.subarray(3 * i, 3 * i + 3)]))
-  const places = restPlaces({ corners, values, faces }, width, height)
+  const places = rasterize({ corners, values, faces }, width, height)
   const sample = places.filter((_, i) => i % Math.max(1, Math.floor(places.length / count)) === 0)
   const seen = sample.flatMap(({ pixel, face, values: ours }) => {
     const rest = restAt(pixel)
-    const distance = Math.hypot(...three(rest, 0).map((x, i) => x - ours[i]))
-    const length = Math.hypot(...three(rest, 3))
+    const distance = Math.hypot(...vectorAt(rest, 0).map((x, i) => x - ours[i]))
+    const length = Math.hypot(...vectorAt(rest, 3))
     for (let k = 3; k < 6; k++) rest[k] /= length
-    const shares = sharesAt(
-      three(rest, 0),
+    const weights = barycentric(
+      vectorAt(rest, 0),
       face.map((i) => vertices[i]),
     )
     const corners = face.map((i) => values[i])
-    const varied = shares ? mixValues(shares, corners) : ours
-    return distance < 0.05 ? [{ pixel, values: [...rest.slice(0, 8), ...varied.slice(8)] }] : []
+    const interpolated = weights ? mixValues(weights, corners) : ours
+    return distance < 0.05
+      ? [{ pixel, values: [...rest.slice(0, 8), ...interpolated.slice(8)] }]
+      : []
   })
   const share = seen.length / sample.length
-  const exact = at ? seen.map((place) => exactNormal(at, place)) : interpolatedNormals(warp, seen)
+  const exact = at ? seen.map((place) => exactNormal(at, place)) : evaluateNormals(warp, seen)
   // At a kink there is no normal.
   return { share, exact: exact.filter(({ normal }) => normal) }
 }
 
 /** Returns the barycentric coordinates of a point in the plane of a triangle; `undefined` if the corners are on a line. */
-function sharesAt(point, [a, b, c]) {
+function barycentric(point, [a, b, c]) {
   const [u, v, w] = [b, c, point].map((end) => subtract(end, a))
   const normal = cross(u, v)
   const area = dot(normal, normal)
@@ -100,26 +103,32 @@ function sharesAt(point, [a, b, c]) {
 }
 
 const arraysOf = (all) => ({
-  positions: new Float64Array(all.flatMap((v) => three(v, 0))),
-  normals: new Float64Array(all.flatMap((v) => three(v, 3))),
+  positions: new Float64Array(all.flatMap((v) => vectorAt(v, 0))),
+  normals: new Float64Array(all.flatMap((v) => vectorAt(v, 3))),
   uvs: new Float64Array(all.flatMap((v) => v.slice(6, 8))),
   ...Object.fromEntries(
-    names.map((each, k) => [`${each}s`, new Float64Array(all.flatMap((v) => three(v, 8 + 3 * k)))]),
+    names.map((each, k) => [
+      `${each}s`,
+      new Float64Array(all.flatMap((v) => vectorAt(v, 8 + 3 * k))),
+    ]),
   ),
 })
 
 function exactNormal(at, { pixel, values }) {
-  const vertex = { position: three(values, 0), normal: three(values, 3) }
+  const vertex = { position: vectorAt(values, 0), normal: vectorAt(values, 3) }
   return { pixel, normal: warpVertex(at, vertex, {}, 1e-4).normal }
 }
 
-/** Evaluates on the CPU, where other tests compare normals with differences. */
-function interpolatedNormals(warp, places) {
+/** Evaluates the warp on the CPU, where other tests compare its normals with finite differences. */
+function evaluateNormals(warp, places) {
   const { normals } = warp.evaluate(arraysOf(places.map(({ values }) => values)))
   return places.map(({ pixel }, i) => ({ pixel, normal: [...normals.subarray(3 * i, 3 * i + 3)] }))
 }
 
-/** Returns { median, most, count }: the angles in degrees, `most` at 99.9% of the pixels. `shownAt` returns the normal of a pixel. */
+/**
+ * Compares the drawn normals, which `shownAt(pixel)` returns, with the exact ones. Returns { median, max, count }: angles in degrees, where
+ * 99.9% of the pixels are within `max`, and the number of pixels.
+ */
 export function anglesOf(exact, shownAt) {
   const angles = exact.map(({ pixel, normal }) => angleBetween(shownAt(pixel), normal))
   angles.sort((a, b) => a - b)

@@ -1,6 +1,6 @@
 // Reads the pixels of a WebGL canvas.
 
-/** Returns the first canvas of the page → { width, height, data }: bytes of red, green, blue, alpha, from the top left. */
+/** Reads the first canvas of the page → { width, height, data }: bytes of red, green, blue and alpha, from the top left. */
 export async function readPixels(page) {
   const { width, height, bytes } = await page.$eval('canvas', (canvas) => {
     const gl = canvas.getContext('webgl2') ?? canvas.getContext('webgl')
@@ -10,10 +10,10 @@ export async function readPixels(page) {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
     return { width, height, bytes: data.toBase64() }
   })
-  return upright(width, height, bytes)
+  return flipRows(width, height, bytes)
 }
 
-/** Does the same for a WebGPU canvas, right after the code `draw`: the picture is gone when the page continues. */
+/** Reads a WebGPU canvas right after it runs the code `draw`: the picture is gone when the page continues. */
 export async function readWebGPUPixels(page, draw) {
   const { width, height, bytes } = await page.evaluate(`(async () => {
     await (${draw})
@@ -27,7 +27,7 @@ export async function readWebGPUPixels(page, draw) {
   return { width, height, data: Buffer.from(bytes, 'base64') }
 }
 
-function upright(width, height, bytes) {
+function flipRows(width, height, bytes) {
   const upwards = Buffer.from(bytes, 'base64')
   const rows = Array.from({ length: height }, (_, y) =>
     upwards.subarray((height - 1 - y) * width * 4, (height - y) * width * 4),
@@ -68,19 +68,19 @@ export function differingPixels(a, b, tolerance) {
   return differing.size
 }
 
-/** Returns the pixels of `image` that are outside the range of the neighbours of the same pixel of `other`, within `tolerance`. */
+/** Counts the pixels of `image` that are outside the range of the 3 × 3 pixels at the same place in `other` by more than `tolerance`. */
 export function beyondEdges(image, other, tolerance) {
   const { width, height, data } = image
   const isBeyond = (x, y, channel) => {
-    let [least, most] = [255, 0]
+    let [min, max] = [255, 0]
     for (let j = y - 1; j <= y + 1; j++)
       for (let i = x - 1; i <= x + 1; i++) {
         const value = other.data[4 * (j * width + i) + channel]
-        if (value < least) least = value
-        if (value > most) most = value
+        if (value < min) min = value
+        if (value > max) max = value
       }
     const value = data[4 * (y * width + x) + channel]
-    return value < least - tolerance || value > most + tolerance
+    return value < min - tolerance || value > max + tolerance
   }
   let count = 0
   for (let y = 1; y < height - 1; y++)

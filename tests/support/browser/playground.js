@@ -34,10 +34,10 @@ export async function write(page, sketch) {
 /** Returns the line of the cursor. */
 export const cursorLine = (page) => page.locator('.cm-activeLine').textContent()
 
-/** Drags the first number with this text by that many pixels to the right, in small steps. */
+/** Drags the first number with the text `number` to the right by `pixels`, in small steps. */
 export async function dragNumber(page, number, pixels) {
-  const place = page.locator('.cm-number').getByText(number, { exact: true }).first()
-  const { x, y, width, height } = await place.boundingBox()
+  const numberElement = page.locator('.cm-number').getByText(number, { exact: true }).first()
+  const { x, y, width, height } = await numberElement.boundingBox()
   const [from, at] = [x + width / 2, y + height / 2]
   await page.mouse.move(from, at)
   await page.mouse.down()
@@ -45,7 +45,7 @@ export async function dragNumber(page, number, pixels) {
   await page.mouse.up()
 }
 
-/** Returns the frame of the visible picture: a sandbox in a page that is a frame of the playground itself. */
+/** Returns the frame of the visible picture: a sandboxed frame inside another frame of the playground. */
 export async function visibleFrame(page) {
   const host = await (await page.waitForSelector('.stage iframe', patience)).contentFrame()
   const element = await host.waitForSelector('iframe.shown', patience)
@@ -58,7 +58,7 @@ const isPlayground = (page) => page.locator('.playground').count()
 export const canvasPixels = async (page) =>
   pixels((await isPlayground(page)) ? await visibleFrame(page) : page)
 
-/** Returns a static sketch of one color, which the offset function moves. */
+/** Returns a sketch of a sphere of one color that `offset` moves. It is static unless the offset reads the time. */
 export const stillSketch = (color, offset = 'glsl.vec3(0, 0, 0)', more = '') => `let warp
 function setup() {
   createCanvas(120, 90, WEBGL)
@@ -73,7 +73,7 @@ function draw() {
 }
 `
 
-/** A small static sketch of three.js, of the size of its window. */
+/** A small static sketch with three.js; it has the same size as `stillSketch`. */
 export const ball = `import * as THREE from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { warp } from 'warpjet/three'
@@ -92,7 +92,7 @@ warp(mesh, ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4
 renderer.setAnimationLoop(() => renderer.render(scene, camera))
 `
 
-/** Returns the file that the menu downloads, as Playwright's download. */
+/** Saves by the button `title` of the menu → Playwright's download. */
 export async function downloadFromMenu(page, title) {
   await page.getByText('Save', { exact: true }).click()
   const [download] = await Promise.all([

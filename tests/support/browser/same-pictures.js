@@ -1,4 +1,4 @@
-// Compares pictures of warps with pictures of the same motion by p5 itself, or by another way to write the same warp.
+// Compares pictures of warps with pictures of the same motion that p5 itself draws, or of the same warp written in another way.
 import assert from 'node:assert/strict'
 import { beyondEdges, differingPixels, litPixels } from './pixels.js'
 
@@ -6,13 +6,14 @@ import { beyondEdges, differingPixels, litPixels } from './pixels.js'
  * Draws the pairs of a table on a host, and compares them:
  * - `setup`, `size`, `files`: as for `drawScenes`.
  * - `pairs`: maps a name to the code of two scenes, and optionally of a third one that must look different.
- * - `lit`: the second picture has more lit pixels than this.
- * - `tolerance`: the max difference of equal pixels, in each channel.
- * - `differing`: the max number of other pixels, or their share of the lit ones. A function of the pair's name, or a number.
- * - `different`: [number or share of pixels, tolerance]: more pixels differ from the third picture.
- * - `withinEdges`: 'first' or 'both', the pictures whose pixels may not lie outside the range of the other picture's neighbours.
- * - `view`: applied to each picture before it is compared.
- * - `check`: gets the pictures by pair, [first, second, third], for what the table tests beyond that.
+ * - `lit`: the second picture must have more lit pixels than this.
+ * - `tolerance`: pixels count as equal if no channel differs by more.
+ * - `differing`: the max number of unequal pixels or, if below 1, their fraction of the lit ones. Can be a function of the pair's name.
+ * - `different`: [number or fraction of pixels, tolerance]: more pixels than this must differ from the third picture.
+ * - `withinEdges`: 'first' or 'both': the picture or pictures in which no pixel may be outside the range of the 3 × 3 pixels at the same
+ *   place in the other picture.
+ * - `view`: transforms each picture before it is compared.
+ * - `check`: makes further assertions; its argument maps names of pairs → [first, second, third] picture.
  */
 export async function comparePictures(host, table) {
   const { pairs, lit, tolerance, differing, different, withinEdges, check } = table
@@ -37,10 +38,10 @@ export async function comparePictures(host, table) {
     if (withinEdges) assert.equal(beyondEdges(image, expected, tolerance), 0, name)
     if (withinEdges === 'both') assert.equal(beyondEdges(expected, image, tolerance), 0, name)
     if (!other) continue
-    const [atLeast, more] = different
-    const changed = differingPixels(image, other, more)
+    const [minCount, otherTolerance] = different
+    const changed = differingPixels(image, other, otherTolerance)
     assert.ok(
-      changed > (atLeast < 1 ? atLeast * count : atLeast),
+      changed > (minCount < 1 ? minCount * count : minCount),
       `${name}: only ${changed} pixels differ from the other picture`,
     )
   }

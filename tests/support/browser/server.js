@@ -1,4 +1,4 @@
-// Serves pages on localhost: source written by a test, and files of this repository.
+// Serves pages on localhost whose source is written by tests, and files of this repository.
 import { readFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname } from 'node:path'
@@ -13,7 +13,7 @@ const types = {
   '.wasm': 'application/wasm',
 }
 
-/** A browser that caches a library also caches its compiled code, which for p5 saves half of the time to open a page. */
+/** Lets browsers cache libraries: they then also cache the compiled code, which for p5 halves the time to open a page. */
 const cacheHeaders = (pathname) =>
   pathname.startsWith('/node_modules/') ? { 'cache-control': 'max-age=86400' } : {}
 

@@ -1,4 +1,4 @@
-// Serves the site: built for a file server, once for all tests that use it; and like `npm start`.
+// Serves the site, either built for a file server (once for all tests that use it) or from its sources like `npm start`.
 import { createServer, preview } from 'vite'
 import { buildSite, folder } from '../../../.scripts/site.mjs'
 import { path } from './bench.js'
@@ -16,15 +16,15 @@ export async function serveSite(port, base = './') {
 }
 
 /**
- * Serves it like `npm start` → Vite's server. Each port has its own folder for the libraries that Vite bundles: in a shared one,
- * a server with other plugins would bundle everything again, and so replace files that another is about to send.
+ * Serves the sources like `npm start` → Vite's server. Each port has its own folder for the libraries that Vite bundles: in a shared
+ * folder, a server with other plugins would bundle everything again, and so replace files that another server is about to send.
  */
 export async function serveSources(port, plugins = []) {
   const server = await createServer({
     ...config,
     plugins,
     cacheDir: path(`.build/vite-tests/${port}`),
-    // Nothing edits the files meanwhile, and an edit would reload the page.
+    // Does not watch files: nothing should change during the tests, and a change would reload the page.
     server: { port, watch: null },
   })
   return server.listen()

@@ -6,7 +6,7 @@ import { launchBrowser, launchBrowserWithWebGPU, leavePage, openPage } from './b
 import { readPixels, readWebGPUPixels } from './pixels.js'
 import { servePages } from './server.js'
 
-/** The p5 versions that the addon supports; the full files, which include p5's friendly errors. */
+/** Maps the p5 versions that the addon supports → their full files, which include p5's friendly errors. */
 export const p5Versions = {
   '2.x': '/node_modules/p5/lib/p5.js',
   1.11: '/node_modules/p5-v1/lib/p5.js',
@@ -15,18 +15,21 @@ export const p5Versions = {
 /** p5 2.x's WebGPU renderer, to be loaded after p5 itself. */
 export const p5WebGPU = '/node_modules/p5/lib/p5.webgpu.js'
 
-/** The versions of this run, [[version, file]]. */
+/** The versions that this run tests: [version, file]. */
 export const p5InThisRun = Object.entries(p5Versions).filter(
   ([version]) => version !== '1.11' || isRun('p5 1.11'),
 )
 
-/** The renderers of this run, [[version, renderer, scripts]]; `openHosts` opens the browsers. */
+/** The hosts that this run tests: [version, renderer, scripts]. `openHosts` opens their browsers. */
 export const p5HostsInThisRun = [
   ...p5InThisRun.map(([version, p5]) => [version, 'WEBGL', [p5]]),
   ...(isRun('p5 on WebGPU') ? [['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]]] : []),
 ]
 
-/** Opens a server of pages and, by renderer, the browsers that `hosts` need, until the tests of the calling file have finished. */
+/**
+ * Opens a server of pages and the browsers that `hosts` need, until the tests of the calling file have finished → { server, browsers };
+ * `browsers` maps a renderer to its browser.
+ */
 export async function openHosts(hosts) {
   const server = await servePages()
   const launch = { WEBGL: launchBrowser, WEBGPU: launchBrowserWithWebGPU }
@@ -46,7 +49,7 @@ export async function openHost(renderer = 'WEBGL') {
   return { browser: browsers[renderer], server }
 }
 
-/** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
+/** Opens a page with `scripts` (addresses) and then `code`, and waits until `code` sets `window.done` or fails → { page, messages }. */
 export async function runSketch(browser, server, scripts, code, type = '') {
   const html = `<!doctype html>
 <meta charset="utf-8">
@@ -63,9 +66,9 @@ ${code}
 }
 
 /**
- * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a separate frame → images by name. `setup` runs after
- * createCanvas, and may store things in the object `warps`; on p5 2.x it may await. push() and pop() surround each scene unless
- * `isPushed` is false; the mouse is at 30, 10. `renderer` is WEBGL or WEBGPU. Fails if the page prints anything.
+ * Runs a global mode sketch and draws a frame for each of `scenes`, which maps names to p5 code → maps the names to images. `setup` runs
+ * after createCanvas, and may store values in the object `warps`; on p5 2.x it may await. push() and pop() surround each scene unless
+ * `isPushed` is false. The mouse is at 30, 10. `renderer` is 'WEBGL' or 'WEBGPU'. Fails if the page prints anything.
  */
 export async function drawScenes(
   browser,

@@ -1,30 +1,30 @@
-// Runs vertex shaders on the real pipeline and reads their results through transform feedback.
+// Runs vertex shaders on a browser's WebGL pipeline, and reads their results by transform feedback.
 import { serveBytes } from './bytes.js'
 import { layout, stride } from './dense-mesh.js'
 
 const uniformTypes = { millis: 'float', mouse: 'vec2', size: 'vec2', pixelDensity: 'float' }
 
-/** A vertex shader around a compiled warp; its results are movedPosition and turnedNormal. */
+/** Returns a vertex shader with the code of a compiled warp. Its outputs are `movedPosition` and `movedNormal`. */
 export function vertexShader({ code, declarations }, target, params = {}) {
-  const modern = target === 'glsl300'
-  const ownTypes = Object.entries(params).map(([name, value]) => [
+  const isES3 = target === 'glsl300'
+  const paramTypes = Object.entries(params).map(([name, value]) => [
     name,
     typeName([value].flat().length),
   ])
   const declare = (qualifier, [name, type]) => `${qualifier} ${type} ${name};`
   return [
-    `#version ${modern ? '300 es' : '100'}`,
+    `#version ${isES3 ? '300 es' : '100'}`,
     'precision highp float;',
     ...Object.entries(layout).map(([name, size]) =>
-      declare(modern ? 'in' : 'attribute', [name, typeName(size)]),
+      declare(isES3 ? 'in' : 'attribute', [name, typeName(size)]),
     ),
-    ...[...Object.entries(uniformTypes), ...ownTypes].map((entry) => declare('uniform', entry)),
-    `${modern ? 'out' : 'varying'} vec3 movedPosition, turnedNormal;`,
+    ...[...Object.entries(uniformTypes), ...paramTypes].map((entry) => declare('uniform', entry)),
+    `${isES3 ? 'out' : 'varying'} vec3 movedPosition, movedNormal;`,
     declarations,
     'void main() {',
     code,
     'movedPosition = warpedPosition;',
-    'turnedNormal = warpedNormal;',
+    'movedNormal = warpedNormal;',
     'gl_Position = vec4(0.0);',
     '}',
   ].join('\n')
@@ -32,11 +32,11 @@ export function vertexShader({ code, declarations }, target, params = {}) {
 
 const typeName = (size) => (size === 1 ? 'float' : `vec${size}`)
 
-/** Opens a page with a WebGL 2 context, or with a WebGL 1 context, which can only link shaders. */
+/** Opens a page with a WebGL 2 context or, without `load` and `run`, a WebGL 1 context, which has no transform feedback. */
 export async function openPipeline(browser, contextName = 'webgl2') {
   const server = await serveBytes()
   const page = await browser.newPage()
-  // Closes its browser, too.
+  // Also when the browser closes.
   page.once('close', () => server.close())
   await page.goto(server.url)
   await page.evaluate(prepare, { contextName, layout, stride })
@@ -51,21 +51,21 @@ export async function openPipeline(browser, contextName = 'webgl2') {
   async function run(source, draws) {
     await page.evaluate(([source, draws]) => pipeline.run(source, draws), [source, draws])
     const numbers = new Float32Array(server.take())
-    const each = numbers.length / draws.length
-    return draws.map((_, i) => numbers.subarray(i * each, (i + 1) * each))
+    const length = numbers.length / draws.length
+    return draws.map((_, i) => numbers.subarray(i * length, (i + 1) * length))
   }
 
   return { link, load, run, close: () => page.close() }
 }
 
-/** Runs in the page. */
+/** Defines `window.pipeline`; runs in the page. */
 function prepare({ contextName, layout, stride }) {
   const gl = document.createElement('canvas').getContext(contextName)
   let vertexCount
-  // Caches the last two programs: a warp often runs on many meshes, with and without an accurate sine, and compiling takes long.
+  // Caches the last two programs, since compiling takes long: many meshes use the same two, with and without an accurate sine.
   const programs = new Map()
 
-  function programOf(source) {
+  function getProgram(source) {
     const program = programs.get(source) ?? link(source)
     programs.delete(source)
     programs.set(source, program)
@@ -94,7 +94,7 @@ function prepare({ contextName, layout, stride }) {
     if (contextName === 'webgl2')
       gl.transformFeedbackVaryings(
         program,
-        ['movedPosition', 'turnedNormal'],
+        ['movedPosition', 'movedNormal'],
         gl.INTERLEAVED_ATTRIBS,
       )
     gl.linkProgram(program)
@@ -115,7 +115,7 @@ function prepare({ contextName, layout, stride }) {
   }
 
   async function run(source, draws) {
-    const program = programOf(source)
+    const program = getProgram(source)
     gl.useProgram(program)
     let offset = 0
     for (const [name, size] of Object.entries(layout)) {
@@ -139,7 +139,7 @@ function prepare({ contextName, layout, stride }) {
       gl.endTransformFeedback()
       gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, results, i * size, size)
     })
-    // The driver does not log the contents of a blob.
+    // A blob, since Playwright does not log its contents.
     await fetch('/taken', { method: 'POST', body: new Blob([results]) })
   }
 

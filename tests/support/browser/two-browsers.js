@@ -20,13 +20,13 @@ async function startDisplay() {
   })
   const name = await new Promise((resolve, reject) => {
     server.on('error', reject)
-    server.on('close', () => reject(new Error('Xvfb has ended: expected a display.')))
+    server.on('close', () => reject(new Error('Xvfb ended before it had a display')))
     server.stdio[3].on('data', (number) => resolve(`:${String(number).trim()}`))
   })
   return { name, stop: () => server.kill() }
 }
 
-/** On Linux Firefox has WebGL only on a display. */
+/** Starts Firefox: on Linux with a virtual display, without which it has no WebGL. */
 export async function launchFirefox() {
   const display = process.platform === 'linux' ? await startDisplay() : undefined
   const browser = await puppeteer.launch({

@@ -9,7 +9,7 @@ import { textVariants } from './text-variants.js'
 const { cube } = shapes
 const encode = (text) => new TextEncoder().encode(text)
 
-/** Makes a GLB with a modified document. */
+/** Changes the document, and possibly the binary data, of a GLB. */
 function modifyGlb(file, change) {
   const { json, chunks } = readGlb(file)
   const binary = chunks[1]?.bytes
@@ -23,12 +23,14 @@ const firstPrimitive = (json) => json.meshes[0].primitives[0]
 const packedView = (json) =>
   json.bufferViews.find(({ extensions }) => extensions).extensions.EXT_meshopt_compression
 const instances = (json) => json.nodes[0].extensions.EXT_mesh_gpu_instancing.attributes
-const zeros = (json, count) => json.accessors.push({ componentType: 5126, count, type: 'VEC3' }) - 1
+const addZeros = (json, count) =>
+  json.accessors.push({ componentType: 5126, count, type: 'VEC3' }) - 1
 
-const stl = textVariants['a binary STL'](cube).file
-const text = textVariants['a text STL'](cube).file
-const textOf = (bytes) => new TextDecoder().decode(bytes)
+const binaryStl = textVariants['a binary STL'](cube).file
+const textStl = textVariants['a text STL'](cube).file
+const decode = (bytes) => new TextDecoder().decode(bytes)
 
+/** Maps what is wrong → the file and the reason. */
 export const broken = {
   'an unknown required extension': {
     file: cubeFile((json) => (json.extensionsRequired = ['ACME_teapots'])),
@@ -56,7 +58,7 @@ export const broken = {
   },
   'a million instances of a cube': {
     file: variant(extensionVariants, 'instances with translations', (json) => {
-      instances(json).TRANSLATION = zeros(json, 4_000_000)
+      instances(json).TRANSLATION = addZeros(json, 4_000_000)
     }),
     reason: /more than 1,048,576 parts/,
   },
@@ -64,7 +66,7 @@ export const broken = {
     file: modifyGlb(
       extensionVariants['instances with translations'](shapes.sphere).file,
       (json) => {
-        instances(json).TRANSLATION = zeros(json, 1_048_000)
+        instances(json).TRANSLATION = addZeros(json, 1_048_000)
       },
     ),
     reason: /at most 1,073,741,824 are read/,
@@ -74,7 +76,7 @@ export const broken = {
       extensionVariants,
       'instances with translations, rotations and scales',
       (json) => {
-        instances(json).SCALE = zeros(json, 2)
+        instances(json).SCALE = addZeros(json, 2)
       },
     ),
     reason: /the instances of a node have 3 elements of one attribute and 2 of another/,
@@ -91,7 +93,7 @@ export const broken = {
   },
   'a morph target of another length': {
     file: variant(extensionVariants, 'morph weights of the mesh', (json) => {
-      firstPrimitive(json).targets[0].POSITION = zeros(json, 7)
+      firstPrimitive(json).targets[0].POSITION = addZeros(json, 7)
     }),
     reason: /24 positions, but 7 of its morph target's POSITION/,
   },
@@ -115,7 +117,7 @@ export const broken = {
     reason: /replaces its element/,
   },
   'millions of implicit zeros': {
-    file: cubeFile((json) => (firstPrimitive(json).attributes.POSITION = zeros(json, 5e6))),
+    file: cubeFile((json) => (firstPrimitive(json).attributes.POSITION = addZeros(json, 5e6))),
     reason: /5,000,000 elements without any bytes/,
   },
   'broken meshopt data': {
@@ -177,7 +179,7 @@ export const broken = {
     reason: /expected 2 numbers per vertex, got 3/,
   },
   'a truncated binary STL': {
-    file: stl.slice(0, -10),
+    file: binaryStl.slice(0, -10),
     reason: /ends in the middle of its data \(expected 684 bytes, got 674\)/,
   },
   'a binary STL without triangles': {
@@ -185,15 +187,15 @@ export const broken = {
     reason: /the .stl has no triangles/,
   },
   'a truncated text STL': {
-    file: text.slice(0, 500),
+    file: textStl.slice(0, 500),
     reason: /line \d+ of the .stl|ends in the middle of a facet/,
   },
   'a text STL with an unknown keyword': {
-    file: encode(textOf(text).replace('outer loop', 'outer hoop')),
+    file: encode(decode(textStl).replace('outer loop', 'outer hoop')),
     reason: /line 3 of the .stl has "hoop" where "loop" belongs/,
   },
   'a text STL with an invalid number': {
-    file: encode(textOf(text).replace('vertex -1', 'vertex -1,5')),
+    file: encode(decode(textStl).replace('vertex -1', 'vertex -1,5')),
     reason: /line \d+ of the .stl has ".*" where a number belongs/,
   },
   'an OBJ whose only face has an invalid position': {

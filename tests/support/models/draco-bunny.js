@@ -1,4 +1,4 @@
-// The Stanford bunny of the package draco3dgltf as the only primitive of a glTF.
+// The Stanford bunny from the package draco3dgltf, as the only primitive of a GLB file.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { GltfWriter } from './writer.js'

@@ -1,15 +1,16 @@
-// glTF files that use extensions or weights of morph targets, each with the triangles that it must have.
+// glTF files that use extensions or morph targets, each with the triangles that it must have.
 import { as, plain, sparse } from './gltf-variants.js'
 import { reverseTriangles, trianglesOf } from './shapes.js'
 
-const lift = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
+const morphOffsets = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
 
-const morph = (weights, target) => (shape) => {
-  const offsets = lift(shape)
+/** Makes a file with a morph target, which `addTarget` adds; `weights` are those of the mesh and of the node. */
+const makeMorphed = (weights, addTarget) => (shape) => {
+  const offsets = morphOffsets(shape)
   const writer = plain(shape, {
     mesh: { weights: weights.mesh },
     node: () => (weights.node ? { weights: weights.node } : {}),
-    more: (writer) => ({ targets: [{ POSITION: target(writer, offsets) }] }),
+    more: (writer) => ({ targets: [{ POSITION: addTarget(writer, offsets) }] }),
   })
   const [weight] = weights.node ?? weights.mesh
   const triangles = trianglesOf(shape, (corner, i) =>
@@ -18,16 +19,16 @@ const morph = (weights, target) => (shape) => {
   return { ...writer.glb(), triangles }
 }
 
-const dense = (writer, offsets) => writer.accessor(offsets, 'VEC3')
+const addDense = (writer, offsets) => writer.accessor(offsets, 'VEC3')
 const addSparse = (writer, offsets) => {
-  const place = sparse(writer, offsets, 'VEC3', 3, true)
-  const { bufferView: _, ...accessor } = writer.json.accessors[place]
-  // The first element stays zero.
+  const index = sparse(writer, offsets, 'VEC3', 3, true)
+  const { bufferView: _, ...accessor } = writer.json.accessors[index]
+  // Without a view, the first element is zero.
   offsets.fill(0, 0, 3)
   return writer.json.accessors.push({ ...accessor, min: [0, 0, 0], max: [0, 1.5, 0] }) - 1
 }
 
-const [a, b, c] = [
+const translations = [
   [3, 0, 0],
   [0, 5, 0],
   [0, 0, 7],
@@ -37,41 +38,42 @@ const scales = [
   [2, 1, 0.5],
   [-1, 1, 1],
 ]
-// No rotation, a quarter turn around z, and a half turn around x.
-const turns = [
+/** Quaternions: no rotation, a quarter turn around z, and a half turn around x. */
+const quaternions = [
   [0, 0, 0, 1],
   [0, 0, Math.SQRT1_2, Math.SQRT1_2],
   [1, 0, 0, 0],
 ]
-const turn = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
+/** These rotations as functions. */
+const rotations = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
 
-/** Makes instances. `rotation` makes the array of quaternions. */
+/** Makes a file with instances that have these attributes. `toArray` makes the typed array of quaternions. */
 const makeInstances =
-  (parts, rotation = (numbers) => Float32Array.from(numbers), more) =>
+  (names, toArray = (numbers) => Float32Array.from(numbers), more) =>
   (shape) => {
     const writer = plain(shape, {
       node: (writer) => {
         writer.extension('EXT_mesh_gpu_instancing')
         const attributes = {
-          TRANSLATION: () => writer.accessor(Float32Array.from([a, b, c].flat()), 'VEC3'),
-          ROTATION: () => writer.accessor(rotation(turns.flat()), 'VEC4', more),
+          TRANSLATION: () => writer.accessor(Float32Array.from(translations.flat()), 'VEC3'),
+          ROTATION: () => writer.accessor(toArray(quaternions.flat()), 'VEC4', more),
           SCALE: () => writer.accessor(Float32Array.from(scales.flat()), 'VEC3'),
         }
-        const used = Object.fromEntries(parts.map((name) => [name, attributes[name]()]))
+        const used = Object.fromEntries(names.map((name) => [name, attributes[name]()]))
         return {
           translation: [0, 0, 100],
           extensions: { EXT_mesh_gpu_instancing: { attributes: used } },
         }
       },
     })
-    const triangles = [a, b, c].flatMap((place, i) => {
-      const [isSized, isTurned] = ['SCALE', 'ROTATION'].map((name) => parts.includes(name))
+    const triangles = translations.flatMap((translation, i) => {
+      const [isScaled, isRotated] = ['SCALE', 'ROTATION'].map((name) => names.includes(name))
       const moved = trianglesOf(shape, (corner) => {
-        const scaled = isSized ? corner.map((x, k) => x * scales[i][k]) : corner
-        const turned = isTurned ? turn[i](scaled) : scaled
-        return turned.map((x, k) => x + place[k] + (k === 2 ? 100 : 0))
+        const scaled = isScaled ? corner.map((x, k) => x * scales[i][k]) : corner
+        const rotated = isRotated ? rotations[i](scaled) : scaled
+        return rotated.map((x, k) => x + translation[k] + (k === 2 ? 100 : 0))
       })
-      return isSized && scales[i][0] < 0 ? reverseTriangles(moved) : moved
+      return isScaled && scales[i][0] < 0 ? reverseTriangles(moved) : moved
     })
     return { ...writer.glb(), triangles, tolerance: more ? 0.02 : 1e-5 }
   }
@@ -91,7 +93,7 @@ const requireExtension = (extension) =>
     plain(shape, {}, addTexture(extension, { extensions: { [extension]: { source: 0 } } })),
   )
 
-const glossy = as((shape) =>
+const withGlossiness = as((shape) =>
   plain(shape, {}, (writer) => {
     const name = 'KHR_materials_pbrSpecularGlossiness'
     writer.extension(name)
@@ -100,7 +102,10 @@ const glossy = as((shape) =>
   }),
 )
 
-/** Stores positions as integers: `unit` is the largest one and represents `range`; `shift` makes them unsigned. */
+/**
+ * Stores positions as integers: `unit` represents the largest coordinate. A `shift` of 1 adds the largest coordinate to all first, so that
+ * the integers can be unsigned.
+ */
 function quantize(Type, { unit, normalized = false, shift = 0 }) {
   return (shape) => {
     const range = Math.max(...shape.positions.map(Math.abs))
@@ -114,10 +119,10 @@ function quantize(Type, { unit, normalized = false, shift = 0 }) {
         const padded = new Type((numbers.length / 3) * 4)
         numbers.forEach((x, i) => (padded[Math.floor(i / 3) * 4 + (i % 3)] = x))
         const byteStride = 4 * Type.BYTES_PER_ELEMENT
-        const place = writer.accessor(numbers, 'VEC3', { normalized })
-        const ofAxis = (k) => [...numbers].filter((_, i) => i % 3 === k)
-        const byAxis = (pick) => [0, 1, 2].map((k) => pick(...ofAxis(k)))
-        Object.assign(writer.json.accessors[place], {
+        const POSITION = writer.accessor(numbers, 'VEC3', { normalized })
+        const alongAxis = (k) => [...numbers].filter((_, i) => i % 3 === k)
+        const byAxis = (pick) => [0, 1, 2].map((k) => pick(...alongAxis(k)))
+        Object.assign(writer.json.accessors[POSITION], {
           bufferView: writer.view(padded, { byteStride }),
           min: byAxis(Math.min),
           max: byAxis(Math.max),
@@ -133,7 +138,7 @@ function quantize(Type, { unit, normalized = false, shift = 0 }) {
           count: normals.length / 4,
           type: 'VEC3',
         })
-        return { POSITION: place, NORMAL }
+        return { POSITION, NORMAL }
       },
       node: () => ({
         scale: [step, step, step],
@@ -145,10 +150,10 @@ function quantize(Type, { unit, normalized = false, shift = 0 }) {
 }
 
 export const extensionVariants = {
-  'morph weights of the mesh': morph({ mesh: [0.5] }, dense),
-  'morph weights of the node': morph({ mesh: [0.5], node: [-2] }, dense),
-  'a morph target of positions that are zeros': morph({ mesh: [1.25] }, addSparse),
-  'morph weights of 0': morph({ mesh: [0] }, dense),
+  'morph weights of the mesh': makeMorphed({ mesh: [0.5] }, addDense),
+  'morph weights of the node': makeMorphed({ mesh: [0.5], node: [-2] }, addDense),
+  'a morph target of positions that are zeros': makeMorphed({ mesh: [1.25] }, addSparse),
+  'morph weights of 0': makeMorphed({ mesh: [0] }, addDense),
   'instances with translations': makeInstances(['TRANSLATION']),
   'instances with translations, rotations and scales': makeInstances([
     'TRANSLATION',
@@ -179,7 +184,7 @@ export const extensionVariants = {
       writer.json.nodes[0].extensions = { KHR_node_visibility: { visible: true } }
     }),
   ),
-  'colours from specular-glossiness': glossy,
+  'colours from specular-glossiness': withGlossiness,
   'required WebP textures': requireExtension('EXT_texture_webp'),
   'required Basis textures': requireExtension('KHR_texture_basisu'),
   'required AVIF textures': requireExtension('EXT_texture_avif'),

@@ -1,25 +1,31 @@
-// glTF files in many forms, each with the triangles that its shape must have: { file, files?, triangles, tolerance? }.
+// glTF files in many forms. Each is a function that maps a shape to { file, files?, triangles, tolerance? }, with the triangles that the
+// file
+// must have.
 import { reverseTriangles, trianglesOf } from './shapes.js'
 import { GltfWriter, extent } from './writer.js'
 
-/** Makes the accessors of a shape's attributes; `own` replaces some of them. */
-const attributesOf = (writer, shape, own = {}) => ({
+/** Adds the accessors of a shape's attributes; `own` replaces some of them. */
+const addAttributes = (writer, shape, own = {}) => ({
   POSITION: own.POSITION ?? writer.accessor(shape.positions, 'VEC3'),
   NORMAL: own.NORMAL ?? writer.accessor(shape.normals, 'VEC3'),
   TEXCOORD_0: own.TEXCOORD_0 ?? writer.accessor(shape.uvs, 'VEC2'),
 })
 
-/** Makes a file of one node with one mesh; `change` modifies it before it is written. */
+/**
+ * Makes a file of one node with one mesh. `node`, `mesh` and `more` have further properties of the node, the mesh and the primitive; `own`
+ * makes other accessors for attributes; `change` modifies the document before it is written.
+ */
 function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, change = () => {}) {
   const writer = new GltfWriter()
   const corners = indices && { indices: writer.accessor(indices.from(shape.indices), 'SCALAR') }
-  const attributes = attributesOf(writer, shape, own?.(writer))
+  const attributes = addAttributes(writer, shape, own?.(writer))
   writer.mesh(attributes, { ...corners, ...more?.(writer) }, mesh)
   writer.node({ mesh: 0, ...node?.(writer) })
   change(writer)
   return writer
 }
 
+/** Returns a function of a shape that writes the file in a form of the writer; `move` moves the expected corners. */
 const as =
   (make, form = 'glb', move) =>
   (shape) => ({ ...make(shape)[form](), triangles: trianglesOf(shape, move) })
@@ -37,8 +43,8 @@ const removeIndices = (shape) => {
   }
 }
 
-/** Makes one strip, whose pieces are joined by degenerate triangles; each piece starts at an even index. */
-function stripOf(indices) {
+/** Makes a strip of separate triangles, which degenerate ones join; each triangle starts at an even index. */
+function makeStrip(indices) {
   const strip = []
   for (let i = 0; i < indices.length; i += 3) {
     if (i) strip.push(strip.at(-1), indices[i])
@@ -48,9 +54,10 @@ function stripOf(indices) {
   return Uint16Array.from(strip)
 }
 
-function fans(shape) {
+/** Makes a primitive for each triangle, which is a fan. */
+function makeFans(shape) {
   const writer = new GltfWriter()
-  const attributes = attributesOf(writer, shape)
+  const attributes = addAttributes(writer, shape)
   const primitives = []
   for (let i = 0; i < shape.indices.length; i += 3) {
     const corners = Uint16Array.from(shape.indices.slice(i, i + 3))
@@ -63,66 +70,66 @@ function fans(shape) {
 
 function interleave(shape, byteStride) {
   const count = shape.positions.length / 3
-  const bytes = new Float32Array((count * byteStride) / 4)
+  const floats = new Float32Array((count * byteStride) / 4)
   for (let i = 0; i < count; i++) {
-    const at = (i * byteStride) / 4
-    bytes.set(shape.positions.slice(3 * i, 3 * i + 3), at)
-    bytes.set(shape.normals.slice(3 * i, 3 * i + 3), at + 3)
-    bytes.set(shape.uvs.slice(2 * i, 2 * i + 2), at + 6)
+    const start = (i * byteStride) / 4
+    floats.set(shape.positions.slice(3 * i, 3 * i + 3), start)
+    floats.set(shape.normals.slice(3 * i, 3 * i + 3), start + 3)
+    floats.set(shape.uvs.slice(2 * i, 2 * i + 2), start + 6)
   }
   const own = (writer) => {
-    const bufferView = writer.view(bytes, { byteStride, target: 34962 })
-    const part = (byteOffset, type, more) =>
+    const bufferView = writer.view(floats, { byteStride, target: 34962 })
+    const addAccessor = (byteOffset, type, more) =>
       writer.add('accessors', { bufferView, byteOffset, componentType: 5126, count, type, ...more })
     return {
-      POSITION: part(0, 'VEC3', extent(shape.positions)),
-      NORMAL: part(12, 'VEC3'),
-      TEXCOORD_0: part(24, 'VEC2'),
+      POSITION: addAccessor(0, 'VEC3', extent(shape.positions)),
+      NORMAL: addAccessor(12, 'VEC3'),
+      TEXCOORD_0: addAccessor(24, 'VEC2'),
     }
   }
   return plain(shape, { own })
 }
 
-/** Makes an accessor whose elements from index 1 on are sparse; with `base`, the others have a view. */
-export function sparse(writer, numbers, type, width, base, more) {
+/** Adds an accessor whose elements from index 1 on are sparse. Without `hasBase`, it has no view, so that the first element is zero. */
+export function sparse(writer, numbers, type, width, hasBase, more) {
   const count = numbers.length / width
-  const places = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)
+  const indices = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)
   const componentType = type === 'SCALAR' ? 5123 : 5126
-  const first = numbers.slice()
-  if (base) first.fill(7, width)
+  const base = numbers.slice()
+  base.fill(7, width)
   return writer.add('accessors', {
-    ...(base && { bufferView: writer.view(first) }),
+    ...(hasBase && { bufferView: writer.view(base) }),
     componentType,
     count,
     type,
     sparse: {
       count: count - 1,
-      indices: { bufferView: writer.view(places), componentType: 5123 },
+      indices: { bufferView: writer.view(indices), componentType: 5123 },
       values: { bufferView: writer.view(numbers.slice(width)) },
     },
     ...more,
   })
 }
 
-/** Moves the shape so that the first element is zero. */
-const fromOrigin = (shape) => {
+/** Moves the shape so that its first position is zero. */
+const startAtOrigin = (shape) => {
   const [x, y, z] = shape.positions
   return { ...shape, positions: shape.positions.map((n, i) => n - [x, y, z][i % 3]) }
 }
 
-const sparsePositions = (isZero) => (given) => {
-  const shape = isZero ? fromOrigin(given) : given
+const sparsePositions = (startsAtZero) => (original) => {
+  const shape = startsAtZero ? startAtOrigin(original) : original
   const own = (writer) => ({
-    POSITION: sparse(writer, shape.positions, 'VEC3', 3, !isZero, extent(shape.positions)),
+    POSITION: sparse(writer, shape.positions, 'VEC3', 3, !startsAtZero, extent(shape.positions)),
   })
   return { ...plain(shape, { own }).glb(), triangles: trianglesOf(shape) }
 }
 
-/** Reorders the triangles to begin with vertex 0. */
-function fromVertex0(indices) {
-  const at = indices.indexOf(0)
-  const start = at - (at % 3)
-  const first = [0, 1, 2].map((k) => indices[start + ((at + k) % 3)])
+/** Reorders the triangles and their corners so that vertex 0 is first. */
+function startAtVertex0(indices) {
+  const place = indices.indexOf(0)
+  const start = place - (place % 3)
+  const first = [0, 1, 2].map((k) => indices[start + ((place + k) % 3)])
   return Uint16Array.from([...first, ...indices.slice(0, start), ...indices.slice(start + 3)])
 }
 
@@ -130,22 +137,22 @@ const sparseIndices = as((shape) =>
   plain(shape, {
     indices: null,
     more: (writer) => ({
-      indices: sparse(writer, fromVertex0(shape.indices), 'SCALAR', 1, false),
+      indices: sparse(writer, startAtVertex0(shape.indices), 'SCALAR', 1, false),
     }),
   }),
 )
 
 const matrix = [0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1.5, 0, 3, 4, 5, 1]
-const byMatrix = ([x, y, z]) => [-y + 3, 2 * x + 4, 1.5 * z + 5]
+const applyMatrix = ([x, y, z]) => [-y + 3, 2 * x + 4, 1.5 * z + 5]
 
 /** Weights each vertex by two bones, 1/4 and 3/4. */
-function skin(shape) {
+function makeSkinned(shape) {
   const count = shape.positions.length / 3
-  const each = (Type, four) => Type.from({ length: 4 * count }, (_, i) => four[i % 4])
+  const repeat = (Type, four) => Type.from({ length: 4 * count }, (_, i) => four[i % 4])
   return plain(shape, {}, (writer) => {
     Object.assign(writer.json.meshes[0].primitives[0].attributes, {
-      JOINTS_0: writer.accessor(each(Uint8Array, [0, 1, 0, 0]), 'VEC4'),
-      WEIGHTS_0: writer.accessor(each(Float32Array, [0.25, 0.75, 0, 0]), 'VEC4'),
+      JOINTS_0: writer.accessor(repeat(Uint8Array, [0, 1, 0, 0]), 'VEC4'),
+      WEIGHTS_0: writer.accessor(repeat(Float32Array, [0.25, 0.75, 0, 0]), 'VEC4'),
     })
     const bones = [{ translation: [4, 0, 0] }, { translation: [0, 8, 0] }].map((bone) =>
       writer.add('nodes', bone),
@@ -163,9 +170,9 @@ export const plainVariants = {
   '32-bit indices': as((shape) => plain(shape, { indices: Uint32Array })),
   'no indices': as((shape) => plain(removeIndices(shape), { indices: null })),
   'a strip': as((shape) =>
-    plain({ ...shape, indices: stripOf(shape.indices) }, { more: () => ({ mode: 5 }) }),
+    plain({ ...shape, indices: makeStrip(shape.indices) }, { more: () => ({ mode: 5 }) }),
   ),
-  fans: as(fans),
+  fans: as(makeFans),
   'interleaved attributes': as((shape) => interleave(shape, 32)),
   'a stride with gaps': as((shape) => interleave(shape, 44)),
   'sparse positions': sparsePositions(false),
@@ -175,7 +182,7 @@ export const plainVariants = {
     ...plain(shape, { node: () => ({ scale: [-2, 1, 1] }) }).glb(),
     triangles: reverseTriangles(trianglesOf(shape, ([x, y, z]) => [-2 * x, y, z])),
   }),
-  'a matrix': as((shape) => plain(shape, { node: () => ({ matrix }) }), 'glb', byMatrix),
+  'a matrix': as((shape) => plain(shape, { node: () => ({ matrix }) }), 'glb', applyMatrix),
   'nested nodes': as(
     (shape) =>
       plain(shape, {}, (writer) => {
@@ -185,7 +192,7 @@ export const plainVariants = {
     'glb',
     ([x, y, z]) => [x, 3 * y, z + 1],
   ),
-  'two bones': as(skin, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
+  'two bones': as(makeSkinned, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
   '8-bit vertex colours': as((shape) =>
     plain(shape, {}, (writer) => {
       const colors = new Uint8Array((shape.positions.length / 3) * 4).fill(128)

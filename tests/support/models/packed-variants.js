@@ -1,4 +1,4 @@
-// glTF files compressed by meshopt and Draco, each with the triangles that it must have. The encoders are those of the packages.
+// glTF files compressed by the encoders of the packages meshoptimizer and draco3dgltf, each with the triangles that it must have.
 import draco from 'draco3dgltf'
 import { MeshoptEncoder } from 'meshoptimizer'
 import { plain } from './gltf-variants.js'
@@ -8,9 +8,12 @@ import { GltfWriter, bytesOf, componentTypes, extent, widths } from './writer.js
 await MeshoptEncoder.ready
 const encoderModule = await draco.createEncoderModule({})
 
-/** Compresses the views of a writer in its buffer; the uncompressed data is in a second buffer, which may be missing. */
+/**
+ * Compresses the views of a writer into its buffer. The document refers to the uncompressed data in a second buffer, which exists if
+ * `fallback` is its URI.
+ */
 class Packer {
-  #plain = []
+  #uncompressed = []
 
   constructor(writer, extension, fallback) {
     Object.assign(this, { writer, extension, fallback })
@@ -19,7 +22,7 @@ class Packer {
     writer.add('buffers', { byteLength: 0, ...(fallback && { uri: fallback }), ...marks })
   }
 
-  /** `bytes` are the encoded numbers, and `raw` the numbers that `filter` decodes them to. */
+  /** Adds a compressed view of `bytes`. With a `filter`, `bytes` are filtered, and `raw` is the same data without the filter. */
   view(bytes, count, byteStride, mode, { filter, raw = bytes } = {}) {
     const version = this.extension === 'KHR_meshopt_compression' ? 1 : 0
     const encoded = MeshoptEncoder.encodeGltfBuffer(bytes, count, byteStride, mode, version)
@@ -27,7 +30,7 @@ class Packer {
     const byteOffset = buffer.byteLength
     const byteLength = count * byteStride
     buffer.byteLength += Math.ceil(byteLength / 4) * 4
-    this.#plain.push([byteOffset, raw])
+    this.#uncompressed.push([byteOffset, raw])
     return this.writer.add('bufferViews', {
       buffer: 1,
       byteOffset,
@@ -63,50 +66,53 @@ class Packer {
     )
   }
 
+  /** Adds an accessor for a view. */
   over(bufferView, Type, count, type, more) {
     const componentType = componentTypes.get(Type)
     return this.writer.add('accessors', { bufferView, componentType, count, type, ...more })
   }
 
-  get plainBytes() {
+  get uncompressedBytes() {
     const bytes = new Uint8Array(this.writer.json.buffers[0].byteLength)
-    for (const [at, part] of this.#plain) bytes.set(part, at)
+    for (const [byteOffset, data] of this.#uncompressed) bytes.set(data, byteOffset)
     return bytes
   }
 }
 
-/** Pads vectors of three to four numbers, as the filters need. */
-const fourWide = (numbers) =>
+/** Pads vectors of three numbers to four, as the filters need. */
+const padToFour = (numbers) =>
   Float32Array.from({ length: (numbers.length / 3) * 4 }, (_, i) =>
     i % 4 < 3 ? numbers[Math.floor(i / 4) * 3 + (i % 4)] : 0,
   )
 
+/** Returns a function that adds normals with the filter OCTAHEDRAL. */
 const octahedral =
   (Type, byteStride, bits) =>
   (packer, { normals }) => {
     const count = normals.length / 3
-    const bytes = MeshoptEncoder.encodeFilterOct(fourWide(normals), count, byteStride, bits)
+    const bytes = MeshoptEncoder.encodeFilterOct(padToFour(normals), count, byteStride, bits)
     const view = packer.view(bytes, count, byteStride, 'ATTRIBUTES', { filter: 'OCTAHEDRAL' })
     return packer.over(view, Type, count, 'VEC3', { normalized: true })
   }
 
-const exponential = (packer, { positions }) => {
+/** Adds positions with the filter EXPONENTIAL. */
+const addExponential = (packer, { positions }) => {
   const count = positions.length / 3
   const bytes = MeshoptEncoder.encodeFilterExp(positions, count, 12, 15)
   const view = packer.view(bytes, count, 12, 'ATTRIBUTES', { filter: 'EXPONENTIAL' })
   return packer.over(view, Float32Array, count, 'VEC3', extent(positions))
 }
 
-const floats = (packer, { positions }) =>
+const addFloats = (packer, { positions }) =>
   packer.accessor(positions, 'VEC3', 'ATTRIBUTES', extent(positions))
 
-/** `change` modifies the document before it is written. */
-function packed(
+/** Makes a meshopt file. `change` modifies the document before it is written, and may return the expected triangles. */
+function makePacked(
   {
     extension = 'EXT_meshopt_compression',
     Index = Uint16Array,
     mode = 'TRIANGLES',
-    positions = floats,
+    positions = addFloats,
     normals,
     fallback,
     tolerance,
@@ -134,15 +140,15 @@ function packed(
       file,
       triangles,
       tolerance,
-      ...(fallback && { files: { [fallback]: packer.plainBytes } }),
+      ...(fallback && { files: { [fallback]: packer.uncompressedBytes } }),
     }
   }
 }
 
-/** Makes instances whose rotations are quaternions of a filter. */
+/** Adds instances whose rotations use the filter QUATERNION. Returns the expected triangles. */
 const addRotations = (packer, shape) => {
-  const turns = Float32Array.from([0, 0, 0, 1, 0, 0, Math.SQRT1_2, Math.SQRT1_2])
-  const bytes = MeshoptEncoder.encodeFilterQuat(turns, 2, 8, 16)
+  const quaternions = Float32Array.from([0, 0, 0, 1, 0, 0, Math.SQRT1_2, Math.SQRT1_2])
+  const bytes = MeshoptEncoder.encodeFilterQuat(quaternions, 2, 8, 16)
   const view = packer.view(bytes, 2, 8, 'ATTRIBUTES', { filter: 'QUATERNION' })
   const ROTATION = packer.over(view, Int16Array, 2, 'VEC4', { normalized: true })
   packer.writer.extension('EXT_mesh_gpu_instancing')
@@ -167,12 +173,12 @@ function encodeDraco({ positions, normals, uvs, indices }, { method, bits }) {
   const builder = new encoderModule.MeshBuilder()
   const mesh = new encoderModule.Mesh()
   builder.AddFacesToMesh(mesh, indices.length / 3, indices)
-  const add = (type, width, numbers) =>
+  const addAttribute = (type, width, numbers) =>
     builder.AddFloatAttributeToMesh(mesh, encoderModule[type], count, width, numbers)
   const attributes = {
-    POSITION: add('POSITION', 3, positions),
-    NORMAL: add('NORMAL', 3, normals),
-    TEXCOORD_0: add('TEX_COORD', 2, uvs),
+    POSITION: addAttribute('POSITION', 3, positions),
+    NORMAL: addAttribute('NORMAL', 3, normals),
+    TEXCOORD_0: addAttribute('TEX_COORD', 2, uvs),
   }
   encoder.SetEncodingMethod(encoderModule[method])
   if (bits) encoder.SetAttributeQuantization(encoderModule.POSITION, bits)
@@ -183,9 +189,10 @@ function encodeDraco({ positions, normals, uvs, indices }, { method, bits }) {
   return { bytes, attributes }
 }
 
-function dracoFile({ isOptional, tolerance = 1e-5, ...how }) {
+/** Makes a Draco file. If `isOptional`, its accessors have uncompressed views, too. */
+function makeDraco({ isOptional, tolerance = 1e-5, ...encoding }) {
   return (shape) => {
-    const { bytes, attributes } = encodeDraco(shape, how)
+    const { bytes, attributes } = encodeDraco(shape, encoding)
     const { file } = plain(shape, {}, (writer) => {
       writer.extension('KHR_draco_mesh_compression', isOptional)
       const extension = { bufferView: writer.view(bytes), attributes }
@@ -197,24 +204,24 @@ function dracoFile({ isOptional, tolerance = 1e-5, ...how }) {
 }
 
 export const packedVariants = {
-  'meshopt, vertices and triangles': packed({}),
-  'meshopt, 32-bit indices': packed({ Index: Uint32Array }),
-  'meshopt, a sequence of indices': packed({ mode: 'INDICES' }),
-  'meshopt, 8-bit normals': packed({ normals: octahedral(Int8Array, 4, 8) }),
-  'meshopt, 16-bit normals': packed({ normals: octahedral(Int16Array, 8, 12) }),
-  'meshopt, exponential positions': packed({ positions: exponential, tolerance: 1e-3 }),
-  'meshopt, quaternions': packed({ tolerance: 1e-3 }, addRotations),
-  'meshopt with a fallback': packed({ fallback: 'plain.bin' }),
-  'KHR meshopt': packed({ extension: 'KHR_meshopt_compression' }),
-  'KHR meshopt, colours': packed({ extension: 'KHR_meshopt_compression' }, addColors),
-  'Draco, edgebreaker encoding': dracoFile({ method: 'MESH_EDGEBREAKER_ENCODING' }),
-  'Draco, sequential encoding': dracoFile({ method: 'MESH_SEQUENTIAL_ENCODING' }),
-  'Draco with 12 bits': dracoFile({
+  'meshopt, vertices and triangles': makePacked({}),
+  'meshopt, 32-bit indices': makePacked({ Index: Uint32Array }),
+  'meshopt, a sequence of indices': makePacked({ mode: 'INDICES' }),
+  'meshopt, 8-bit normals': makePacked({ normals: octahedral(Int8Array, 4, 8) }),
+  'meshopt, 16-bit normals': makePacked({ normals: octahedral(Int16Array, 8, 12) }),
+  'meshopt, exponential positions': makePacked({ positions: addExponential, tolerance: 1e-3 }),
+  'meshopt, quaternions': makePacked({ tolerance: 1e-3 }, addRotations),
+  'meshopt with a fallback': makePacked({ fallback: 'plain.bin' }),
+  'KHR meshopt': makePacked({ extension: 'KHR_meshopt_compression' }),
+  'KHR meshopt, colours': makePacked({ extension: 'KHR_meshopt_compression' }, addColors),
+  'Draco, edgebreaker encoding': makeDraco({ method: 'MESH_EDGEBREAKER_ENCODING' }),
+  'Draco, sequential encoding': makeDraco({ method: 'MESH_SEQUENTIAL_ENCODING' }),
+  'Draco with 12 bits': makeDraco({
     method: 'MESH_EDGEBREAKER_ENCODING',
     bits: 12,
     tolerance: 2e-3,
   }),
-  'Draco with uncompressed bytes as a fallback': dracoFile({
+  'Draco with uncompressed bytes as a fallback': makeDraco({
     method: 'MESH_SEQUENTIAL_ENCODING',
     isOptional: true,
   }),

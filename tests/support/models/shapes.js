@@ -1,7 +1,7 @@
-// Small shapes with shared vertices, and the triangles that they are known to have.
+// Small shapes, and comparisons of their triangles.
 import { grid, sphere } from '../meshes.js'
 
-function cube() {
+function makeCube() {
   const [positions, normals, uvs, indices] = [[], [], [], []]
   for (let axis = 0; axis < 3; axis++)
     for (const side of [-1, 1]) {
@@ -25,8 +25,8 @@ function cube() {
   return { positions, normals, uvs, indices }
 }
 
-/** The smallest closed shape, with a vertex for each corner. */
-function tetrahedron() {
+/** Makes the smallest closed shape. Its vertices are not shared. */
+function makeTetrahedron() {
   const points = [
     [1, 1, 1],
     [-1, -1, 1],
@@ -42,7 +42,7 @@ function tetrahedron() {
   const corners = faces.flat()
   const normals = faces.flatMap((face) => {
     const sum = [0, 1, 2].map((k) => face.reduce((total, i) => total + points[i][k], 0))
-    return [sum, sum, sum].flat().map((part) => part / Math.sqrt(3))
+    return [sum, sum, sum].flat().map((x) => x / Math.sqrt(3))
   })
   return {
     positions: corners.flatMap((i) => points[i]),
@@ -65,8 +65,8 @@ const toTypedArrays = ({ positions, normals, uvs, indices }) => ({
 })
 
 export const shapes = {
-  cube: toTypedArrays(cube()),
-  tetrahedron: toTypedArrays(tetrahedron()),
+  cube: toTypedArrays(makeCube()),
+  tetrahedron: toTypedArrays(makeTetrahedron()),
   sphere: toTypedArrays(sphere(8, 6)),
   grid: toTypedArrays(withUvs(grid(4, 3))),
 }
@@ -81,7 +81,7 @@ export function trianglesOf({ positions, indices }, move = (corner) => corner) {
 /** Reverses triangles, as mirroring does. */
 export const reverseTriangles = (triangles) => triangles.map(([a, b, c]) => [a, c, b])
 
-/** Tests for a triangle without area, such as those at the pole of a sphere. */
+/** Tests whether a triangle has no area, like some at the poles of a sphere. */
 function isFlat([a, b, c]) {
   const [u, v] = [b, c].map((point) => point.map((x, k) => x - a[k]))
   const normal = [0, 1, 2].map((k) => {
@@ -92,30 +92,34 @@ function isFlat([a, b, c]) {
 }
 
 const distance = (a, b) => Math.max(...a.flatMap((p, i) => p.map((x, k) => Math.abs(x - b[i][k]))))
-const rotateCorners = ([a, b, c], by) =>
+const rotateCorners = ([a, b, c], shift) =>
   [
     [a, b, c],
     [b, c, a],
     [c, a, b],
-  ][by]
+  ][shift]
 
-/** Returns the maximum distance of a corner from its expected position, or a message. Triangles may be in any order. */
+/**
+ * Returns the max distance of a corner from its expected position, or a message if the numbers of triangles differ. The triangles may be in
+ * any order and start at any corner; those without area do not count.
+ */
 export function compareTriangles(actual, expected) {
-  const [found, open] = [actual, expected].map((triangles) =>
-    triangles.filter((triangle) => !isFlat(triangle)),
+  const [triangles, unmatched] = [actual, expected].map((list) =>
+    list.filter((triangle) => !isFlat(triangle)),
   )
-  if (found.length !== open.length) return `${found.length} triangles, not ${open.length}`
+  if (triangles.length !== unmatched.length)
+    return `expected ${unmatched.length} triangles, got ${triangles.length}`
   let worst = 0
-  for (const triangle of found) {
-    let best = { far: Infinity, place: -1 }
-    open.forEach((other, place) => {
-      for (const by of [0, 1, 2]) {
-        const far = distance(triangle, rotateCorners(other, by))
-        if (far < best.far) best = { far, place }
+  for (const triangle of triangles) {
+    let best = { error: Infinity, place: -1 }
+    unmatched.forEach((other, place) => {
+      for (const shift of [0, 1, 2]) {
+        const error = distance(triangle, rotateCorners(other, shift))
+        if (error < best.error) best = { error, place }
       }
     })
-    open.splice(best.place, 1)
-    worst = Math.max(worst, best.far)
+    unmatched.splice(best.place, 1)
+    worst = Math.max(worst, best.error)
   }
   return worst
 }

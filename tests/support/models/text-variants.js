@@ -2,12 +2,13 @@
 import { trianglesOf } from './shapes.js'
 
 const encode = (text) => new TextEncoder().encode(text)
-const points = (numbers, width, word) =>
+/** Returns lines of a word and `width` numbers. */
+const toLines = (numbers, width, word) =>
   Array.from({ length: numbers.length / width }, (_, i) =>
     [word, ...numbers.slice(width * i, width * (i + 1))].join(' '),
   )
 
-/** Writes the lines of an OBJ; `corner` writes a corner of a face. */
+/** Returns the lines of an OBJ; `corner(i)` returns the text of a corner of a face. */
 function objLines(
   { positions, normals, uvs, indices },
   corner = (i) => `${i + 1}/${i + 1}/${i + 1}`,
@@ -16,28 +17,31 @@ function objLines(
     ['f', ...[...indices.slice(3 * i, 3 * i + 3)].map((index) => corner(index))].join(' '),
   )
   return [
-    ...points(positions, 3, 'v'),
-    ...points(uvs, 2, 'vt'),
-    ...points(normals, 3, 'vn'),
+    ...toLines(positions, 3, 'v'),
+    ...toLines(uvs, 2, 'vt'),
+    ...toLines(normals, 3, 'vn'),
     ...faces,
   ]
 }
 
-const obj =
+/** Returns a function that makes an OBJ of a shape; `write` encodes its lines, and `files` are further files. */
+const makeObj =
   (write = (lines) => encode(lines.join('\n')), files) =>
   (shape) => ({ file: write(objLines(shape), shape), files, triangles: trianglesOf(shape) })
 
-function utf16(isBigEndian, hasMark) {
+function encodeUtf16(isBigEndian, hasMark) {
   return (lines) => {
     const bytes = Buffer.from((hasMark ? '\uFEFF' : '') + lines.join('\r\n'), 'utf16le')
     return new Uint8Array(isBigEndian ? bytes.swap16() : bytes)
   }
 }
 
-/** Adds an unused vertex, so that a lost line shifts every corner. */
+/**
+ * Encodes lines with a byte order mark. Adds an unused vertex, so that the file loads with wrong corners if the mark hides its first line.
+ */
 const encodeWithMark = (lines) => encode('\uFEFF' + [...lines, 'v 9 9 9'].join('\n'))
 
-const relative = (shape) => {
+const makeRelative = (shape) => {
   const count = shape.positions.length / 3
   const lines = objLines(shape, (i) =>
     Array(3)
@@ -47,7 +51,7 @@ const relative = (shape) => {
   return { file: encode(lines.join('\n')), triangles: trianglesOf(shape) }
 }
 
-const withLines = (...more) => obj((lines) => encode([...more, ...lines].join('\n')))
+const withLines = (...more) => makeObj((lines) => encode([...more, ...lines].join('\n')))
 
 const facets = (triangles, normal) =>
   triangles.flatMap((corners) => [
@@ -58,7 +62,7 @@ const facets = (triangles, normal) =>
     'endfacet',
   ])
 
-const textStl =
+const makeTextStl =
   (normal = '0 0 0', end = '\n') =>
   (shape) => {
     const triangles = trianglesOf(shape)
@@ -66,7 +70,7 @@ const textStl =
     return { file: encode(lines.join(end)), triangles }
   }
 
-const binaryStl =
+const makeBinaryStl =
   (header, normal = [0, 0, 0]) =>
   (shape) => {
     const triangles = trianglesOf(shape)
@@ -83,26 +87,26 @@ const binaryStl =
   }
 
 export const textVariants = {
-  'an OBJ': obj(),
-  'an OBJ with CR LF': obj((lines) => encode(lines.join('\r\n'))),
-  'an OBJ with CR': obj((lines) => encode(lines.join('\r'))),
-  'an OBJ with a byte order mark': obj(encodeWithMark),
-  'an OBJ in UTF-16, little endian': obj(utf16(false, true)),
-  'an OBJ in UTF-16, big endian': obj(utf16(true, true)),
-  'an OBJ in UTF-16 without a mark': obj(utf16(false, false)),
-  'an OBJ with relative indices': relative,
-  'an OBJ with invalid numbers': obj((lines) =>
+  'an OBJ': makeObj(),
+  'an OBJ with CR LF': makeObj((lines) => encode(lines.join('\r\n'))),
+  'an OBJ with CR': makeObj((lines) => encode(lines.join('\r'))),
+  'an OBJ with a byte order mark': makeObj(encodeWithMark),
+  'an OBJ in UTF-16, little endian': makeObj(encodeUtf16(false, true)),
+  'an OBJ in UTF-16, big endian': makeObj(encodeUtf16(true, true)),
+  'an OBJ in UTF-16 without a mark': makeObj(encodeUtf16(false, false)),
+  'an OBJ with relative indices': makeRelative,
+  'an OBJ with invalid numbers': makeObj((lines) =>
     encode([...lines, 'v nan 0 -nan(ind)', 'vn inf 0 1.#QNAN', 'vt nan nan'].join('\n')),
   ),
-  'an OBJ with materials': obj(
+  'an OBJ with materials': makeObj(
     (lines) => encode(['mtllib a.mtl', 'usemtl red', ...lines].join('\n')),
     { 'a.mtl': encode('newmtl red\nKd 1 0 0\n') },
   ),
   'an OBJ whose materials are missing': withLines('mtllib a.mtl', 'usemtl red'),
-  'a text STL': textStl(),
-  'a text STL with CR LF': textStl('0 1 0', '\r\n'),
-  'a text STL with invalid normals': textStl('nan nan nan'),
-  'a binary STL': binaryStl('by a test'),
-  'a binary STL that begins with "solid"': binaryStl('solid by a test', [0, 1, 0]),
-  'a binary STL with invalid normals': binaryStl('', [NaN, 0, 0]),
+  'a text STL': makeTextStl(),
+  'a text STL with CR LF': makeTextStl('0 1 0', '\r\n'),
+  'a text STL with invalid normals': makeTextStl('nan nan nan'),
+  'a binary STL': makeBinaryStl('by a test'),
+  'a binary STL that begins with "solid"': makeBinaryStl('solid by a test', [0, 1, 0]),
+  'a binary STL with invalid normals': makeBinaryStl('', [NaN, 0, 0]),
 }

@@ -5,17 +5,18 @@ import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js'
 import { OBJLoader } from 'three/examples/jsm/loaders/OBJLoader.js'
 import { STLLoader } from 'three/examples/jsm/loaders/STLLoader.js'
 
-// The loader detects Safari.
+// The loader reads `navigator.userAgent` to detect Safari.
 globalThis.navigator ??= { userAgent: '' }
 globalThis.self ??= globalThis
 globalThis.ProgressEvent ??= class {}
 
-/** Maps files that three.js does not load, or loads differently → reason: pictures need a page, Draco needs workers. */
-const unread =
+/** Matches names of files that three.js does not load, or loads differently. Textures would need a page, Draco would need workers. */
+const unsupported =
   /texture|Draco|external|fallback|UTF-16|mark|"solid"|none|specular|CR$|KHR meshopt|hidden/
 
+/** Returns the triangles of a file; `undefined` if three.js does not load it in the same way. */
 export async function readByThree(name, file) {
-  if (unread.test(name)) return undefined
+  if (unsupported.test(name)) return undefined
   const buffer = file.slice().buffer
   const text = () => new TextDecoder().decode(file)
   if (name.includes('STL')) return trianglesOfGeometry(new STLLoader().parse(buffer))
@@ -30,12 +31,12 @@ const cornersOf = ({ index, attributes }) =>
 
 function trianglesOfGeometry(geometry) {
   const { position } = geometry.attributes
-  return triples(
+  return groupByThree(
     cornersOf(geometry).map((i) => new Vector3().fromBufferAttribute(position, i).toArray()),
   )
 }
 
-const triples = (points) =>
+const groupByThree = (points) =>
   Array.from({ length: points.length / 3 }, (_, i) => points.slice(3 * i, 3 * i + 3))
 
 function trianglesOfScene(scene) {
@@ -50,7 +51,9 @@ function trianglesOfScene(scene) {
         object.getVertexPosition(i, new Vector3()).applyMatrix4(toWorld).toArray(),
       )
       const isMirrored = toWorld.determinant() < 0
-      triangles.push(...triples(points).map(([a, b, c]) => (isMirrored ? [a, c, b] : [a, b, c])))
+      triangles.push(
+        ...groupByThree(points).map(([a, b, c]) => (isMirrored ? [a, c, b] : [a, b, c])),
+      )
     }
   })
   return triangles

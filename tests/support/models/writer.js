@@ -1,4 +1,4 @@
-// Writes glTF files for the tests according to the glTF 2.0 specification, without using the library.
+// Writes glTF files for tests according to the glTF 2.0 specification, without using the library.
 import { writeGlb } from '../glb.js'
 
 export const componentTypes = new Map([
@@ -19,7 +19,7 @@ export class GltfWriter {
   #parts = []
   #length = 0
 
-  /** Appends to one of the document's arrays; returns the index. */
+  /** Appends an element to an array of the document; returns its index. */
   add(list, element) {
     this.json[list] ??= []
     return this.json[list].push(element) - 1
@@ -43,11 +43,12 @@ export class GltfWriter {
     return { buffer: 0, byteOffset, byteLength: bytes.length }
   }
 
+  /** Adds a view of a typed array; returns its index. */
   view(array, more) {
     return this.add('bufferViews', { ...this.bytes(bytesOf(array)), ...more })
   }
 
-  /** Adds an accessor. `numbers` is a typed array; `more` adds members of the accessor. */
+  /** Adds an accessor for a typed array, with further members `more`. With `more.isMorph`, it declares no bounds. */
   accessor(numbers, type, more = {}) {
     const count = numbers.length / widths[type]
     const componentType = componentTypes.get(numbers.constructor)
@@ -61,43 +62,46 @@ export class GltfWriter {
     })
   }
 
-  /** Adds a mesh of one primitive. */
-  mesh(attributes, more, ofMesh) {
-    return this.add('meshes', { primitives: [{ attributes, ...more }], ...ofMesh })
+  /** Adds a mesh of one primitive. `more` are further members of the primitive, `meshMembers` of the mesh. */
+  mesh(attributes, more, meshMembers) {
+    return this.add('meshes', { primitives: [{ attributes, ...more }], ...meshMembers })
   }
 
   /** Adds a node of the scene. */
   node(node) {
-    const place = this.add('nodes', node)
-    this.json.scenes[0].nodes.push(place)
-    return place
+    const index = this.add('nodes', node)
+    this.json.scenes[0].nodes.push(index)
+    return index
   }
 
   get binary() {
     const bytes = new Uint8Array(this.#length)
-    let at = 0
+    let byteOffset = 0
     for (const part of this.#parts) {
-      bytes.set(part, at)
-      at += part.length
+      bytes.set(part, byteOffset)
+      byteOffset += part.length
     }
     return bytes
   }
 
   #document(uri) {
     const { buffers = [], ...json } = this.json
-    const own = { byteLength: this.#length, ...(uri && { uri }) }
-    return { ...json, ...(this.#length && { buffers: [own, ...buffers] }) }
+    const buffer = { byteLength: this.#length, ...(uri && { uri }) }
+    return { ...json, ...(this.#length && { buffers: [buffer, ...buffers] }) }
   }
 
+  /** Writes a GLB file. */
   glb() {
     return { file: writeGlb(this.#document(), this.binary) }
   }
 
+  /** Writes a .gltf file whose buffer is a data URI. */
   embedded() {
     const text = Buffer.from(this.binary).toString('base64')
     return { file: this.#text(`data:application/octet-stream;base64,${text}`) }
   }
 
+  /** Writes a .gltf file and the file of its buffer. */
   external() {
     return { file: this.#text('mesh%20data.bin'), files: { 'mesh%20data.bin': this.binary } }
   }
@@ -107,7 +111,7 @@ export class GltfWriter {
   }
 }
 
-/** The bounds that an accessor declares for vectors of three numbers. */
+/** Returns the bounds that an accessor declares for vectors of three numbers. */
 export function extent(numbers) {
   const [min, max] = [Array(3).fill(Infinity), Array(3).fill(-Infinity)]
   numbers.forEach((value, i) => {

@@ -4,7 +4,7 @@ import { gen, type Op } from 'warpjet/autodiff'
 import { chain, twist, type TwistOptions } from 'warpjet/deformers'
 import { createDetail, type DividedMesh } from 'warpjet/detail'
 import { differentiate, glslOffset, type GlslOffset } from 'warpjet/glsl'
-// @ts-expect-error functions for the addon are not shipped
+// @ts-expect-error varyGeometry, which only our addon uses, is not shipped
 import { bakeWarp, loadMesh, subdivide, varyGeometry, type Mesh } from 'warpjet/mesh'
 import warpjet, { createWarp, type Loading, type WarpModel } from 'warpjet/p5'
 import { compileWarp as compileText } from 'warpjet/text'
@@ -43,7 +43,7 @@ export const isOurs = (error: unknown): error is WarpError => error instanceof W
 compileWarp(twist(), { target: 'wgsl' })
 compileText(twist())
 
-// Works without types of p5.
+// The addon can be used without p5's types.
 warpjet(class {})
 export const model = (sketch: Loading): Promise<WarpModel> => sketch.loadWarpModel('bunny.glb')
 

@@ -1,4 +1,4 @@
-// A sketch in global mode, with two script tags.
+// A sketch in global mode, on a page that has p5 and warpjet's scripts.
 /// <reference types="p5/global" />
 /// <reference types="warpjet/globals" />
 

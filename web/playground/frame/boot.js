@@ -5,11 +5,11 @@
   const { port1: port, port2 } = new MessageChannel()
   // A sandbox has no sensors. p5 listens to them in every sketch, and the browser would log a warning each time.
   const { addEventListener } = window
-  window.addEventListener = (type, ...how) =>
-    /^device(?:motion|orientation)$/.test(type) ? undefined : addEventListener(type, ...how)
+  window.addEventListener = (type, ...rest) =>
+    /^device(?:motion|orientation)$/.test(type) ? undefined : addEventListener(type, ...rest)
 
   const isLoaded = new Promise((resolve) => addEventListener('load', resolve, { once: true }))
-  // p5 and sketches wait until the page is complete, which it is only after their scripts have run.
+  // The page is complete already, but p5 and sketches must wait for `load`, which `start` dispatches after their scripts have run.
   Object.defineProperty(document, 'readyState', { configurable: true, get: () => 'interactive' })
   // No Content-Security-Policy covers WebRTC, which could reveal the visitor's IP address.
   for (const name of ['RTCPeerConnection', 'webkitRTCPeerConnection']) delete window[name]

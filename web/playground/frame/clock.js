@@ -2,18 +2,19 @@
 // schedules frames by the browser's clock; three.js receives the time with each frame.
 {
   const { clock: start } = window.playground
-  const real = performance.now.bind(performance)
-  let held = start.time
-  let since = real()
+  const realNow = performance.now.bind(performance)
+  // The sketch's time when it was last set, and the real time then.
+  let timeAtChange = start.time
+  let changedAt = realNow()
   let isPlaying = start.isPlaying
 
-  const now = () => (isPlaying ? held + real() - since : held)
+  const now = () => (isPlaying ? timeAtChange + realNow() - changedAt : timeAtChange)
   const clock = {
     now,
     frameTime: (time) => (window.p5 ? time : now()),
     set(time) {
-      held = time
-      since = real()
+      timeAtChange = time
+      changedAt = realNow()
     },
     play(value) {
       clock.set(now())

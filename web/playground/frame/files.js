@@ -3,7 +3,7 @@
 // a page opened from disk cannot read others.
 {
   const { fetch, FontFace, playground } = window
-  const address = (name) => {
+  const resolveAddress = (name) => {
     try {
       return new URL(name, document.baseURI).href
     } catch {
@@ -11,17 +11,17 @@
     }
   }
   const byAddress = new Map(
-    Object.entries(window.sketchFiles).map(([name, data]) => [address(name), data]),
+    Object.entries(window.sketchFiles).map(([name, data]) => [resolveAddress(name), data]),
   )
   /** Returns the address of the file's data, or undefined. p5 passes a name, an address or a Request. */
-  const dataOf = (from) => byAddress.get(address(from?.url ?? String(from)))
+  const dataOf = (from) => byAddress.get(resolveAddress(from?.url ?? String(from)))
 
   // p5 requests a font by HEAD before it loads it, which data: addresses do not support.
   window.fetch = async (from, options) => {
     const data = dataOf(from)
     if (data) return fetch(data)
-    const found = await playground?.findFile(address(from?.url ?? String(from)))
-    return found ?? fetch(from, options)
+    const response = await playground?.findFile(resolveAddress(from?.url ?? String(from)))
+    return response ?? fetch(from, options)
   }
 
   window.FontFace = class extends FontFace {

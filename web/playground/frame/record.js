@@ -16,6 +16,7 @@
       return { code: `// ${error.message}` }
     }
   }
+  /** Describes a recorded warp for the page. `maker` is the name of the function that made it, `made` the result. */
   const describe = ({ maker, made, shapes, ...more }) => ({
     ...more,
     maker,
@@ -36,7 +37,7 @@
   answers.foldover = (index, mesh, options) => warps[index].made.foldover(mesh, options)
   answers.shapes = (index) => warps[index].shapes()
 
-  /** Maps the name of a moved slider → { source, value }. If the sketch's value differs from `source`, the sketch's is used. */
+  /** Maps the name of a moved slider → { source, value }. `value` replaces the sketch's value only while that equals `source`. */
   let { values } = playground
   answers.setValues = (now) => (values = now)
   const valueOf = (name, source) =>
@@ -56,28 +57,28 @@
   }
 
   // Keep only comments about the sketch, shortened to their line numbers.
-  const place = (text) => text.split(`${playground.source}:`)[1]?.match(/^\d+/)?.[0]
-  const short = (text) =>
+  const lineOf = (text) => text.split(`${playground.source}:`)[1]?.match(/^\d+/)?.[0]
+  const shortenComments = (text) =>
     text.code.replaceAll(/^( *)\/\/ From (.*)\n/gm, (_, indent, from) =>
-      place(from) ? `${indent}// From line ${place(from)}\n` : '',
+      lineOf(from) ? `${indent}// From line ${lineOf(from)}\n` : '',
     )
   /** Shortens the comments of a warp compiled with `debug`, whose code names lines of the sketch. */
   playground.withLines = (made) => ({
     ...made,
-    code: short(made),
-    emit(...how) {
-      const text = made.emit(...how)
-      return { ...text, code: short(text) }
+    code: shortenComments(made),
+    emit(...args) {
+      const text = made.emit(...args)
+      return { ...text, code: shortenComments(text) }
     },
   })
 
   /** Wraps warpjet's functions that generate code, so that their results are recorded. */
   playground.recordAll = ({ compile, compileWarp, gen, differentiate }) => ({
-    compile: (...how) => recordResult('compile', compile(...how)),
-    compileWarp: (...how) => recordResult('compileWarp', compileWarp(...how)),
-    gen: (...how) => recordCode('gen', gen(...how)),
+    compile: (...args) => recordResult('compile', compile(...args)),
+    compileWarp: (...args) => recordResult('compileWarp', compileWarp(...args)),
+    gen: (...args) => recordCode('gen', gen(...args)),
     ...(differentiate && {
-      differentiate: (...how) => recordCode('differentiate', differentiate(...how)),
+      differentiate: (...args) => recordCode('differentiate', differentiate(...args)),
     }),
   })
   function recordResult(maker, made) {
@@ -89,7 +90,7 @@
     return code
   }
 
-  /** Returns the numbers of a list, or of a vector of p5 or three.js. Images also have `x` or `width`, and give an empty list. */
+  /** Returns the numbers of a list, or of a vector of p5 or three.js. For an image, which may have an `x`, too, returns an empty list. */
   function numbersOf(value) {
     if (Array.isArray(value) || ArrayBuffer.isView(value)) return [...value]
     if (!('x' in value) || ('width' in value && !value.toArray)) return []
@@ -100,10 +101,10 @@
     Math.round(255 * Math.min(1, Math.max(0, part)))
       .toString(16)
       .padStart(2, '0')
-  const parts = (color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16) / 255)
+  const parseHex = (color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16) / 255)
 
   /** Converts a value to a number, two to four numbers, or a colour such as '#ff8040'; undefined if a control cannot show it. */
-  function toShown(value) {
+  function toControlValue(value) {
     if (typeof value === 'number') return Number.isFinite(value) ? value : undefined
     if (typeof value !== 'object' || value === null) return
     if (value.getHexString) return `#${value.getHexString()}`
@@ -113,34 +114,37 @@
     return isVector ? numbers : undefined
   }
 
-  /** Returns the value set by a control. Objects of three.js are changed in place, since the sketch may hold them, too. */
+  /**
+   * Returns the value `now` of a control in the form of the sketch's `value`. Changes objects of three.js in place, since the sketch may
+   * use them.
+   */
   function applyControl(value, now) {
     if (value.getHexString) return value.set(now)
-    if (value.setAlpha) return [...parts(now), value._array[3]]
+    if (value.setAlpha) return [...parseHex(now), value._array[3]]
     return value.fromArray ? value.fromArray(now) : now
   }
   const copyValue = (value) =>
     typeof value === 'number' ? value : value.setAlpha ? [...value._array] : numbersOf(value)
 
   /**
-   * Replaces the values of the option `uniforms` that controls can show by functions. `isCopied` is true for a host that reads a value
-   * once, so that later changes by the sketch have no effect.
+   * Replaces the values of the option `uniforms` by functions, if controls can show the values. `isCopied` is true for a host that reads a
+   * value once, so that later changes by the sketch have no effect.
    */
   playground.withSliders = (options, { isCopied }) => {
     if (!options?.uniforms || typeof options.uniforms !== 'object') return options
-    const given = Object.entries(options.uniforms).map(([name, value]) => {
-      const source = toShown(value)
+    const entries = Object.entries(options.uniforms).map(([name, value]) => {
+      const source = toControlValue(value)
       if (source === undefined) return [name, value]
       if (!uniforms.some((uniform) => uniform.name === name)) uniforms.push({ name, value: source })
-      const still = isCopied ? copyValue(value) : value
+      const unmoved = isCopied ? copyValue(value) : value
       return [
         name,
         () => {
           const now = valueOf(name, source)
-          return now === source ? still : applyControl(value, now)
+          return now === source ? unmoved : applyControl(value, now)
         },
       ]
     })
-    return { ...options, uniforms: Object.fromEntries(given) }
+    return { ...options, uniforms: Object.fromEntries(entries) }
   }
 }

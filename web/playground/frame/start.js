@@ -2,7 +2,9 @@
 // the number of frames, and the first picture.
 {
   const { report, source, root, answers } = window.playground
-  const place = new RegExp(`${source.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&')}:(\\d+):(\\d+)`)
+  const positionPattern = new RegExp(
+    `${source.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&')}:(\\d+):(\\d+)`,
+  )
   // Saved here, because clock.js replaces performance.now by the sketch's time.
   const now = performance.now.bind(performance)
   const began = now()
@@ -16,15 +18,15 @@
       text,
     ]
     const hasLine = file && source.endsWith(file)
-    const found = hasLine
+    const position = hasLine
       ? [whole, lineInText]
-      : (place.exec(error?.stack ?? '') ?? [whole, line, column])
+      : (positionPattern.exec(error?.stack ?? '') ?? [whole, line, column])
     const isPlain = !error?.name || error.name === 'WarpError' || error.name === 'Error'
     report({
       kind: 'error',
       message: isPlain ? message : `${error.name}: ${message}`,
-      line: found[1] && Number(found[1]),
-      column: found[2] && Number(found[2]),
+      line: position[1] && Number(position[1]),
+      column: position[2] && Number(position[2]),
     })
   }
   // The page shows errors, so keep them out of the browser's console.
@@ -50,13 +52,15 @@
   })
 
   // Asks the page for files whose names are not literal in the sketch, such as concatenated ones.
-  const wanted = []
+  const fileRequests = []
   window.playground.findFile = (address) =>
     address?.startsWith(root)
-      ? new Promise((resolve) => report({ kind: 'wanted', id: wanted.push(resolve) - 1, address }))
+      ? new Promise((resolve) =>
+          report({ kind: 'wanted', id: fileRequests.push(resolve) - 1, address }),
+        )
       : undefined
   answers.file = (id, blob) =>
-    wanted[id](
+    fileRequests[id](
       blob ? new Response(blob) : new Response(null, { status: 404, statusText: 'Not Found' }),
     )
 
@@ -96,16 +100,16 @@
   let rounds = 0
   setInterval(() => (alive = now()), 200)
 
-  /** Throws in a loop that seems to have no end. */
-  window.playground.goOn = () => {
+  /** Throws if a loop seems to have no end. Guarded loops call it once per iteration. */
+  window.playground.checkLoop = () => {
     if (++rounds % 1024 || now() - alive < MAX_LOOP_TIME) return
     alive = now()
     throw new Error(
       'This loop ran for five seconds and was stopped: check that its condition becomes false.',
     )
   }
-  /** Counts frames since the page was loaded; in p5, frames that p5 has drawn. */
-  const count = () => window.frameCount ?? frames
+  /** Returns the number of frames since the page was loaded; in p5, of frames that p5 has begun. */
+  const countFrames = () => window.frameCount ?? frames
   const findCanvas = () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas')
 
   Object.assign(answers, {
@@ -132,7 +136,7 @@
       await stopped
       return new Blob(parts, { type: 'video/webm' })
     },
-    /** Returns the canvas as a Blob, right after a frame: later the browser may have cleared it. */
+    /** Returns the picture in the canvas as a Blob. Takes it right after a frame: later, the browser may have cleared the canvas. */
     snapshot: () =>
       new Promise((resolve) => {
         let isTaken = false
@@ -150,17 +154,17 @@
 
   const REPORT_EVERY = 100 // ms
   const reportState = () =>
-    report({ kind: 'state', frames: count(), millis: window.playground.clock?.now() ?? 0 })
+    report({ kind: 'state', frames: countFrames(), millis: window.playground.clock?.now() ?? 0 })
 
-  // p5 counts a frame before it draws it, and reports its errors later, so wait for three.
+  // p5 counts a frame before it draws it, and reports errors of the drawing later, so wait for three frames.
   let seen = 0
-  const look = () => {
-    if (count() >= 1) seen++
-    if (seen < 3) return requestAnimationFrame(look)
+  const awaitPicture = () => {
+    if (countFrames() >= 1) seen++
+    if (seen < 3) return requestAnimationFrame(awaitPicture)
     reportState()
     window.playground.reportWarps?.()
     report({ kind: 'drawn', milliseconds: now() - began })
     setInterval(reportState, REPORT_EVERY)
   }
-  requestAnimationFrame(look)
+  requestAnimationFrame(awaitPicture)
 }

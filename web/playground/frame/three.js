@@ -24,15 +24,16 @@ export function warp(object, offset, options, ...rest) {
 
 export function warpMaterial(material, offset, options, ...rest) {
   const withSliders = playground.withSliders(options, { isCopied: false })
-  const drawn = drawsNormals && !options?.share ? normalsOf(material) : material
-  const warped = warpjet.warpMaterial(drawn, offset, withSliders, ...rest)
-  if (drawn !== material) copyOwnProperties(warped.material, material)
-  // Collect the objects that the material is used on.
+  const drawnMaterial = drawsNormals && !options?.share ? normalsOf(material) : material
+  const warped = warpjet.warpMaterial(drawnMaterial, offset, withSliders, ...rest)
+  if (drawnMaterial !== material) copyOwnProperties(warped.material, material)
+  // Collect the objects that use the material.
   const objects = new Set()
   const { onBeforeRender } = warped.material
-  warped.material.onBeforeRender = function (...how) {
-    objects.add(how[4])
-    return onBeforeRender.apply(this, how)
+  warped.material.onBeforeRender = function (...args) {
+    // The fifth argument is the object.
+    objects.add(args[4])
+    return onBeforeRender.apply(this, args)
   }
   record('warpMaterial', offset, withSliders, () => [...objects])
   return warped
@@ -45,7 +46,7 @@ function record(maker, offset, { space = 'local', uniforms = {}, surfaceVariatio
       playground.withLines(
         compileWarp(offset, {
           uniforms: Object.fromEntries(
-            Object.entries(uniforms).map(([name, value]) => [name, () => plain(value)]),
+            Object.entries(uniforms).map(([name, value]) => [name, () => toPlainValue(value)]),
           ),
           surfaceVariation: surfaceVariation ?? true,
           debug: true,
@@ -62,8 +63,8 @@ function record(maker, offset, { space = 'local', uniforms = {}, surfaceVariatio
 }
 
 /** Converts a value of three.js to one that `compileWarp` accepts. */
-function plain(given) {
-  const value = typeof given === 'function' ? given() : given
+function toPlainValue(valueOrFunction) {
+  const value = typeof valueOrFunction === 'function' ? valueOrFunction() : valueOrFunction
   if (value?.isTexture) return { width: 1, height: 1 }
   return value?.toArray?.() ?? value
 }
@@ -127,13 +128,13 @@ function copyOwnProperties(normals, material) {
       normals[name] = material[name]
 }
 
-/** Puts such materials on the meshes of an object and returns a function to call after the warp. */
+/** Makes the meshes of an object show normals. Returns a function that must be called after the warp is applied. */
 function showNormals(object) {
-  const made = new Map()
+  const normalMaterials = new Map()
   const meshes = []
   const normalsFor = (material) => {
-    if (!made.has(material)) made.set(material, normalsOf(material))
-    return made.get(material)
+    if (!normalMaterials.has(material)) normalMaterials.set(material, normalsOf(material))
+    return normalMaterials.get(material)
   }
   object?.traverse?.((part) => {
     const { isMesh, material } = part

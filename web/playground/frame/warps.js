@@ -14,7 +14,7 @@
         'createWarp',
         () =>
           playground.withLines(
-            compileWarp(plainOffset(offset, options), {
+            compileWarp(toPlainOffset(offset, options), {
               uniforms: withSliders?.uniforms,
               surfaceVariation,
               debug: true,
@@ -33,24 +33,24 @@
   }
 
   // The shape that was last drawn with a shader of the sketch, with its model matrix.
-  let drawn
+  let lastShape
   const { Renderer3D, RendererGL } = p5
   const [renderers, method] = Renderer3D
     ? [Renderer3D.prototype, '_drawGeometry']
     : [RendererGL.prototype, 'drawBuffers']
   const draw = renderers[method]
-  renderers[method] = function (given, ...rest) {
+  renderers[method] = function (geometryOrId, ...rest) {
     const { userFillShader, uModelMatrix } = this.states ?? this
-    const geometry = this.retainedMode?.geometry[given]?.model ?? given
+    const geometry = this.retainedMode?.geometry[geometryOrId]?.model ?? geometryOrId
     if (userFillShader && geometry?.faces?.length)
-      drawn = { geometry, matrix: [...(uModelMatrix.mat4 ?? uModelMatrix)] }
-    return draw.call(this, given, ...rest)
+      lastShape = { geometry, matrix: [...(uModelMatrix.mat4 ?? uModelMatrix)] }
+    return draw.call(this, geometryOrId, ...rest)
   }
 
   /** Returns the shape as arrays for mesh.js. */
   function shapes() {
-    if (!drawn) return []
-    const { vertices, vertexNormals, uvs, faces } = drawn.geometry
+    if (!lastShape) return []
+    const { vertices, vertexNormals, uvs, faces } = lastShape.geometry
     const flat = (list) => Float32Array.from(list.flatMap(({ x, y, z }) => [x, y, z]))
     const arrays = {
       positions: flat(vertices),
@@ -58,13 +58,13 @@
       uvs: uvs.length === 2 * vertices.length ? Float32Array.from(uvs) : undefined,
       indices: Uint32Array.from(faces.flat()),
     }
-    return [{ ...arrays, matrix: drawn.matrix, isUpsideDown: true }]
+    return [{ ...arrays, matrix: lastShape.matrix, isUpsideDown: true }]
   }
 
   /** Converts an offset function to one that `compileWarp` accepts, which supports neither operators nor `returns: 'position'`. */
-  function plainOffset(given, { scope, returns } = {}) {
+  function toPlainOffset(offsetFunction, { scope, returns } = {}) {
     const operators = window[Symbol.for('warpjet.operators')]
-    const offset = operators?.(given, scope) ?? given
+    const offset = operators?.(offsetFunction, scope) ?? offsetFunction
     if (returns !== 'position') return offset
     return (inputs) => inputs.glsl.sub(offset(inputs), inputs.position)
   }

@@ -1,6 +1,6 @@
 'use client'
 
-// Rendered on the server too, where p5 cannot load.
+// Next also renders this module on the server, where p5 cannot load.
 import 'warpjet/p5'
 import { useEffect } from 'react'
 import { compileWarp } from 'warpjet'

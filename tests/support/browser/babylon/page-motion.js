@@ -1,4 +1,5 @@
-// Meshes that a warp moves linearly, and the same meshes moved by a matrix of Babylon.js itself: pictures, rays and mistakes.
+// Compares meshes that a warp moves linearly with meshes that Babylon.js moves by the same matrix, in pictures and by rays. Also collects
+// the messages of mistakes.
 import { ArcRotateCamera } from '@babylonjs/core/Cameras/arcRotateCamera.js'
 import { Ray } from '@babylonjs/core/Culling/ray.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
@@ -25,7 +26,7 @@ const motion = Matrix.Compose(
   new Vector3(0.2, 0.1, -0.15),
 )
 const m = motion.m
-const amount = [0.3, -0.2, 0.25]
+const translation = [0.3, -0.2, 0.25]
 
 const offset = ({ position, millis, uniforms }) =>
   uniforms.linear
@@ -34,7 +35,7 @@ const offset = ({ position, millis, uniforms }) =>
     .add(uniforms.shift.mult(millis.div(1000)))
 
 const engines = {}
-async function engineFor(backend) {
+async function getEngine(backend) {
   if (engines[backend]) return engines[backend]
   const canvas = document.body.appendChild(document.createElement('canvas'))
   canvas.width = canvas.height = size
@@ -45,7 +46,7 @@ async function engineFor(backend) {
   return (engines[backend] = engine)
 }
 
-function sceneOn(engine, kind) {
+function makeScene(engine, kind) {
   const scene = new Scene(engine)
   const camera = new ArcRotateCamera('camera', 0.7, 1.1, 4, Vector3.Zero(), scene)
   camera.minZ = 0.1
@@ -87,20 +88,21 @@ function warpByMotion(material, normals) {
   return warp
 }
 
-/** Reflects in x before the motion. The matrix is constant, or given by uniforms. */
-const mirrored = Matrix.Scaling(-1, 1, 1).multiply(motion)
+/** A reflection in x, followed by the motion. */
+const mirroredMotion = Matrix.Scaling(-1, 1, 1).multiply(motion)
 const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
+/** Warps by this matrix, as constants or as uniforms. */
 const mirrorWarps = {
   constant: (material, normals) =>
     new BabylonWarp(
       material,
       ({ glsl, position }) => {
-        const [a, b, c, d, e, f, g, h, i] = linearOf(mirrored.m)
+        const [a, b, c, d, e, f, g, h, i] = linearOf(mirroredMotion.m)
         return glsl
           .mat3(glsl.vec3(a, b, c), glsl.vec3(d, e, f), glsl.vec3(g, h, i))
           .mult(position)
           .sub(position)
-          .add(glsl.vec3(mirrored.m[12], mirrored.m[13], mirrored.m[14]))
+          .add(glsl.vec3(mirroredMotion.m[12], mirroredMotion.m[13], mirroredMotion.m[14]))
       },
       { normals },
     ),
@@ -108,8 +110,8 @@ const mirrorWarps = {
     const warp = new BabylonWarp(material, offset, {
       normals,
       uniforms: {
-        linear: linearOf(mirrored.m),
-        shift: new Vector3(mirrored.m[12], mirrored.m[13], mirrored.m[14]),
+        linear: linearOf(mirroredMotion.m),
+        shift: new Vector3(mirroredMotion.m[12], mirroredMotion.m[13], mirroredMotion.m[14]),
       },
     })
     warp.millis = 1000
@@ -117,12 +119,13 @@ const mirrorWarps = {
   },
 }
 
-/** A wave after more than a day. Its phase is computed from millis, or passed as a uniform: exact, or rounded to float32. */
-const late = 98_765_432
+/** A time of more than a day, at which `millis` is no longer exact in float32. */
+const lateMillis = 98_765_432
 const phases = {
-  exact: (late / 90) % (2 * Math.PI),
-  rounded: Math.fround(late / 90) % (2 * Math.PI),
+  exact: (lateMillis / 90) % (2 * Math.PI),
+  rounded: Math.fround(lateMillis / 90) % (2 * Math.PI),
 }
+/** Warps by a wave whose phase is computed from `millis`, or is a uniform: the exact phase or the one rounded to float32. */
 function addWave(material, phaseFrom) {
   const warp = new BabylonWarp(
     material,
@@ -132,7 +135,7 @@ function addWave(material, phaseFrom) {
     },
     { uniforms: { phase: phases[phaseFrom] ?? 0 } },
   )
-  warp.millis = late
+  warp.millis = lateMillis
 }
 
 /** Removes the transformation of normals from the shaders of both languages. */
@@ -147,9 +150,9 @@ function removeNormals(warp, material) {
 }
 
 function warpByImage(material, scene) {
-  const numbers = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
+  const texels = Float32Array.from({ length: 16 }, (_, i) => [...translation, 1][i % 4])
   const map = new RawTexture(
-    numbers,
+    texels,
     2,
     2,
     Constants.TEXTUREFORMAT_RGBA,
@@ -193,23 +196,24 @@ function warpBySampling(material, scene, isByOptions) {
       transform: false,
     })
   const sampleBySettings = ({ glsl, uv, uniforms }) => glsl.texture(uniforms.map, uv)
-  const colour = isByOptions ? sampleByOptions : sampleBySettings
-  new BabylonWarp(material, (inputs) => colour(inputs).xyz().mult(0.4), {
+  const sample = isByOptions ? sampleByOptions : sampleBySettings
+  new BabylonWarp(material, (inputs) => sample(inputs).xyz().mult(0.4), {
     uniforms: { map },
     surfaceVariation: false,
   })
 }
 
+/** Draws the knot; `kind` is the class of its material, and `way` says how the knot is moved or warped. Returns the picture as bytes. */
 window.draw = async (backend, kind, way) => {
-  const engine = await engineFor(backend)
-  const { scene, knot, material } = sceneOn(engine, kind)
+  const engine = await getEngine(backend)
+  const { scene, knot, material } = makeScene(engine, kind)
   // The picture on a canvas is lost after the frame.
   const target = new RenderTargetTexture('target', size, scene)
   scene.activeCamera.outputRenderTarget = target
   if (way === 'moved') moveByMatrix(knot)
   if (/mirror/.test(way))
     Object.assign(material, { backFaceCulling: false, twoSidedLighting: true })
-  if (way === 'mirrored') moveByMatrix(knot, mirrored)
+  if (way === 'mirrored') moveByMatrix(knot, mirroredMotion)
   if (way === 'mirroring, switched off') {
     const warp = mirrorWarps.constant(material)
     await scene.whenReadyAsync()
@@ -217,12 +221,12 @@ window.draw = async (backend, kind, way) => {
   }
   const [, mirrorWarp, , stage] = /^mirroring, (\w+)(, at (\w+))?/.exec(way) ?? []
   mirrorWarps[mirrorWarp]?.(material, stage)
-  if (way === 'shifted') moveByMatrix(knot, Matrix.Translation(...amount))
+  if (way === 'shifted') moveByMatrix(knot, Matrix.Translation(...translation))
   if (way === 'by an image') warpByImage(material, scene)
   if (way.startsWith('wave by ')) addWave(material, way.split(' ')[2])
   if (way.startsWith('sampled by')) warpBySampling(material, scene, way === 'sampled by options')
   if (['warped', 'warped at pixel', 'without its normals', 'without its shadow'].includes(way)) {
-    // At vertices: those are the normals that are removed.
+    // `removeNormals` only finds normals that are computed at vertices.
     const warp = warpByMotion(material, way === 'warped at pixel' ? 'pixel' : 'vertex')
     if (way === 'without its normals') removeNormals(warp, material)
     if (way === 'without its shadow') material.shadowDepthWrapper = null
@@ -245,11 +249,14 @@ window.draw = async (backend, kind, way) => {
   return [...new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength)]
 }
 
-/** Casts rays against a warped mesh, and against one that was moved → the max distance of the hits, and their number. */
+/**
+ * Casts the same rays at a warped mesh and at one that a matrix moves. Returns numbers of rays: `hits` both, `misses` only one, and
+ * `differingBefore` the call of `refresh`; the max distance between the two hits; and whether the bounding box misses any vertex.
+ */
 window.pick = async () => {
-  const engine = await engineFor('webgl')
-  const { scene, knot, material } = sceneOn(engine, 'Standard')
-  const { scene: other, knot: reference } = sceneOn(engine, 'Standard')
+  const engine = await getEngine('webgl')
+  const { scene, knot, material } = makeScene(engine, 'Standard')
+  const { scene: referenceScene, knot: reference } = makeScene(engine, 'Standard')
   moveByMatrix(reference)
   reference.computeWorldMatrix(true)
   const warp = warpByMotion(material)
@@ -261,13 +268,13 @@ window.pick = async () => {
   })
   const pick = (ray, scene, mesh) => scene.pickWithRay(ray, (each) => each === mesh)
   for (const ray of rays) {
-    const [a, b] = [pick(ray, scene, knot), pick(ray, other, reference)]
+    const [a, b] = [pick(ray, scene, knot), pick(ray, referenceScene, reference)]
     if (a.hit !== b.hit || (a.hit && Vector3.Distance(a.pickedPoint, b.pickedPoint) > 1e-3))
       differingBefore++
   }
   warp.refresh(knot)
   for (const ray of rays) {
-    const [a, b] = [pick(ray, scene, knot), pick(ray, other, reference)]
+    const [a, b] = [pick(ray, scene, knot), pick(ray, referenceScene, reference)]
     if (a.hit !== b.hit) misses++
     else if (a.hit) {
       hits++
@@ -291,12 +298,13 @@ window.pick = async () => {
       )
     })
   scene.dispose()
-  other.dispose()
+  referenceScene.dispose()
   return { hits, misses, maxDistance, differingBefore, outside }
 }
+
 /** Collects the messages of mistakes. */
 window.mistakes = async () => {
-  const { scene, material } = sceneOn(await engineFor('webgl'), 'Standard')
+  const { scene, material } = makeScene(await getEngine('webgl'), 'Standard')
   const warp = warpByMotion(material)
   const warpOther = (offset, uniforms) =>
     new BabylonWarp(new StandardMaterial('other', scene), offset, { uniforms })
@@ -313,9 +321,9 @@ window.mistakes = async () => {
     () => new BabylonWarp(new StandardMaterial('other', scene), offset, { unifroms: {} }),
     () => new BabylonWarp(new StandardMaterial('other', scene), offset, { surfaceVariation: true }),
     () => new BabylonWarp({ name: 'red' }, offset),
-  ].map((work) => {
+  ].map((makeMistake) => {
     try {
-      work()
+      makeMistake()
       return ''
     } catch (error) {
       return String(error)

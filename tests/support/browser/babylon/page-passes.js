@@ -26,7 +26,7 @@ import { Matrix, Quaternion, Vector3 } from '@babylonjs/core/Maths/math.vector.j
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import * as warpjet from 'warpjet/babylon'
-import { alongNormal, torusIn } from './torus.js'
+import { addTorus, alongNormal } from './torus.js'
 
 const { BabylonWarp, addSurfaceVariation } = warpjet
 const size = 96
@@ -38,7 +38,7 @@ const motion = Matrix.Compose(
 )
 
 const engines = {}
-async function engineFor(backend) {
+async function getEngine(backend) {
   if (engines[backend]) return engines[backend]
   const canvas = document.body.appendChild(document.createElement('canvas'))
   canvas.width = canvas.height = size
@@ -69,7 +69,7 @@ export function warpByMotion(material, matrix = motion) {
 }
 
 /** Warps with the same motion, and reads the normal and the uv without effect. */
-const warpByAll = (material) => {
+const warpReadingAll = (material) => {
   const { m } = motion
   return new BabylonWarp(
     material,
@@ -94,16 +94,16 @@ function moveByMatrix(mesh, matrix = motion) {
   matrix.decompose(mesh.scaling, (mesh.rotationQuaternion = new Quaternion()), mesh.position)
 }
 
-async function sceneOn(backend) {
-  const scene = new Scene(await engineFor(backend))
+async function makeScene(backend) {
+  const scene = new Scene(await getEngine(backend))
   const camera = new ArcRotateCamera('camera', 0.7, 1.1, 4, Vector3.Zero(), scene)
   Object.assign(camera, { minZ: 0.1, maxZ: 8 })
   new HemisphericLight('sky', new Vector3(0.3, 1, 0.2), scene)
   return scene
 }
 
-/** Disposes of a scene only after the next one is drawn: otherwise Babylon.js would recompile its shaders. */
 let retired
+/** Disposes of a scene after the next one has been drawn. If it was disposed of at once, Babylon.js would recompile the shaders. */
 function retire(scene) {
   retired?.dispose()
   retired = scene
@@ -114,7 +114,7 @@ const materials = {
   PBR: (scene) => Object.assign(new PBRMaterial('pbr', scene), { metallic: 0.1, roughness: 0.5 }),
 }
 
-function knotIn(scene, material) {
+function addKnot(scene, material) {
   const options = { radius: 0.5, tube: 0.18, radialSegments: 64, tubularSegments: 12 }
   const knot = MeshBuilder.CreateTorusKnot('knot', options, scene)
   knot.material = material
@@ -148,7 +148,10 @@ const renderColor = (scene) => {
   }
 }
 
-/** Maps the name of a pass → function that returns its picture of a scene: four numbers per pixel, or one. */
+/**
+ * Maps the name of a pass → a function that prepares it and returns another that draws it → the picture, with one or four numbers per
+ * pixel.
+ */
 const passes = {
   depth(scene) {
     const map = scene.enableDepthRenderer(scene.activeCamera, false, true).getDepthMap()
@@ -191,7 +194,7 @@ const passes = {
         y: 16 + 3 * Math.floor(i / 22),
       }))
       let result
-      void picker.multiPickAsync(points).then((found) => (result = found))
+      void picker.multiPickAsync(points).then((picked) => (result = picked))
       // The picker returns its result after one of the next frames.
       for (let i = 0; i < 100 && !result; i++) await drawFrames(scene, 1)
       if (!result) throw new Error('GPUPicker gave no answer in 100 frames')
@@ -220,15 +223,18 @@ function prepass(scene, type) {
   }
 }
 
-/** Maps a name → changes to a scene, its knot and the material, applied after the warp, or to the scene without a warp. */
+/**
+ * Maps a name → how the scene differs: `warp` replaces `warpByMotion`; `add(scene, make)` and `change(knot)` are called in scenes with
+ * and without a warp.
+ */
 const variants = {
   plain: {},
-  'with normal and uv': { warp: warpByAll },
+  'with normal and uv': { warp: warpReadingAll },
   // Two meshes with the same kind of material next to the warped one: one has another warp, the other has none.
   'beside others': {
     add(scene, make) {
       for (const [i, matrix] of [Matrix.Translation(-0.8, 0, 0), Matrix.Identity()].entries()) {
-        const other = knotIn(scene, make(scene))
+        const other = addKnot(scene, make(scene))
         other.scaling.scaleInPlace(0.4)
         other.position = new Vector3(0.9, 0.9 - 1.8 * i, 0)
         if (i) continue
@@ -246,7 +252,7 @@ const variants = {
         instance.position = new Vector3(x, -0.6, 0.3)
       }
     },
-    // A matrix of the mesh would not move its instances, so the vertices of the reference are moved.
+    // A matrix of the mesh would not move its instances, so the motion is baked into the vertices of the reference.
     isBaked: true,
   },
 }
@@ -263,19 +269,19 @@ function drawCached(backend, kind, passName, way, variantName) {
 }
 
 async function draw(backend, kind, passName, way, variantName) {
-  const scene = await sceneOn(backend)
+  const scene = await makeScene(backend)
   const make = materials[kind]
   const { warp = warpByMotion, add, change, isBaked } = variants[variantName]
-  const knot = knotIn(scene, make(scene))
+  const knot = addKnot(scene, make(scene))
   if (way === 'warped') warp(knot.material)
   if (way === 'moved' && isBaked) knot.bakeTransformIntoVertices(motion)
   else if (way === 'moved') moveByMatrix(knot)
   add?.(scene, make)
   change?.(knot)
   const read = passes[passName](scene, knot)
-  const shown = await read()
+  const picture = await read()
   retire(scene)
-  return shown
+  return picture
 }
 
 function countDiffering(a, b) {
@@ -307,13 +313,13 @@ window.compare = async (backend, kind, pass, variant) => {
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** Draws a copy of a warped material, made by `clone` or from its serialized data. */
+/** Draws a copy of a warped material; `how` says whether `clone` makes it or it is parsed from serialized data. */
 window.compareCopy = async (backend, kind, how) => {
   const pictures = []
   for (const way of ['still', 'moved', 'warped']) {
-    const scene = await sceneOn(backend)
+    const scene = await makeScene(backend)
     const material = materials[kind](scene)
-    const knot = knotIn(scene, material)
+    const knot = addKnot(scene, material)
     if (way === 'moved') moveByMatrix(knot)
     if (way === 'warped') {
       const warp = warpByMotion(material, Matrix.Identity())
@@ -333,24 +339,25 @@ window.compareCopy = async (backend, kind, how) => {
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** Parses data that another page has serialized → whether the material has no warp. */
+/** Parses a material that another page has serialized → whether it has no warp, as expected. */
 window.parseForeign = async () => {
-  const scene = await sceneOn('webgl')
+  const scene = await makeScene('webgl')
   const material = materials.Standard(scene)
   warpByMotion(material)
   const data = JSON.parse(JSON.stringify(material.serialize()))
-  data.plugins.BabylonWarp.warpjet = 'of another page'
+  data.plugins.BabylonWarp.warpjet = 'from another page'
   const parsed = Material.Parse(data, scene, '')
   const isPlain = !parsed.pluginManager?.getPlugin('Warpjet')
   scene.dispose()
   return isPlain
 }
 
+/** Draws a warped torus and one with the same waves as geometry; `isExact` adds the variation of the surface. */
 window.torus = async (backend, kind, isExact) => {
   const pictures = []
   for (const way of ['still', 'moved', 'warped']) {
-    const scene = await sceneOn(backend)
-    const torus = torusIn(scene, { isMoved: way === 'moved' })
+    const scene = await makeScene(backend)
+    const torus = addTorus(scene, { isMoved: way === 'moved' })
     torus.material = Object.assign(materials[kind](scene), {
       backFaceCulling: false,
       twoSidedLighting: true,

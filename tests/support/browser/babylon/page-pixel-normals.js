@@ -1,4 +1,5 @@
-// Draws meshes with a warped material into float pictures: the normal that is shown at each pixel, and the rest place there.
+// Draws meshes with a warped material into float pictures: the normal that is shown at each pixel, and the unwarped position, normal and
+// uv.
 import '@babylonjs/core/Engines/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Engines/WebGPU/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Materials/Textures/baseTexture.polynomial.js'
@@ -23,7 +24,7 @@ import { shapes, uneven } from './shapes.js'
 import { Shown } from './shown.js'
 
 const engines = {}
-async function engineFor(backend) {
+async function getEngine(backend) {
   if (engines[backend]) return engines[backend]
   const canvas = document.body.appendChild(document.createElement('canvas'))
   if (backend.startsWith('webgl')) {
@@ -37,9 +38,9 @@ async function engineFor(backend) {
 }
 
 const scenes = {}
-async function sceneOn(backend) {
+async function getScene(backend) {
   if (scenes[backend]) return scenes[backend]
-  const scene = new Scene(await engineFor(backend))
+  const scene = new Scene(await getEngine(backend))
   const camera = new FreeCamera('eye', new Vector3(0, 0, -10), scene)
   camera.setTarget(Vector3.Zero())
   camera.mode = 1
@@ -63,7 +64,7 @@ const offsets = {
     ),
 }
 
-/** Adds offsets from their source. */
+/** Adds offsets, which come as source code, to `offsets`. */
 window.addOffsets = (sources) => {
   for (const [name, source] of Object.entries(sources)) offsets[name] = (0, eval)(source)
 }
@@ -92,11 +93,11 @@ function uniformsFor(warp, scene) {
   return {}
 }
 
-/** The bytes of the normal map, of a normal that leans. */
-const leaning = [190, 100, 225, 255]
+/** The texel that fills the normal map. Its normal is oblique. */
+const obliqueTexel = [190, 100, 225, 255]
 
-/** Surroundings whose diffuse light comes from above; Babylon.js computes it at vertices. */
-function surroundings(scene) {
+/** Makes an environment texture with diffuse light from above, which Babylon.js computes at vertices. */
+function makeSurroundings(scene) {
   const faces = Array.from({ length: 6 }, () => new Uint8Array([9, 9, 9, 255]))
   const texture = new RawCubeTexture(scene, faces, 1)
   texture.sphericalPolynomial = Object.assign(new SphericalPolynomial(), {
@@ -106,24 +107,25 @@ function surroundings(scene) {
   return texture
 }
 
+/** Caches materials and meshes. */
 const made = new Map()
 async function make(backend, { kind, shape, warp, normals, bump, twoSided, irradiance }) {
   const key = JSON.stringify([backend, kind, warp, normals, bump, twoSided, irradiance])
-  const scene = await sceneOn(backend)
+  const scene = await getScene(backend)
   if (!made.has(key)) {
     const material = makeMaterial(kind, scene)
     // The oracle also sees the back of a surface.
     material.backFaceCulling = false
     material.twoSidedLighting = !!twoSided
-    if (bump) material.bumpTexture = constantMap(scene, leaning)
+    if (bump) material.bumpTexture = constantMap(scene, obliqueTexel)
     if (bump === 'all') {
       Object.assign(material.clearCoat, {
         isEnabled: true,
-        bumpTexture: constantMap(scene, leaning),
+        bumpTexture: constantMap(scene, obliqueTexel),
       })
       material.anisotropy.isEnabled = true
     }
-    if (irradiance) material.reflectionTexture = surroundings(scene)
+    if (irradiance) material.reflectionTexture = makeSurroundings(scene)
     if (irradiance === 'fragment') material.forceIrradianceInFragment = true
     const shown = new Shown(material)
     const warped = new BabylonWarp(material, offsets[warp], {
@@ -143,6 +145,7 @@ async function make(backend, { kind, shape, warp, normals, bump, twoSided, irrad
   return { scene, mesh: made.get(meshKey), ...made.get(key) }
 }
 
+/** Positions the mesh, and returns its matrix from local to world space. */
 function place(mesh, how) {
   mesh.rotation.set(0.5, 0.4, 0)
   mesh.scaling.set(1, 0.8, 0.9)
@@ -163,7 +166,7 @@ const encode = (numbers) => {
   return btoa(encoded)
 }
 
-/** Returns pictures in floats, from the top row, of the values `shows`, with the matrices and, if asked for, the mesh. */
+/** Draws a float picture, from the top row, of each value in `shows`. Returns these, the matrices and, if `withMesh`, the mesh. */
 window.draw = async (backend, { shows, how, size = 160, withMesh, isOff, ...what }) => {
   const { scene, mesh, material, shown, warped } = await make(backend, what)
   const engine = scene.getEngine()
@@ -183,8 +186,8 @@ window.draw = async (backend, { shows, how, size = 160, withMesh, isOff, ...what
   for (let i = 0; i < 200 && !target.isReadyForRendering(); i++)
     await new Promise((wait) => setTimeout(wait, 25))
   const pictures = {}
-  for (const each of shows) {
-    shown.shown = each
+  for (const name of shows) {
+    shown.shown = name
     engine.beginFrame()
     target.render()
     engine.endFrame()
@@ -194,14 +197,14 @@ window.draw = async (backend, { shows, how, size = 160, withMesh, isOff, ...what
       const from = 4 * size * (size - 1 - y)
       return numbers.subarray(from, from + 4 * size)
     })
-    pictures[each] = encode(rows.flatMap((row) => [...row]))
+    pictures[name] = encode(rows.flatMap((row) => [...row]))
   }
   target.dispose()
   mesh.thinInstanceCount = 0
   const camera = scene.activeCamera
   const toClip = [...camera.getViewMatrix().multiply(camera.getProjectionMatrix()).asArray()]
-  const answer = { pictures, world, toClip, normals: warped.normals }
-  return withMesh ? { ...answer, mesh: describe(mesh) } : answer
+  const result = { pictures, world, toClip, normals: warped.normals }
+  return withMesh ? { ...result, mesh: describe(mesh) } : result
 }
 
 function describe(mesh) {
@@ -216,9 +219,12 @@ function describe(mesh) {
   }
 }
 
-/** Says at which stage a material's normals are, if it has few varyings or a shader without the line. */
+/**
+ * Returns the stage of a material's normals before and after it is compiled with few varyings (`why` is 'varyings') or with a shader that
+ * lacks the line that we replace ('shader').
+ */
 window.fallBack = async (backend, normals, why) => {
-  const scene = await sceneOn(backend)
+  const scene = await getScene(backend)
   const caps = scene.getEngine().getCaps()
   const { maxVaryingVectors } = caps
   if (why === 'varyings') caps.maxVaryingVectors = 6
@@ -254,7 +260,7 @@ window.fallBack = async (backend, normals, why) => {
   return [before, warped.normals]
 }
 
-window.leaning = leaning
+window.leaning = obliqueTexel
 // Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'

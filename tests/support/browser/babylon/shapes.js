@@ -5,7 +5,7 @@ import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Matrix } from '@babylonjs/core/Maths/math.vector.js'
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 
-/** The matrix of an instance, or of a bone. */
+/** A matrix that scales unevenly, for an instance or a bone. */
 export const uneven = Matrix.Scaling(0.9, 0.5, 1.2).multiply(
   Matrix.RotationYawPitchRoll(0.3, 0.2, 0.5),
 )
@@ -28,13 +28,13 @@ export const shapes = {
     mesh.convertToFlatShadedMesh()
     return mesh
   },
-  // With one bone, whose matrix comes in front of that of the mesh.
+  // Its only bone has a matrix that applies before that of the mesh.
   'sphere with a bone'(scene) {
     const mesh = shapes.sphere(scene)
-    const numbers = (weight) =>
-      Array.from({ length: 4 * mesh.getTotalVertices() }, (_, i) => (i % 4 ? 0 : weight))
-    mesh.setVerticesData(VertexBuffer.MatricesIndicesKind, numbers(0))
-    mesh.setVerticesData(VertexBuffer.MatricesWeightsKind, numbers(1))
+    const firstOfFour = (value) =>
+      Array.from({ length: 4 * mesh.getTotalVertices() }, (_, i) => (i % 4 ? 0 : value))
+    mesh.setVerticesData(VertexBuffer.MatricesIndicesKind, firstOfFour(0))
+    mesh.setVerticesData(VertexBuffer.MatricesWeightsKind, firstOfFour(1))
     mesh.numBoneInfluencers = 1
     mesh.skeleton = new Skeleton('skeleton', 'skeleton', scene)
     const bone = new Bone('bone', mesh.skeleton, null, Matrix.Identity())

@@ -1,10 +1,10 @@
 // A plugin for materials of Babylon.js that shows a value of the shader in place of the colour.
 import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
 
-/** Maps names of values that `Shown` writes in place of the colour to their numbers in the shader. */
+/** Maps a value that `Shown` writes in place of the colour → its number in the shader. Values named `rest…` are unwarped. */
 const shownValues = { color: 0, normal: 1, restPosition: 2, restNormal: 3, restUv: 4 }
 
-/** `shown` selects the value. Rest places are those in front of a warp. */
+/** Writes the value that the property `shown` names. */
 export class Shown extends MaterialPluginBase {
   shown = 'color'
 
@@ -28,7 +28,7 @@ export class Shown extends MaterialPluginBase {
 
   getUniforms() {
     const ubo = [{ name: 'shown', size: 1, type: 'float' }]
-    // For engines without uniform buffers.
+    // `fragment` is for engines without uniform buffers.
     return { ubo, fragment: 'uniform float shown;' }
   }
 

@@ -1,4 +1,4 @@
-// A torus with waves: moved by a warp along its normals, or built with the waves and their normals.
+// A torus with waves: a warp moves the plain torus along its normals, or the mesh is built with the waves and their normals.
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
@@ -6,7 +6,7 @@ import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 const [radius, tube] = [0.9, 0.35]
 const height = (u, v) => 0.1 * Math.sin(12 * Math.PI * u) * Math.cos(8 * Math.PI * v)
 
-/** Returns a point of a torus around y, the radius of whose tube varies. */
+/** Returns a point of a torus around y whose tube has a varying radius. */
 function pointAt(u, v) {
   const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
   const r = tube + height(u, v)
@@ -23,8 +23,8 @@ function normalAt(u, v) {
   ).normalize()
 }
 
-/** Makes a mesh of the torus, with or without the waves; its uvs are u and v. */
-export function torusIn(scene, { isMoved }) {
+/** Makes a mesh of the torus, with the waves if `isMoved`; its uvs are u and v. */
+export function addTorus(scene, { isMoved }) {
   const [columns, rows] = [160, 96]
   const [positions, normals, uvs, indices] = [[], [], [], []]
   for (let j = 0; j <= rows; j++)
@@ -36,10 +36,10 @@ export function torusIn(scene, { isMoved }) {
         Math.sin(b),
         Math.sin(a) * Math.cos(b),
       )
-      const at = isMoved
+      const point = isMoved
         ? pointAt(u, v)
         : unitNormal.scale(tube).add(new Vector3(radius * Math.cos(a), 0, radius * Math.sin(a)))
-      positions.push(...at.asArray())
+      positions.push(...point.asArray())
       normals.push(...(isMoved ? normalAt(u, v) : unitNormal).asArray())
       uvs.push(u, v)
       if (i === columns || j === rows) continue
@@ -55,7 +55,7 @@ export function torusIn(scene, { isMoved }) {
   return mesh
 }
 
-/** Moves points along the normal, as far as a wave over uv is high. */
+/** The offset of the waves: along the normal by a height over uv. */
 export const alongNormal = ({ normal, uv }) => {
   const [u, v] = [uv.x().mult(12 * Math.PI), uv.y().mult(8 * Math.PI)]
   return normal.mult(u.sin().mult(v.cos()).mult(0.1))

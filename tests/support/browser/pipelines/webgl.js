@@ -1,5 +1,5 @@
-// WebGL of both versions: programs, their inputs, and how a vertex shader returns more floats than it has outputs. Runs in the
-// page.
+// For both versions of WebGL: makes programs, binds their inputs, and lets a vertex shader return more floats than it has outputs, in
+// several passes. Runs in the page.
 import { declareInputs, outputVectors, totalSize } from './text.js'
 
 function compile(gl, type, source) {
@@ -11,7 +11,7 @@ function compile(gl, type, source) {
   return shader
 }
 
-/** Returns a linked program; an error has the log and the source. `prepare` may set up transform feedback first. */
+/** Links a program, or throws an error with the log and the source. `prepare` may set up transform feedback before linking. */
 export function link(gl, vertexSource, fragmentSource, prepare = () => {}) {
   const program = gl.createProgram()
   const shaders = [
@@ -30,8 +30,9 @@ export function link(gl, vertexSource, fragmentSource, prepare = () => {}) {
 const floatAt = (i) => `given${i >> 2}.${'xyzw'[i & 3]}`
 
 /**
- * The parts of a vertex shader around a program: `attributes` are the names of its inputs, four floats each; `body` reads them,
- * runs the code, and puts the vec4s from number `pass * width` into the variables `result0`, `result1`, …
+ * Returns the parts of a vertex shader for a program: `attributes` are the names of its inputs, four floats each; `body` reads them, runs
+ * the code, and assigns `width` vec4s of the outputs, starting with number `pass * width`, to the variables `result0`, `result1`, …;
+ * `passes` is the number of passes that return all outputs.
  */
 export function vertexParts({ code, inputs, outputs }, width) {
   const vectors = outputVectors('glsl', outputs, 'vec4')
@@ -50,14 +51,14 @@ export function vertexParts({ code, inputs, outputs }, width) {
 }
 
 /**
- * Binds `points`, `size` floats each, to the attributes, four floats one after the other → a function that unbinds them. An
+ * Binds `points`, `size` floats each, to the attributes, four floats to each attribute in turn → a function that unbinds them. An
  * attribute that stays enabled without its buffer would break the next draw.
  */
 export function bindPoints(gl, program, attributes, points, size) {
   const buffer = gl.createBuffer()
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer)
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW)
-  // An input that the code does not read does not exist.
+  // An input that the code does not read has no location.
   const locations = attributes.map((name) => gl.getAttribLocation(program, name))
   const used = locations.filter((location) => location >= 0)
   locations.forEach((location, i) => {
@@ -71,14 +72,14 @@ export function bindPoints(gl, program, attributes, points, size) {
   }
 }
 
-/** Declares the images; WebGL 1 needs a size uniform. */
+/** Declares the images and, for WebGL 1, which has no textureSize(), their sizes. */
 export const declareImages = (images) =>
   Object.keys(images)
     .map((name) => `uniform sampler2D ${name};\nuniform vec2 ${name}Size;`)
     .join('\n')
 
 /** Binds the images, with WebGL's default filter, to the current program → a function that unbinds them. */
-export function showImages(gl, program, images) {
+export function bindImages(gl, program, images) {
   const textures = Object.entries(images).map(([name, { width, height, data }], unit) => {
     const texture = gl.createTexture()
     gl.activeTexture(gl.TEXTURE0 + unit)
@@ -105,7 +106,7 @@ export function showImages(gl, program, images) {
   return () => textures.forEach((texture) => gl.deleteTexture(texture))
 }
 
-/** Collects four floats of each point at a time, from `take(point, vector)` → all the floats of each point. */
+/** Collects the floats of each point; `take(point, vector, k)` returns component k of one of its vec4s. */
 export function collectResults(count, size, take) {
   const results = new Float32Array(count * size)
   for (let point = 0; point < count; point++)

@@ -1,15 +1,17 @@
-// The vertex shader of WebGL 1, which can only draw: each point is a pixel of a float texture, which is then read. A draw returns
-// four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the page.
+// Runs a program in a vertex shader of WebGL 1, which can only draw: each point becomes a pixel of a float texture, which is then read. A
+// draw returns four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the
+// page.
 import { totalSize } from './text.js'
 import {
+  bindImages,
   bindPoints,
   collectResults,
   declareImages,
   link,
-  showImages,
   vertexParts,
 } from './webgl.js'
 
+/** The width of the float texture, in pixels. */
 const width = 1024
 
 const vertexSource = ({ declarations, images }, { attributes, body }) => `
@@ -43,7 +45,8 @@ export function open() {
   return (program, points) => run(gl, program, points)
 }
 
-function drawTo(gl, rows) {
+/** Makes a float texture of `rows` rows the target of draws → a function that deletes it. */
+function bindTarget(gl, rows) {
   const texture = gl.createTexture()
   gl.bindTexture(gl.TEXTURE_2D, texture)
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, rows, 0, gl.RGBA, gl.FLOAT, null)
@@ -66,10 +69,10 @@ function run(gl, program, points) {
   const linked = link(gl, vertexSource(program, parts), fragmentSource)
   gl.useProgram(linked)
   const rows = Math.ceil((parts.passes * count) / width)
-  const discardTarget = drawTo(gl, rows)
+  const discardTarget = bindTarget(gl, rows)
   const indices = Float32Array.from({ length: count }, (_, i) => i)
-  const fed = [
-    showImages(gl, linked, program.images),
+  const unbindInputs = [
+    bindImages(gl, linked, program.images),
     bindPoints(gl, linked, parts.attributes, points, size),
     bindPoints(gl, linked, ['pointIndex'], indices, 1),
   ]
@@ -84,7 +87,7 @@ function run(gl, program, points) {
   gl.readPixels(0, 0, width, rows, gl.RGBA, gl.FLOAT, pixels)
   const error = gl.getError()
   if (error) throw new Error(`WebGL 1 reports the error ${error}.`)
-  for (const discard of [...fed, discardTarget]) discard()
+  for (const discard of [...unbindInputs, discardTarget]) discard()
   gl.deleteProgram(linked)
   return collectResults(
     count,

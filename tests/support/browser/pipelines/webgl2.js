@@ -1,15 +1,15 @@
-// The vertex shader of WebGL 2, read by transform feedback. Runs in the page.
+// Runs a program in a vertex shader of WebGL 2, whose outputs are read by transform feedback. Runs in the page.
 import { totalSize } from './text.js'
 import {
+  bindImages,
   bindPoints,
   collectResults,
   declareImages,
   link,
-  showImages,
   vertexParts,
 } from './webgl.js'
 
-/** The number of vec4s that a draw returns for each point. More take SwiftShader longer to compile than additional draws. */
+/** The number of vec4s that a draw returns for each point. With more, SwiftShader needs more time to compile than it saves in draws. */
 const width = 2
 const names = Array.from({ length: width }, (_, i) => `result${i}`)
 
@@ -44,16 +44,16 @@ function run(gl, program, points) {
     gl.transformFeedbackVaryings(unlinked, names, gl.INTERLEAVED_ATTRIBS),
   )
   gl.useProgram(linked)
-  const discardImages = showImages(gl, linked, program.images)
+  const discardImages = bindImages(gl, linked, program.images)
   const discardInputs = bindPoints(gl, linked, parts.attributes, points, size)
-  const taken = gl.createBuffer()
-  gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, taken)
+  const outputs = gl.createBuffer()
+  gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, outputs)
   const results = new Float32Array(parts.passes * count * width * 4)
   gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, results.byteLength, gl.STREAM_READ)
   const bytes = results.byteLength / parts.passes
   for (let pass = 0; pass < parts.passes; pass++) {
     gl.uniform1i(gl.getUniformLocation(linked, 'pass'), pass)
-    gl.bindBufferRange(gl.TRANSFORM_FEEDBACK_BUFFER, 0, taken, pass * bytes, bytes)
+    gl.bindBufferRange(gl.TRANSFORM_FEEDBACK_BUFFER, 0, outputs, pass * bytes, bytes)
     gl.beginTransformFeedback(gl.POINTS)
     gl.drawArrays(gl.POINTS, 0, count)
     gl.endTransformFeedback()
@@ -63,7 +63,7 @@ function run(gl, program, points) {
   if (error) throw new Error(`WebGL 2 reports the error ${error}.`)
   discardInputs()
   discardImages()
-  gl.deleteBuffer(taken)
+  gl.deleteBuffer(outputs)
   gl.deleteProgram(linked)
   return collectResults(count, totalSize(program.outputs), (point, vector, k) => {
     const row = Math.floor(vector / width) * count + point

@@ -1,16 +1,20 @@
-// A WebGPU compute shader. Runs in the page, which must be from localhost: about:blank has no WebGPU.
+// Runs a program in a WebGPU compute shader. Runs in the page, which must be from localhost: about:blank has no WebGPU.
 import { declareInputs, outputVectors, totalSize } from './text.js'
 
-const group = 64
+const workgroupSize = 64
 
-/** The number of vec4s for the outputs, which SwiftShader writes faster than floats. */
-const vectorCount = (outputs) => Math.ceil(totalSize(outputs) / 4)
+/** Returns the number of vec4s for the outputs. SwiftShader writes vec4s faster than floats. */
+const countVectors = (outputs) => Math.ceil(totalSize(outputs) / 4)
 
 function computeSource({ code, declarations, inputs, outputs, images }) {
-  const [given, taken] = [totalSize(inputs), vectorCount(outputs)]
-  const reads = declareInputs('wgsl', inputs, (i) => `allInputs[pointIndex * ${given}u + ${i}u]`)
+  const [inputFloats, outputVec4s] = [totalSize(inputs), countVectors(outputs)]
+  const reads = declareInputs(
+    'wgsl',
+    inputs,
+    (i) => `allInputs[pointIndex * ${inputFloats}u + ${i}u]`,
+  )
   const writes = outputVectors('wgsl', outputs, 'vec4f').map(
-    (value, i) => `allOutputs[pointIndex * ${taken}u + ${i}u] = ${value};`,
+    (value, i) => `allOutputs[pointIndex * ${outputVec4s}u + ${i}u] = ${value};`,
   )
   return `
 @group(0) @binding(0) var<storage, read> allInputs: array<f32>;
@@ -19,10 +23,10 @@ ${Object.keys(images)
   .map((name, i) => `@group(0) @binding(${2 + i}) var ${name}: texture_2d<f32>;`)
   .join('\n')}
 ${declarations}
-@compute @workgroup_size(${group})
+@compute @workgroup_size(${workgroupSize})
 fn main(@builtin(global_invocation_id) invocation: vec3u) {
 let pointIndex = invocation.x;
-if (pointIndex >= arrayLength(&allInputs) / ${given}u) { return; }
+if (pointIndex >= arrayLength(&allInputs) / ${inputFloats}u) { return; }
 ${reads}
 ${code}
 ${writes.join('\n')}
@@ -46,7 +50,7 @@ async function throwErrors(device, source, work) {
   return outcome.value
 }
 
-const pipelineOf = (device, source) =>
+const createPipeline = (device, source) =>
   throwErrors(device, source, async () => {
     const module = device.createShaderModule({ code: source })
     const { messages } = await module.getCompilationInfo()
@@ -59,15 +63,15 @@ const pipelineOf = (device, source) =>
 async function run(device, program, points) {
   const count = points.length / totalSize(program.inputs)
   const source = computeSource(program)
-  const pipeline = await pipelineOf(device, source)
+  const pipeline = await createPipeline(device, source)
   return throwErrors(device, source, async () => {
-    const bytes = count * vectorCount(program.outputs) * 16
+    const bytes = count * countVectors(program.outputs) * 16
     const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage
-    const given = device.createBuffer({ size: points.byteLength, usage: STORAGE | COPY_DST })
-    const taken = device.createBuffer({ size: bytes, usage: STORAGE | COPY_SRC })
-    const read = device.createBuffer({ size: bytes, usage: COPY_DST | MAP_READ })
-    device.queue.writeBuffer(given, 0, points)
-    const textures = Object.values(program.images).map((image) => textureOf(device, image))
+    const inputBuffer = device.createBuffer({ size: points.byteLength, usage: STORAGE | COPY_DST })
+    const outputBuffer = device.createBuffer({ size: bytes, usage: STORAGE | COPY_SRC })
+    const readBuffer = device.createBuffer({ size: bytes, usage: COPY_DST | MAP_READ })
+    device.queue.writeBuffer(inputBuffer, 0, points)
+    const textures = Object.values(program.images).map((image) => createTexture(device, image))
     const encoder = device.createCommandEncoder()
     const pass = encoder.beginComputePass()
     pass.setPipeline(pipeline)
@@ -76,23 +80,23 @@ async function run(device, program, points) {
       device.createBindGroup({
         layout: pipeline.getBindGroupLayout(0),
         entries: [
-          ...[given, taken].map((buffer) => ({ buffer })),
+          ...[inputBuffer, outputBuffer].map((buffer) => ({ buffer })),
           ...textures.map((texture) => texture.createView()),
         ].map((resource, binding) => ({ binding, resource })),
       }),
     )
-    pass.dispatchWorkgroups(Math.ceil(count / group))
+    pass.dispatchWorkgroups(Math.ceil(count / workgroupSize))
     pass.end()
-    encoder.copyBufferToBuffer(taken, 0, read, 0, bytes)
+    encoder.copyBufferToBuffer(outputBuffer, 0, readBuffer, 0, bytes)
     device.queue.submit([encoder.finish()])
-    await read.mapAsync(GPUMapMode.READ)
-    const results = new Float32Array(read.getMappedRange().slice())
-    for (const resource of [given, taken, read, ...textures]) resource.destroy()
-    return withoutPadding(results, count, totalSize(program.outputs))
+    await readBuffer.mapAsync(GPUMapMode.READ)
+    const results = new Float32Array(readBuffer.getMappedRange().slice())
+    for (const resource of [inputBuffer, outputBuffer, readBuffer, ...textures]) resource.destroy()
+    return removePadding(results, count, totalSize(program.outputs))
   })
 }
 
-function textureOf(device, { width, height, data }) {
+function createTexture(device, { width, height, data }) {
   const { COPY_DST, TEXTURE_BINDING } = GPUTextureUsage
   const texture = device.createTexture({
     size: [width, height],
@@ -105,7 +109,7 @@ function textureOf(device, { width, height, data }) {
 }
 
 /** Returns the first `size` floats of each of `count` rows. */
-function withoutPadding(rows, count, size) {
+function removePadding(rows, count, size) {
   const [results, width] = [new Float32Array(count * size), rows.length / count]
   for (let i = 0; i < count; i++) results.set(rows.subarray(i * width, i * width + size), i * size)
   return results

@@ -1,4 +1,4 @@
-// Opens a page with a version of three.js and 'warpjet/three'.
+// Opens pages with a version of three.js and 'warpjet/three'.
 import { launchBrowser, openPage } from '../browser.js'
 import { servePages } from '../server.js'
 
@@ -24,10 +24,10 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
   },
 })}</script>`
 
-/** Starts a browser and a server → { open(version, script), listing(code), close() }. An opened page has its console `messages`. */
+/** Starts a browser and a server → { open(version, script), listing(code), close() }. `open` and `listing` return { page, messages }. */
 export const threePages = async (flags) => threePagesIn(await launchBrowser(flags))
 
-/** Like `threePages`, in a browser that is running. */
+/** Does the same in a running browser, which `close()` closes. */
 export async function threePagesIn(browser) {
   const pages = await servePages()
   return {

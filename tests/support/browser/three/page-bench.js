@@ -1,4 +1,5 @@
-// Measures frame times of a warped mesh, and of one with the same motion and derivatives written by hand, for `npm run bench -- three`.
+// Measures frame times of a warped mesh and of a mesh whose shader has the same motion and its derivatives by hand, for
+// `npm run bench -- three`.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 
@@ -11,8 +12,8 @@ scene.add(new THREE.DirectionalLight(0xffffff, 2), new THREE.HemisphereLight())
 const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 50)
 camera.position.z = 4
 
-/** `copies` of the sphere are one geometry, so that one draw keeps a GPU busy. */
-function geometryOf(copies) {
+/** Makes a geometry of `copies` spheres at the same place, so that a single draw call keeps a GPU busy. */
+function makeGeometry(copies) {
   const sphere = new THREE.SphereGeometry(1, 400, 300)
   const indices = sphere.index.array
   const index = new Uint32Array(copies * indices.length)
@@ -20,7 +21,7 @@ function geometryOf(copies) {
   return sphere.setIndex(new THREE.BufferAttribute(index, 1))
 }
 
-/** Sines along y and x, the first of which moves with the time. */
+/** Sine waves along y and x; the first one moves with time. */
 const offset = ({ glsl, position, millis }) =>
   glsl.vec3(
     position.y().mult(4).add(millis.div(500)).sin().mult(0.15),
@@ -63,26 +64,26 @@ function draw(count) {
 
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
-/** Each round creates both materials again, and draws the first frame and batches of frames, this many together. */
-const frames = 4
+/** In each round, both materials are created again. It draws this many batches; the first batch consists of the first frame. */
+const batches = 4
 
 /** Returns medians of `rounds` rounds; a batch has `batch` frames. */
 window.bench = (rounds, copies, batch) => {
-  const geometry = geometryOf(copies)
-  const ways = { warped: (object) => warp(object, offset), byHand: warpByHand }
+  const geometry = makeGeometry(copies)
+  const warpFunctions = { warped: (object) => warp(object, offset), byHand: warpByHand }
   const times = { 'first frame': [], frame: [] }
   for (let round = 0; round < rounds; round++) {
-    const made = Object.entries(ways).map(([name, way]) => {
+    const entries = Object.entries(warpFunctions).map(([name, warpObject]) => {
       const object = new THREE.Mesh(geometry.clone(), new THREE.MeshStandardMaterial())
       // A new key makes three.js compile a new program.
       object.material.customProgramCacheKey = () => `${name} ${round}`
-      return { name, object, ...way(object) }
+      return { name, object, ...warpObject(object) }
     })
-    // Alternates between both, so that other load on the machine affects them equally.
-    if (round % 2) made.reverse()
-    for (let i = 0; i < frames; i++) {
+    // Alternates between the two ways, and their order, so that other load on the machine affects them equally.
+    if (round % 2) entries.reverse()
+    for (let i = 0; i < batches; i++) {
       const pair = {}
-      for (const { name, object, update } of made) {
+      for (const { name, object, update } of entries) {
         scene.add(object)
         update(16 * i)
         pair[name] = draw(i ? batch : 1)
@@ -90,17 +91,17 @@ window.bench = (rounds, copies, batch) => {
       }
       times[i ? 'frame' : 'first frame'].push(pair)
     }
-    for (const { object, dispose } of made) {
+    for (const { object, dispose } of entries) {
       dispose()
       object.geometry.dispose()
       object.material.dispose()
     }
   }
-  return Object.fromEntries(Object.entries(times).map(([name, pairs]) => [name, summary(pairs)]))
+  return Object.fromEntries(Object.entries(times).map(([name, pairs]) => [name, summarize(pairs)]))
 }
 
-/** Returns the medians of both, and the median of their quotients. */
-const summary = (pairs) => ({
+/** Returns the median time of each way, and the median of their quotients. */
+const summarize = (pairs) => ({
   warped: median(pairs.map(({ warped }) => warped)),
   byHand: median(pairs.map(({ byHand }) => byHand)),
   quotient: median(pairs.map(({ warped, byHand }) => warped / byHand)),

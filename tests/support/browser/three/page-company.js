@@ -1,4 +1,6 @@
-// Combines warps with other people's code, with WebGPURenderer: each row draws a warped object and the same motion without a warp.
+// The company tests with WebGPURenderer, which combine warps with other code: a row draws a warped object, and compares it with an object
+// that
+// has the same motion without a warp.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { addSurfaceVariation, warpMaterial, warpNode } from 'warpjet/three/webgpu'
@@ -11,9 +13,9 @@ import { draw, rendererFor } from './webgpu-renderer.js'
 const { TSL } = THREE
 const { motion } = scenes
 
-const knot = () => new THREE.TorusKnotGeometry(0.45, 0.16, 48, 10)
-const movedKnot = () => knot().applyMatrix4(motion)
-const standard = (more) => new THREE.MeshStandardNodeMaterial({ color: 0xff9060, ...more })
+const makeKnot = () => new THREE.TorusKnotGeometry(0.45, 0.16, 48, 10)
+const makeMovedKnot = () => makeKnot().applyMatrix4(motion)
+const makeStandard = (more) => new THREE.MeshStandardNodeMaterial({ color: 0xff9060, ...more })
 
 export function warpByMotion(object, options) {
   const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms(), ...options })
@@ -21,7 +23,8 @@ export function warpByMotion(object, options) {
   return warped
 }
 
-const places = [
+/** The matrices of the instances. */
+const matrices = [
   new THREE.Matrix4().makeScale(0.6, 0.5, 0.5).setPosition(-0.5, 0.4, 0),
   new THREE.Matrix4()
     .makeRotationY(0.7)
@@ -30,108 +33,116 @@ const places = [
 ]
 
 const makeInstances = (geometry, material) => {
-  const mesh = new THREE.InstancedMesh(geometry, material, places.length)
-  places.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
+  const mesh = new THREE.InstancedMesh(geometry, material, matrices.length)
+  matrices.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
   return mesh
 }
 
 const makeBatch = (geometry, material) => {
-  const mesh = new THREE.BatchedMesh(places.length, 1000, 4000, material)
+  const mesh = new THREE.BatchedMesh(matrices.length, 1000, 4000, material)
   const id = mesh.addGeometry(geometry)
-  places.forEach((matrix) => mesh.setMatrixAt(mesh.addInstance(id), matrix))
+  matrices.forEach((matrix) => mesh.setMatrixAt(mesh.addInstance(id), matrix))
   return mesh
 }
 
-/** A node with which the user displaces vertices. */
-const userNode = () => {
+/** Makes a node with which a user displaces vertices. */
+const makeUserNode = () => {
   const { positionLocal, vec3 } = TSL
   return positionLocal.add(vec3(positionLocal.y.mul(5).sin().mul(0.15), 0, 0))
 }
 
-const meshOf = (material) => ({
-  object: new THREE.Mesh(knot(), material()),
-  reference: new THREE.Mesh(movedKnot(), material()),
-  still: new THREE.Mesh(knot(), material()),
+const makeMeshes = (material) => ({
+  object: new THREE.Mesh(makeKnot(), material()),
+  reference: new THREE.Mesh(makeMovedKnot(), material()),
+  still: new THREE.Mesh(makeKnot(), material()),
 })
-const variants = (make) => ({
-  object: make(knot()),
-  reference: make(movedKnot()),
-  still: make(knot()),
+const makeVariants = (make) => ({
+  object: make(makeKnot()),
+  reference: make(makeMovedKnot()),
+  still: make(makeKnot()),
 })
 
 /** Overrides the materials with one that shows normals. */
 const overrideMaterials = (scene) => (scene.overrideMaterial = new THREE.MeshNormalNodeMaterial())
 
-/** Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. */
+/**
+ * Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. `warp` warps
+ * the object in another way than `warpByMotion`, and `afterwards` changes the objects once it is warped.
+ */
 const rows = {
   'positionNode on an InstancedMesh': () =>
-    variants((geometry) => makeInstances(geometry, standard({ positionNode: userNode() }))),
+    makeVariants((geometry) =>
+      makeInstances(geometry, makeStandard({ positionNode: makeUserNode() })),
+    ),
   'positionNode on a BatchedMesh': () =>
-    variants((geometry) => makeBatch(geometry, standard({ positionNode: userNode() }))),
+    makeVariants((geometry) => makeBatch(geometry, makeStandard({ positionNode: makeUserNode() }))),
   'positionNode set after warp': () => ({
     // The user's node applies before the motion.
-    object: new THREE.Mesh(knot(), standard()),
-    reference: new THREE.Mesh(knot(), standard()),
-    still: new THREE.Mesh(knot(), standard({ positionNode: userNode() })),
+    object: new THREE.Mesh(makeKnot(), makeStandard()),
+    reference: new THREE.Mesh(makeKnot(), makeStandard()),
+    still: new THREE.Mesh(makeKnot(), makeStandard({ positionNode: makeUserNode() })),
     afterwards: ({ object, reference }) => {
-      object.material.positionNode = userNode()
+      object.material.positionNode = makeUserNode()
       object.material.needsUpdate = true
-      reference.material.positionNode = userNode()
+      reference.material.positionNode = makeUserNode()
       reference.matrix.multiply(motion)
     },
   }),
   'positionNode on an InstancedMesh, set after warp': () => ({
-    ...variants((geometry) => makeInstances(geometry, standard())),
+    ...makeVariants((geometry) => makeInstances(geometry, makeStandard())),
     afterwards: (all) => {
       for (const { material } of Object.values(all)) {
-        material.positionNode = userNode()
+        material.positionNode = makeUserNode()
         material.needsUpdate = true
       }
     },
   }),
   'another material after warp': () => ({
-    ...meshOf(() => standard()),
+    ...makeMeshes(() => makeStandard()),
     afterwards: (all) => {
       for (const mesh of Object.values(all))
         mesh.material = new THREE.MeshLambertMaterial({ color: 0x40ff80 })
     },
   }),
   'another material between frames': () => ({
-    ...meshOf(() => standard()),
+    ...makeMeshes(() => makeStandard()),
     isDrawnBefore: true,
     afterwards: (all) => {
       for (const mesh of Object.values(all))
         mesh.material = new THREE.MeshPhongMaterial({ color: 0x40ff80 })
     },
   }),
-  'an override material': () => ({ ...meshOf(() => standard()), prepare: overrideMaterials }),
-  'a plain twin of the same geometry and material beside it': () => {
+  'an override material': () => ({
+    ...makeMeshes(() => makeStandard()),
+    prepare: overrideMaterials,
+  }),
+  'an unwarped mesh with the same geometry and material': () => {
     const all = {}
-    const made = { geometry: knot(), material: new THREE.MeshStandardMaterial() }
+    const [geometry, material] = [makeKnot(), new THREE.MeshStandardMaterial()]
     for (const name of ['object', 'reference', 'still']) {
       const group = new THREE.Group()
-      const twin = new THREE.Mesh(made.geometry, made.material)
+      const twin = new THREE.Mesh(geometry, material)
       twin.position.set(-0.7, 0.3, -0.3)
-      const geometry = name === 'reference' ? movedKnot() : made.geometry
-      group.add(twin, new THREE.Mesh(geometry, made.material))
+      const shape = name === 'reference' ? makeMovedKnot() : geometry
+      group.add(twin, new THREE.Mesh(shape, material))
       all[name] = group
     }
     return { ...all, warped: all.object.children[1] }
   },
   'a skinned mesh at rest': () => ({
-    ...variantsAtRest(scenes.shapes.skin),
+    ...makeVariantsAtRest(scenes.shapes.skin),
     options: { space: 'rest' },
   }),
   'morph targets at rest': () => ({
-    ...variantsAtRest(scenes.shapes.morphs),
+    ...makeVariantsAtRest(scenes.shapes.morphs),
     options: { space: 'rest' },
   }),
   'instances with morph targets': () => {
     const make = (isMoved) => {
-      const geometry = withMorphs(isMoved)
-      const mesh = makeInstances(geometry, standard())
+      const geometry = makeMorphingKnot(isMoved)
+      const mesh = makeInstances(geometry, makeStandard())
       const dummy = new THREE.Mesh(geometry)
-      places.forEach((_, i) => {
+      matrices.forEach((_, i) => {
         dummy.morphTargetInfluences = [0.4 + 0.3 * i]
         mesh.setMorphAt(i, dummy)
       })
@@ -140,21 +151,21 @@ const rows = {
     return { object: make(), reference: make(true), still: make() }
   },
   PointsNodeMaterial: () =>
-    variants((geometry) => new THREE.Points(geometry, new THREE.PointsNodeMaterial())),
+    makeVariants((geometry) => new THREE.Points(geometry, new THREE.PointsNodeMaterial())),
   'PointsNodeMaterial with a positionNode': () => ({
-    object: points(),
-    reference: points(),
-    still: points(),
+    object: makePoints(),
+    reference: makePoints(),
+    still: makePoints(),
     afterwards: ({ reference }) => reference.matrix.multiply(motion),
   }),
   'warpMaterial on an InstancedMesh with a positionNode': () => {
-    const all = variants((geometry) =>
-      makeInstances(geometry, standard({ positionNode: userNode() })),
+    const all = makeVariants((geometry) =>
+      makeInstances(geometry, makeStandard({ positionNode: makeUserNode() })),
     )
     return { ...all, warp: (mesh) => replaceMaterial(mesh) }
   },
   'warpNode on an InstancedMesh': () => ({
-    ...variants((geometry) => makeInstances(geometry, standard())),
+    ...makeVariants((geometry) => makeInstances(geometry, makeStandard())),
     warp(mesh) {
       const made = warpNode(scenes.offset, { uniforms: scenes.uniforms() })
       made.update(1000)
@@ -162,7 +173,7 @@ const rows = {
     },
   }),
   'warpNode inside other nodes on an InstancedMesh': () => ({
-    ...variants((geometry) => makeInstances(geometry, standard())),
+    ...makeVariants((geometry) => makeInstances(geometry, makeStandard())),
     warp(mesh) {
       const made = warpNode(scenes.offset, { uniforms: scenes.uniforms() })
       made.update(1000)
@@ -171,8 +182,8 @@ const rows = {
   }),
 }
 
-const points = () =>
-  new THREE.Points(knot(), new THREE.PointsNodeMaterial({ positionNode: userNode() }))
+const makePoints = () =>
+  new THREE.Points(makeKnot(), new THREE.PointsNodeMaterial({ positionNode: makeUserNode() }))
 
 function replaceMaterial(mesh) {
   const made = warpMaterial(mesh.material, scenes.offset, { uniforms: scenes.uniforms() })
@@ -180,15 +191,15 @@ function replaceMaterial(mesh) {
   mesh.material = made.material
 }
 
-function variantsAtRest(make) {
+function makeVariantsAtRest(make) {
   const reference = make()
   reference.geometry.applyMatrix4(motion)
   return { object: make(), reference, still: make() }
 }
 
-/** Makes a knot with a relative morph target: three.js throws for others on an InstancedMesh. */
-function withMorphs(isMoved) {
-  const geometry = knot()
+/** Makes a knot with a relative morph target; for absolute ones on an InstancedMesh, three.js throws. */
+function makeMorphingKnot(isMoved) {
+  const geometry = makeKnot()
   const [position, normal] = ['position', 'normal'].map((name) => {
     const target = geometry.attributes[name].clone()
     for (let i = 0; i < target.count; i++) target.setXYZ(i, 0, 0.5 * target.getX(i), 0)
@@ -210,22 +221,22 @@ async function compare(name, backend) {
   const renderer = await rendererFor(backend)
   const { prepare = () => {}, afterwards, options, isDrawnBefore, ...row } = rows[name]()
   const { object, reference, still } = row
-  const sceneOf = (given) => {
-    given.matrixAutoUpdate = false
-    given.matrix.copy(scenes.place)
-    const scene = scenes.sceneOf(given, 'directional')
+  const makeScene = (subject) => {
+    subject.matrixAutoUpdate = false
+    subject.matrix.copy(scenes.place)
+    const scene = scenes.sceneOf(subject, 'directional')
     prepare(scene)
     return scene
   }
-  const all = [object, reference, still].map(sceneOf)
+  const all = [object, reference, still].map(makeScene)
   if (row.warp) row.warp(object)
   else warpByMotion(row.warped ?? object, options)
   if (isDrawnBefore) for (const scene of all) await draw(renderer, scene)
   afterwards?.({ object, reference, still })
   const pictures = []
   for (const scene of all) pictures.push(await draw(renderer, scene))
-  const [shown, wanted, before] = pictures
-  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
+  const [shown, expected, before] = pictures
+  return { differing: countDiffering(shown, expected), moved: countDiffering(expected, before) }
 }
 
 window.company = {
@@ -245,11 +256,11 @@ window.company = {
       }
     }
     const withName = (object, name) => Object.assign(object, { name })
-    const replaced = withName(standard({ vertexNode: TSL.vec4(0, 0, 0, 1) }), 'screen')
-    attempt(withName(new THREE.Mesh(knot(), replaced), 'boat'))
-    attempt(withName(new THREE.Mesh(knot(), new THREE.PointsNodeMaterial()), 'dust'))
+    const replaced = withName(makeStandard({ vertexNode: TSL.vec4(0, 0, 0, 1) }), 'screen')
+    attempt(withName(new THREE.Mesh(makeKnot(), replaced), 'boat'))
+    attempt(withName(new THREE.Mesh(makeKnot(), new THREE.PointsNodeMaterial()), 'dust'))
     attempt(withName(new THREE.Sprite(new THREE.SpriteNodeMaterial()), 'tree'))
-    const mesh = withName(new THREE.Mesh(knot(), standard()), 'ship')
+    const mesh = withName(new THREE.Mesh(makeKnot(), makeStandard()), 'ship')
     warpByMotion(mesh)
     try {
       mesh.onBeforeRender({ isWebGPURenderer: true })

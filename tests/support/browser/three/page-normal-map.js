@@ -1,9 +1,12 @@
-// A page that draws GLB files by three.js, and the exact normals of a warp at each pixel.
+// A page that draws GLB files with normal maps in three.js, and compares them with the exact normals of the warp at each pixel.
 import * as THREE from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 const size = 300
-/** Samples per pixel along each axis. Normals of noise vary within a pixel, and the map's mipmaps average them, so we average them too. */
+/**
+ * The number of samples per pixel along each axis. Normals of noise vary within a pixel, and the map's mipmaps average them; so we average
+ * samples, too.
+ */
 const samples = 4
 const resolution = size * samples
 
@@ -16,7 +19,7 @@ const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 20)
 camera.position.set(1, 1.5, 4)
 camera.lookAt(0, 0, 0)
 
-/** Returns the pixels, with an alpha of 0 where nothing is drawn. `change(mesh)` is called before. */
+/** Draws a model after `change(mesh)` → its pixels, with an alpha of 0 where nothing is drawn. */
 async function draw(glb, change = () => {}) {
   const { scene } = await new GLTFLoader().parseAsync(Uint8Array.fromBase64(glb).buffer, '')
   change(scene.getObjectByProperty('isMesh', true))
@@ -27,11 +30,11 @@ async function draw(glb, change = () => {}) {
   const gl = renderer.getContext()
   const pixels = new Uint8Array(4 * resolution * resolution)
   gl.readPixels(0, 0, resolution, resolution, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
-  return averages(pixels)
+  return averageSamples(pixels)
 }
 
 /** Returns the average of the samples of each pixel. */
-function averages(pixels) {
+function averageSamples(pixels) {
   const sums = new Float32Array(4 * size * size)
   for (let y = 0; y < resolution; y++)
     for (let x = 0; x < resolution; x++)
@@ -41,14 +44,14 @@ function averages(pixels) {
   return sums.map((sum) => sum / samples ** 2)
 }
 
-const floats = (text) => new Float32Array(Uint8Array.fromBase64(text).buffer)
+const toFloats = (base64) => new Float32Array(Uint8Array.fromBase64(base64).buffer)
 
 /** Replaces the normal of each pixel by that of the warp at the interpolated rest position and normal. */
 const withExactNormals =
   ({ declarations, code, positions, normals }) =>
   ({ geometry, material }) => {
-    geometry.setAttribute('restPosition', new THREE.BufferAttribute(floats(positions), 3))
-    geometry.setAttribute('restNormal', new THREE.BufferAttribute(floats(normals), 3))
+    geometry.setAttribute('restPosition', new THREE.BufferAttribute(toFloats(positions), 3))
+    geometry.setAttribute('restNormal', new THREE.BufferAttribute(toFloats(normals), 3))
     material.customProgramCacheKey = () => code
     material.onBeforeCompile = (shader) => {
       shader.vertexShader = shader.vertexShader.replace(
@@ -77,7 +80,7 @@ const changes = {
   anisotropic: ({ material }) => {
     material.normalMap.anisotropy = renderer.capabilities.getMaxAnisotropy()
   },
-  /** Makes three.js find its own frames, by derivatives on the screen, as for files without tangents. */
+  /** Makes three.js compute tangents from derivatives on the screen, as for files without tangents. */
   'no tangents': ({ geometry, material }) => {
     geometry.deleteAttribute('tangent')
     material.normalScale.y *= -1
@@ -87,7 +90,7 @@ const changes = {
   },
 }
 
-/** Returns how many pixels are drawn, and a histogram of the max difference of their channels. */
+/** Returns the number of drawn pixels, and a histogram of the max difference of their channels. */
 async function compare(glb, exact, change) {
   const expected = await draw(exact.glb, withExactNormals(exact))
   const shown = await draw(glb, changes[change])

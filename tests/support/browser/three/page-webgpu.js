@@ -1,9 +1,9 @@
-// A page with WebGPURenderer, on both its backends, and 'warpjet/three/webgpu': the functions that tests call in it.
+// A page with WebGPURenderer, on both backends, and 'warpjet/three/webgpu', with functions that tests call.
 import { WebGLRenderer } from 'three'
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { warpNode } from 'warpjet/three/webgpu'
-import { settledHeap } from './heap.js'
+import { measureHeap } from './heap.js'
 import { countDiffering } from './pixels.js'
 import { samplings, scenesOf } from './sampling.js'
 import * as scenes from './scenes.js'
@@ -13,21 +13,25 @@ import { draw, rendererFor } from './webgpu-renderer.js'
 const { size } = scenes
 const { normalGeometry, transformNormalToView } = THREE.TSL
 
+/** Break the warp, to show that the tests would detect that. */
 const sabotages = {
-  // Three.js converts this material to a node material that has its properties.
+  // Three.js converts the material to a node material and copies this property.
   normals: ({ material }) => {
     material.normalNode = transformNormalToView(normalGeometry)
   },
 }
 
-/** Counts the pixels that differ between the warp and the motion → { differing, moved, afterwards }. */
+/**
+ * Counts pixels that differ between the warp and the same motion by matrices (`differing`), between the warp and no motion (`moved`), and
+ * between the disposed warp and no motion (`afterwards`).
+ */
 async function compare(name, { backend, light = 'directional', space, sabotage, map = 'PCF' }) {
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]
   renderer.shadowMap.type = THREE[`${map}ShadowMap`]
-  const before = await draw(renderer, scenes.sceneOf(scenes.unmoved(make), light))
+  const before = await draw(renderer, scenes.sceneOf(scenes.makeUnmoved(make), light))
   const expected = await draw(renderer, scenes.sceneOf(scenes.makeMoved(make, space), light))
-  const object = scenes.unmoved(make)
+  const object = scenes.makeUnmoved(make)
   const scene = scenes.sceneOf(object, light)
   const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
   warped.update(1000)
@@ -47,15 +51,15 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]
   const { mirroredMotion, makeDoubleSided } = scenes
-  const pictureOf = (object) => draw(renderer, scenes.sceneOf(object, light))
-  const before = await pictureOf(makeDoubleSided(scenes.unmoved(make)))
-  const expected = await pictureOf(makeDoubleSided(scenes.makeMoved(make, space, mirroredMotion)))
-  const object = makeDoubleSided(scenes.unmoved(make))
+  const drawObject = (object) => draw(renderer, scenes.sceneOf(object, light))
+  const before = await drawObject(makeDoubleSided(scenes.makeUnmoved(make)))
+  const expected = await drawObject(makeDoubleSided(scenes.makeMoved(make, space, mirroredMotion)))
+  const object = makeDoubleSided(scenes.makeUnmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space })
     : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
   warped.update(1000)
-  const shown = await pictureOf(object)
+  const shown = await drawObject(object)
   warped.dispose()
   return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
@@ -63,7 +67,7 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
 /** Does the same as `normals` in page.js, with a float target, for which three.js converts colours to linear ones. */
 async function normals({ backend, asNode }) {
   const renderer = await rendererFor(backend)
-  const { scene, camera, mesh, size } = wave.waveScene(
+  const { scene, camera, mesh, size } = wave.makeWaveScene(
     asNode ? new THREE.MeshNormalNodeMaterial() : undefined,
   )
   const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
@@ -75,7 +79,7 @@ async function normals({ backend, asNode }) {
     const shown = Array.from(numbers, (x) =>
       x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
     )
-    return wave.worstOf(shown, { isUpwards: backend === 'webgl', millis })
+    return wave.maxError(shown, { isUpwards: backend === 'webgl', millis })
   }
   const unwarped = await read()
   let update
@@ -92,9 +96,10 @@ async function normals({ backend, asNode }) {
   return { worst, unwarped }
 }
 
+/** Does the same as `image` in page.js. */
 async function image({ backend }) {
   const renderer = await rendererFor(backend)
-  const object = scenes.unmoved(scenes.shapes.plain)
+  const object = scenes.makeUnmoved(scenes.shapes.plain)
   const scene = scenes.sceneOf(object, 'directional')
   const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
     uniforms: { map: scenes.shiftMap() },
@@ -110,11 +115,11 @@ async function image({ backend }) {
   }
 }
 
-/** Draws one warp on several spheres, each with its own amount → the pixels that each sphere covers. */
-async function amounts(all, { backend }) {
+/** Draws spheres that a warp scales, each by another amount → the numbers of pixels that they cover. */
+async function amounts(factors, { backend }) {
   const renderer = await rendererFor(backend)
   const covered = []
-  for (const amount of all) {
+  for (const amount of factors) {
     const scene = new THREE.Scene()
     const material = new THREE.MeshBasicMaterial({ color: 'white' })
     const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 40, 20), material)
@@ -132,23 +137,23 @@ async function sampling(name, kind, { backend }) {
   const { warped, expected, still } = scenesOf(name, kind)
   const pictures = []
   for (const scene of [warped, expected, still]) pictures.push(await draw(renderer, scene))
-  const [shown, wanted, before] = pictures
-  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
+  const [shown, moved, before] = pictures
+  return { differing: countDiffering(shown, moved), moved: countDiffering(moved, before) }
 }
 
-/** Compares two planes scaled by 2: a warp moves one along its normal in world space, the other is placed there. */
+/** Compares two planes scaled by 2: a warp moves one along its normal in world space, the other is placed at its destination. */
 async function alongNormal({ backend }) {
   const renderer = await rendererFor(backend)
-  const plane = () => {
+  const makePlane = () => {
     const mesh = new THREE.Mesh(new THREE.PlaneGeometry(0.5, 0.5), new THREE.MeshStandardMaterial())
     mesh.scale.setScalar(2)
     mesh.rotation.set(0.5, 0.4, 0)
     return mesh
   }
-  const [object, moved] = [plane(), plane()]
+  const [object, moved] = [makePlane(), makePlane()]
   const shift = new THREE.Vector3(0, 0, 0.3).applyEuler(moved.rotation)
   moved.position.add(shift)
-  const before = await draw(renderer, scenes.sceneOf(plane(), 'directional'))
+  const before = await draw(renderer, scenes.sceneOf(makePlane(), 'directional'))
   const expected = await draw(renderer, scenes.sceneOf(moved, 'directional'))
   const scene = scenes.sceneOf(object, 'directional')
   const offset = ({ normal }) => normal.mult(0.3)
@@ -158,12 +163,15 @@ async function alongNormal({ backend }) {
   return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
 
-/** Warps an object once, draws it with both renderers, and compares each picture with the motion without a warp in the same renderer. */
+/**
+ * Warps an object, draws it with WebGLRenderer and WebGPURenderer, and compares each picture with one of the same motion without a warp by
+ * the same renderer.
+ */
 async function both({ backend }) {
   const renderer = await rendererFor(backend)
   const other = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
   other.setSize(size, size)
-  const sceneOf = (object) => {
+  const makeScene = (object) => {
     const scene = scenes.sceneOf(object, 'directional')
     scene.traverse((part) => (part.castShadow = false))
     return scene
@@ -175,28 +183,28 @@ async function both({ backend }) {
     gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, bytes)
     return bytes
   }
-  const object = scenes.unmoved(scenes.shapes.plain)
-  const [before, scene] = [sceneOf(scenes.unmoved(scenes.shapes.plain)), sceneOf(object)]
-  const expected = sceneOf(scenes.makeMoved(scenes.shapes.plain))
+  const object = scenes.makeUnmoved(scenes.shapes.plain)
+  const [before, scene] = [makeScene(scenes.makeUnmoved(scenes.shapes.plain)), makeScene(object)]
+  const expected = makeScene(scenes.makeMoved(scenes.shapes.plain))
   const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
   warped.update(1000)
-  const found = {}
+  const results = {}
   for (const [name, show] of [
     ['webgl', read],
     ['webgpu', (scene) => draw(renderer, scene)],
   ]) {
-    const [shown, wanted] = [await show(scene), await show(expected)]
-    found[name] = {
-      differing: countDiffering(shown, wanted),
-      moved: countDiffering(wanted, await show(before)),
+    const [shown, moved] = [await show(scene), await show(expected)]
+    results[name] = {
+      differing: countDiffering(shown, moved),
+      moved: countDiffering(moved, await show(before)),
     }
   }
   warped.dispose()
   other.dispose()
-  return found
+  return results
 }
 
-/** Warps and disposes many times → the counts of three.js and the size of the heap, before and after. */
+/** Warps and disposes of a mesh many times → three's counts of resources and the size of the heap, before and after. */
 async function churn({ backend, times }) {
   const renderer = await rendererFor(backend)
   const object = scenes.shapes.plain()
@@ -207,7 +215,7 @@ async function churn({ backend, times }) {
     return draw(renderer, scene).then(() => warped.dispose())
   }
   const state = async () => {
-    const heap = await settledHeap()
+    const heap = await measureHeap()
     return { ...renderer.info.memory, heap }
   }
   for (let i = 0; i < 20; i++) await once()

@@ -1,7 +1,7 @@
-// A page with three.js and 'warpjet/three': the functions that tests call in it.
+// A page with three.js and 'warpjet/three', with functions that tests call.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
-import { settledHeap } from './heap.js'
+import { measureHeap } from './heap.js'
 import { countDiffering } from './pixels.js'
 import { samplings, scenesOf } from './sampling.js'
 import * as scenes from './scenes.js'
@@ -45,7 +45,7 @@ function free(scene) {
   })
 }
 
-/** Removes statements from the shaders, to show that the tests would detect that. */
+/** Break the shaders, to show that the tests would detect that. */
 const sabotages = {
   normals: (source) =>
     source.replaceAll('objectNormal = warpjetNormal', 'objectNormal = warpjetRestNormal'),
@@ -56,7 +56,7 @@ const sabotages = {
 }
 
 /** Returns a renderer with sabotaged shaders. */
-function sabotagedRenderer(sabotage) {
+function getSabotagedRenderer(sabotage) {
   const made = rendererFor({ sabotage })
   const gl = made.getContext()
   const { shaderSource } = WebGL2RenderingContext.prototype
@@ -64,21 +64,24 @@ function sabotagedRenderer(sabotage) {
   return made
 }
 
-/** Counts the pixels that differ between the warp and the motion → { differing, moved, afterwards }. */
+/**
+ * Counts pixels that differ between the warp and the same motion by matrices (`differing`), between the warp and no motion (`moved`), and
+ * between the disposed warp and no motion (`afterwards`).
+ */
 export function compare(
   name,
   { light = 'directional', space, normals, sabotage, map = 'PCF', options = {} },
 ) {
   const make = scenes.shapes[name]
-  renderer = sabotage ? sabotagedRenderer(sabotage) : rendererFor(options)
+  renderer = sabotage ? getSabotagedRenderer(sabotage) : rendererFor(options)
   renderer.shadowMap.type = THREE[`${map}ShadowMap`]
-  const still = scenes.sceneOf(scenes.unmoved(make), light)
+  const still = scenes.sceneOf(scenes.makeUnmoved(make), light)
   const before = draw(still)
   free(still)
   const reference = scenes.sceneOf(scenes.makeMoved(make, space), light)
   const expected = draw(reference)
   free(reference)
-  const object = scenes.unmoved(make)
+  const object = scenes.makeUnmoved(make)
   const scene = scenes.sceneOf(object, light)
   const warped = warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms() })
   warped.update(1000)
@@ -93,35 +96,38 @@ export function compare(
   }
 }
 
-/** Does the same for a mirroring motion and double-sided materials, with a constant matrix if `isKnown`, otherwise with uniforms. */
+/**
+ * Does the same for a motion that mirrors and double-sided materials. The matrix is constant if `isKnown`, otherwise it consists of
+ * uniforms.
+ */
 export function mirror(name, { light = 'directional', space, normals, isKnown = false }) {
   const make = scenes.shapes[name]
   renderer = rendererFor({})
   renderer.shadowMap.type = THREE.PCFShadowMap
-  const pictureOf = (object) => {
+  const drawObject = (object) => {
     const scene = scenes.sceneOf(object, light)
     const picture = draw(scene)
     free(scene)
     return picture
   }
   const { mirroredMotion, makeDoubleSided } = scenes
-  const before = pictureOf(makeDoubleSided(scenes.unmoved(make)))
+  const before = drawObject(makeDoubleSided(scenes.makeUnmoved(make)))
   const reference = scenes.makeMoved(make, space, mirroredMotion)
-  const expected = pictureOf(scenes.flipBitangents(makeDoubleSided(reference)))
-  const object = makeDoubleSided(scenes.unmoved(make))
+  const expected = drawObject(scenes.flipBitangents(makeDoubleSided(reference)))
+  const object = makeDoubleSided(scenes.makeUnmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space, normals })
     : warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms(mirroredMotion) })
   warped.update(1000)
-  const shown = pictureOf(object)
+  const shown = drawObject(object)
   warped.dispose()
   return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
 
-/** Measures the error of the shown normals of a wave, in 255ths → { worst, unwarped }, the latter without the warp. */
+/** Measures the max error of the drawn normals of a wave, in units of 1/255 → { worst, unwarped }: at each moment, and without the warp. */
 export function normals() {
   renderer = rendererFor({})
-  const { scene, camera, mesh, size } = wave.waveScene()
+  const { scene, camera, mesh, size } = wave.makeWaveScene()
   const target = new THREE.WebGLRenderTarget(size, size)
   const read = (millis) => {
     renderer.setRenderTarget(target)
@@ -129,7 +135,7 @@ export function normals() {
     const bytes = new Uint8Array(4 * size * size)
     renderer.readRenderTargetPixels(target, 0, 0, size, size, bytes)
     renderer.setRenderTarget(null)
-    return wave.worstOf(
+    return wave.maxError(
       Array.from(bytes, (byte) => byte / 255),
       { millis },
     )
@@ -149,7 +155,7 @@ export function normals() {
 export function image() {
   renderer = rendererFor({})
   const make = { warped: scenes.shapes.plain, moved: scenes.shapes.plain }
-  const object = scenes.unmoved(make)
+  const object = scenes.makeUnmoved(make)
   const scene = scenes.sceneOf(object, 'directional')
   const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
     uniforms: { map: scenes.shiftMap() },
@@ -166,11 +172,11 @@ export function image() {
 export function sampling(name, kind) {
   renderer = rendererFor({})
   const { warped, expected, still } = scenesOf(name, kind)
-  const [shown, wanted, before] = [warped, expected, still].map((scene) => draw(scene))
-  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
+  const [shown, moved, before] = [warped, expected, still].map((scene) => draw(scene))
+  return { differing: countDiffering(shown, moved), moved: countDiffering(moved, before) }
 }
 
-/** Compares the example for three-custom-shader-material of web/docs/three.md with the motion by three.js. */
+/** Compares the example for three-custom-shader-material in web/docs/three.md with the same motion by three's matrices. */
 export async function custom() {
   renderer = rendererFor({})
   // Not variance shadows, for which three.js also draws objects that only receive shadows.
@@ -191,7 +197,7 @@ export async function custom() {
         .sub(position),
     { names: { millis: 'uTime' } },
   )
-  const object = scenes.unmoved(scenes.shapes.plain)
+  const object = scenes.makeUnmoved(scenes.shapes.plain)
   const scene = scenes.sceneOf(object, 'directional')
   const before = draw(scene)
   object.material = new CustomShaderMaterial({
@@ -214,8 +220,8 @@ export async function custom() {
 }
 
 /**
- * Warps and disposes a mesh many times → the counts of three.js and the size of the heap, before and after. With `hasTwin`, another
- * mesh stays warped and shares its programs, which otherwise are compiled each time, for a tenth of a second. Draws few pixels.
+ * Warps and disposes of a mesh many times → three's counts of resources and the size of the heap, before and after. With `hasTwin`, another
+ * mesh stays warped and shares its programs, which would otherwise be compiled each time, for 0.1 s. Draws few pixels.
  */
 export async function churn(times, { hasTwin = false } = {}) {
   renderer = rendererFor({})
@@ -239,7 +245,7 @@ export async function churn(times, { hasTwin = false } = {}) {
     renderer.render(scene, scenes.camera())
   }
   const state = async () => {
-    const heap = await settledHeap()
+    const heap = await measureHeap()
     const { memory, programs } = renderer.info
     return { ...memory, programs: programs.length, heap }
   }

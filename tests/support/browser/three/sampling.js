@@ -1,33 +1,35 @@
-// A sphere displaced by the heights in an image: once with a warp, and once vertex by vertex with an interpolation in double precision, at
-// the coordinates that the matrix of three's texture gives.
+// A sphere displaced by the heights in an image: by a warp, and vertex by vertex on the CPU, which samples in double precision at
+// coordinates
+// that three's texture matrix transforms.
 import * as THREE from 'three'
 import { glslOffset } from 'warpjet/glsl'
 import { warp } from 'warpjet/three'
 import { randomImage, sample } from '../../../operations/textures.js'
 
 const image = randomImage(7, 5, 3)
-/** Texture coordinates go far beyond 1, so that the wrap mode matters. */
-const reach = 2.3
+/** The factor of texture coordinates: they exceed 1, so that the wrap mode matters. */
+const uvScale = 2.3
 
-export function textureOf({ wrapS, wrapT, magFilter, ...transform }) {
+export function makeTexture({ wrapS, wrapT, magFilter, ...transform }) {
   const texture = new THREE.DataTexture(new Uint8Array(image.data), image.width, image.height)
   texture.wrapS = THREE[wrapS]
   texture.wrapT = THREE[wrapT]
   texture.magFilter = THREE[magFilter]
   const { offset = [0, 0], repeat = [1, 1], rotation = 0, center = [0, 0] } = transform
-  for (const [name, place] of Object.entries({ offset, repeat, center }))
-    texture[name].set(...place)
+  for (const [name, vector] of Object.entries({ offset, repeat, center }))
+    texture[name].set(...vector)
   texture.rotation = rotation
   texture.needsUpdate = true
   return texture
 }
 
+/** Maps a way to write the offset → the offset. */
 export const heights = {
   builder: ({ glsl, position, uv, uniforms }) =>
-    position.mult(glsl.texture(uniforms.map, uv.mult(reach)).r().mult(0.4)),
+    position.mult(glsl.texture(uniforms.map, uv.mult(uvScale)).r().mult(0.4)),
   glsl: glslOffset(`#version 300 es
     uniform sampler2D map;
-    vec3 offset(vec3 position, vec2 uv) { return position * texture(map, uv * ${reach}).r * 0.4; }`),
+    vec3 offset(vec3 position, vec2 uv) { return position * texture(map, uv * ${uvScale}).r * 0.4; }`),
 }
 
 const wrapModes = {
@@ -36,7 +38,7 @@ const wrapModes = {
   MirroredRepeatWrapping: 'mirror',
 }
 
-export const geometry = () => new THREE.SphereGeometry(1, 40, 24)
+export const makeSphere = () => new THREE.SphereGeometry(1, 40, 24)
 
 function heightAt(texture, { wrapS, wrapT, magFilter }, place, isTransformed) {
   if (isTransformed) {
@@ -47,16 +49,17 @@ function heightAt(texture, { wrapS, wrapT, magFilter }, place, isTransformed) {
   return sample(image, place.x, place.y, { filter, wrap: [wrapModes[wrapS], wrapModes[wrapT]] })[0]
 }
 
+/** Displaces the vertices of a sphere on the CPU. */
 export function bakeGeometry(settings, isTransformed) {
-  const texture = textureOf(settings)
-  const made = geometry()
-  const { position, uv } = made.attributes
+  const texture = makeTexture(settings)
+  const sphere = makeSphere()
+  const { position, uv } = sphere.attributes
   for (let i = 0; i < position.count; i++) {
-    const place = new THREE.Vector2(uv.getX(i), uv.getY(i)).multiplyScalar(reach)
+    const place = new THREE.Vector2(uv.getX(i), uv.getY(i)).multiplyScalar(uvScale)
     const scale = 1 + 0.4 * heightAt(texture, settings, place, isTransformed)
     position.setXYZ(i, ...[0, 1, 2].map((k) => scale * position.getComponent(i, k)))
   }
-  return made
+  return sphere
 }
 
 /** Maps a title → the settings of a texture. */
@@ -87,22 +90,22 @@ export const samplings = {
   },
 }
 
-/** Makes three scenes: warped, moved vertex by vertex, and unmoved. */
+/** Makes three scenes: warped, moved vertex by vertex, and unmoved. `kind` is a key of `heights`. */
 export function scenesOf(name, kind) {
   const settings = samplings[name]
-  const sceneOf = (shape) => {
+  const makeScene = (geometry) => {
     const scene = new THREE.Scene()
-    const mesh = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ color: 'white' }))
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color: 'white' }))
     scene.add(mesh)
     return { scene, mesh }
   }
   const [warped, expected, still] = [
-    geometry(),
+    makeSphere(),
     bakeGeometry(settings, kind === 'builder'),
-    geometry(),
-  ].map(sceneOf)
+    makeSphere(),
+  ].map(makeScene)
   warp(warped.mesh, heights[kind], {
-    uniforms: { map: textureOf(settings) },
+    uniforms: { map: makeTexture(settings) },
     surfaceVariation: false,
   })
   return { warped: warped.scene, expected: expected.scene, still: still.scene }

@@ -1,13 +1,13 @@
 // Scenes for the tests of 'warpjet/three': each is drawn with a warp, and with the same motion through matrices of three.js itself.
 import * as THREE from 'three'
 
-/** The motion: a rotation, a shear and a translation, as a matrix. */
+/** The matrix of the motion: a rotation, a shear and a translation. */
 export const motion = new THREE.Matrix4()
   .makeRotationFromEuler(new THREE.Euler(0.4, 0.7, -0.3))
   .multiply(new THREE.Matrix4().makeShear(0.3, 0, 0, 0.2, 0, 0))
   .setPosition(0.2, 0.1, -0.15)
 
-/** The same motion after a reflection in x. */
+/** The matrix of a reflection in x, followed by the motion. */
 export const mirroredMotion = motion.clone().multiply(new THREE.Matrix4().makeScale(-1, 1, 1))
 
 /** The motion as an offset. The linear part is a uniform, and the translation depends on the time. */
@@ -40,7 +40,7 @@ export function makeDoubleSided(object) {
   return object
 }
 
-/** Flips the bitangents: under a mirroring matrix, three.js itself uses the sign in the attribute unchanged. */
+/** Flips the bitangents of an object that a matrix mirrors: three.js itself leaves the sign in the tangent attribute unchanged. */
 export function flipBitangents(object) {
   object.traverse(({ geometry }) => {
     const { tangent } = geometry?.attributes ?? {}
@@ -49,7 +49,7 @@ export function flipBitangents(object) {
   return object
 }
 
-function normalMap() {
+function makeNormalMap() {
   const data = new Uint8Array(4 * 16 * 16)
   for (let i = 0; i < 256; i++) {
     const [x, y] = [Math.sin(i * 0.8), Math.cos(Math.floor(i / 16) * 0.9)]
@@ -61,7 +61,7 @@ function normalMap() {
   return texture
 }
 
-const knot = () => new THREE.TorusKnotGeometry(0.45, 0.16, 48, 10)
+const makeKnot = () => new THREE.TorusKnotGeometry(0.45, 0.16, 48, 10)
 
 function withTangents(geometry) {
   geometry.computeTangents()
@@ -70,14 +70,14 @@ function withTangents(geometry) {
 
 function withMorphs(geometry) {
   const { position, normal } = geometry.attributes
-  const scaleAttribute = (attribute, by) => {
-    const made = attribute.clone()
-    for (let i = 0; i < made.count; i++)
-      made.setXYZ(i, made.getX(i) * by, made.getY(i) + 0.2 * made.getX(i), made.getZ(i))
-    return made
+  const scaleAndShear = (attribute, factor) => {
+    const copy = attribute.clone()
+    for (let i = 0; i < copy.count; i++)
+      copy.setXYZ(i, copy.getX(i) * factor, copy.getY(i) + 0.2 * copy.getX(i), copy.getZ(i))
+    return copy
   }
-  geometry.morphAttributes.position = [scaleAttribute(position, 1.3), scaleAttribute(position, 0.6)]
-  geometry.morphAttributes.normal = [scaleAttribute(normal, 0.8), scaleAttribute(normal, 1.5)]
+  geometry.morphAttributes.position = [scaleAndShear(position, 1.3), scaleAndShear(position, 0.6)]
+  geometry.morphAttributes.normal = [scaleAndShear(normal, 0.8), scaleAndShear(normal, 1.5)]
   return geometry
 }
 
@@ -85,10 +85,10 @@ function makeSkinnedMesh(material, geometry = new THREE.CylinderGeometry(0.25, 0
   const { position } = geometry.attributes
   const [indices, weights] = [[], []]
   for (let i = 0; i < position.count; i++) {
-    const at = (position.getY(i) + 0.7) / 0.7
-    const bone = Math.min(1, Math.floor(at))
+    const height = (position.getY(i) + 0.7) / 0.7
+    const bone = Math.min(1, Math.floor(height))
     indices.push(bone, bone + 1, 0, 0)
-    weights.push(1 - (at - bone), at - bone, 0, 0)
+    weights.push(1 - (height - bone), height - bone, 0, 0)
   }
   geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(indices, 4))
   geometry.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights, 4))
@@ -105,7 +105,8 @@ function makeSkinnedMesh(material, geometry = new THREE.CylinderGeometry(0.25, 0
   return mesh
 }
 
-const places = [
+/** The matrices of instances. */
+const matrices = [
   [-0.6, 0.5, 0, 0.5, 0.5, 0.5],
   [0.6, 0.4, 0.2, 0.3, 0.8, 0.5],
   [0, -0.5, 0, 0.9, 0.4, 0.6],
@@ -117,28 +118,28 @@ const places = [
   ),
 )
 
-const standard = (more) =>
+const makeStandard = (more) =>
   new THREE.MeshStandardMaterial({ color: 0xff9060, roughness: 0.5, ...more })
 
 function makeInstances(material) {
-  const mesh = new THREE.InstancedMesh(knot(), material, places.length)
-  places.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
+  const mesh = new THREE.InstancedMesh(makeKnot(), material, matrices.length)
+  matrices.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
   return mesh
 }
 
 function makeBatch(material) {
-  const [a, b] = [knot(), new THREE.SphereGeometry(0.4, 16, 12)]
-  const isOld = !THREE.BatchedMesh?.prototype.addInstance
+  const [a, b] = [makeKnot(), new THREE.SphereGeometry(0.4, 16, 12)]
+  const hasOldApi = !THREE.BatchedMesh?.prototype.addInstance
   const count = a.attributes.position.count + b.attributes.position.count
   const mesh = new THREE.BatchedMesh(
-    places.length,
+    matrices.length,
     3 * count,
     3 * (a.index.count + b.index.count),
     material,
   )
-  const geometries = isOld ? [] : [mesh.addGeometry(a), mesh.addGeometry(b)]
-  places.forEach((matrix, i) => {
-    const id = isOld ? mesh.addGeometry(i % 2 ? b : a) : mesh.addInstance(geometries[i % 2])
+  const geometries = hasOldApi ? [] : [mesh.addGeometry(a), mesh.addGeometry(b)]
+  matrices.forEach((matrix, i) => {
+    const id = hasOldApi ? mesh.addGeometry(i % 2 ? b : a) : mesh.addInstance(geometries[i % 2])
     mesh.setMatrixAt(id, matrix)
   })
   return mesh
@@ -146,7 +147,7 @@ function makeBatch(material) {
 
 const makeSeparateMeshes = (material, geometries) => {
   const group = new THREE.Group()
-  places.forEach((matrix, i) => {
+  matrices.forEach((matrix, i) => {
     const mesh = new THREE.Mesh(geometries[i % geometries.length], material)
     mesh.userData.before = matrix
     group.add(mesh)
@@ -154,75 +155,83 @@ const makeSeparateMeshes = (material, geometries) => {
   return group
 }
 
-/** Maps a name → function that makes the object to warp, or { warped, moved } if three.js cannot shear such an object: `moved` makes its replacement. */
+/**
+ * Maps a name → a function that makes the object to warp, or two functions { warped, moved } if matrices of three.js cannot shear such an
+ * object: `moved` makes an equivalent group of meshes.
+ */
 export const shapes = {
-  plain: () => new THREE.Mesh(knot(), standard()),
+  plain: () => new THREE.Mesh(makeKnot(), makeStandard()),
   'normal map': () =>
     new THREE.Mesh(
-      knot(),
-      standard({ normalMap: normalMap(), normalScale: new THREE.Vector2(1, 1) }),
+      makeKnot(),
+      makeStandard({ normalMap: makeNormalMap(), normalScale: new THREE.Vector2(1, 1) }),
     ),
-  'bump map': () => new THREE.Mesh(knot(), standard({ bumpMap: normalMap(), bumpScale: 4 })),
+  'bump map': () =>
+    new THREE.Mesh(makeKnot(), makeStandard({ bumpMap: makeNormalMap(), bumpScale: 4 })),
   'vertex tangents': () =>
-    new THREE.Mesh(withTangents(knot()), standard({ normalMap: normalMap() })),
-  'flat shading': () => new THREE.Mesh(knot(), standard({ flatShading: true })),
-  'back side': () => new THREE.Mesh(knot(), standard({ side: THREE.BackSide })),
+    new THREE.Mesh(withTangents(makeKnot()), makeStandard({ normalMap: makeNormalMap() })),
+  'flat shading': () => new THREE.Mesh(makeKnot(), makeStandard({ flatShading: true })),
+  'back side': () => new THREE.Mesh(makeKnot(), makeStandard({ side: THREE.BackSide })),
   'double side': () =>
-    new THREE.Mesh(new THREE.PlaneGeometry(1, 1, 8, 8), standard({ side: THREE.DoubleSide })),
+    new THREE.Mesh(new THREE.PlaneGeometry(1, 1, 8, 8), makeStandard({ side: THREE.DoubleSide })),
   wireframe: () =>
-    new THREE.Mesh(new THREE.SphereGeometry(0.6, 8, 6), standard({ wireframe: true })),
+    new THREE.Mesh(new THREE.SphereGeometry(0.6, 8, 6), makeStandard({ wireframe: true })),
   morphs: () => {
-    const mesh = new THREE.Mesh(withMorphs(knot()), standard())
+    const mesh = new THREE.Mesh(withMorphs(makeKnot()), makeStandard())
     mesh.morphTargetInfluences = [0.4, 0.3]
     return mesh
   },
-  skin: () => makeSkinnedMesh(standard()),
+  skin: () => makeSkinnedMesh(makeStandard()),
   instances: {
-    warped: () => makeInstances(standard()),
-    moved: () => makeSeparateMeshes(standard(), [knot()]),
+    warped: () => makeInstances(makeStandard()),
+    moved: () => makeSeparateMeshes(makeStandard(), [makeKnot()]),
   },
   batch: {
-    warped: () => makeBatch(standard()),
-    moved: () => makeSeparateMeshes(standard(), [knot(), new THREE.SphereGeometry(0.4, 16, 12)]),
+    warped: () => makeBatch(makeStandard()),
+    moved: () =>
+      makeSeparateMeshes(makeStandard(), [makeKnot(), new THREE.SphereGeometry(0.4, 16, 12)]),
   },
   group: () => {
     const group = new THREE.Group()
     group.add(
-      new THREE.Mesh(knot(), standard()),
-      new THREE.Mesh(new THREE.SphereGeometry(0.4), [standard()]),
+      new THREE.Mesh(makeKnot(), makeStandard()),
+      new THREE.Mesh(new THREE.SphereGeometry(0.4), [makeStandard()]),
     )
     group.children[1].geometry.clearGroups()
     group.children[1].geometry.addGroup(0, Infinity, 0)
     return group
   },
   points: () =>
-    new THREE.Points(knot(), new THREE.PointsMaterial({ size: 3, sizeAttenuation: false })),
-  line: () => new THREE.Line(knot(), new THREE.LineBasicMaterial({ color: 0xffff00 })),
+    new THREE.Points(makeKnot(), new THREE.PointsMaterial({ size: 3, sizeAttenuation: false })),
+  line: () => new THREE.Line(makeKnot(), new THREE.LineBasicMaterial({ color: 0xffff00 })),
   'dashed line': () => {
     const line = new THREE.LineSegments(
-      knot().toNonIndexed(),
+      makeKnot().toNonIndexed(),
       new THREE.LineDashedMaterial({ dashSize: 0.05, gapSize: 0.05 }),
     )
     return line.computeLineDistances()
   },
   clipping: () =>
     new THREE.Mesh(
-      knot(),
-      standard({
+      makeKnot(),
+      makeStandard({
         clippingPlanes: [new THREE.Plane(new THREE.Vector3(1, 0.2, 0), 0.1)],
         clipShadows: true,
         side: THREE.DoubleSide,
       }),
     ),
   displacement: () =>
-    new THREE.Mesh(knot(), standard({ displacementMap: normalMap(), displacementScale: 0.1 })),
+    new THREE.Mesh(
+      makeKnot(),
+      makeStandard({ displacementMap: makeNormalMap(), displacementScale: 0.1 }),
+    ),
   'environment map': () => {
-    const material = new THREE.MeshBasicMaterial({ envMap: normalMap() })
+    const material = new THREE.MeshBasicMaterial({ envMap: makeNormalMap() })
     material.envMap.mapping = THREE.EquirectangularReflectionMapping
-    return new THREE.Mesh(knot(), material)
+    return new THREE.Mesh(makeKnot(), material)
   },
-  'a shader that the user has changed': () => {
-    const material = standard()
+  'a shader that onBeforeCompile changes': () => {
+    const material = makeStandard()
     const isRed = { value: 1 }
     material.onBeforeCompile = (shader) => {
       shader.uniforms.isRed = isRed
@@ -231,11 +240,11 @@ export const shapes = {
         '#include <opaque_fragment>\ngl_FragColor.r += 0.5 * isRed;',
       )
     }
-    return new THREE.Mesh(knot(), material)
+    return new THREE.Mesh(makeKnot(), material)
   },
-  "a ShaderMaterial of three's chunks": () =>
+  "a ShaderMaterial with three's chunks": () =>
     new THREE.Mesh(
-      knot(),
+      makeKnot(),
       new THREE.ShaderMaterial({
         vertexShader: THREE.ShaderLib.normal.vertexShader,
         fragmentShader: THREE.ShaderLib.normal.fragmentShader,
@@ -243,12 +252,12 @@ export const shapes = {
       }),
     ),
   'alpha test': () => {
-    const alphaMap = normalMap()
-    return new THREE.Mesh(knot(), standard({ alphaMap, alphaTest: 0.5 }))
+    const alphaMap = makeNormalMap()
+    return new THREE.Mesh(makeKnot(), makeStandard({ alphaMap, alphaTest: 0.5 }))
   },
-  'its own shadow materials': () => {
-    const mesh = new THREE.Mesh(knot(), standard())
-    const holes = { alphaMap: normalMap(), alphaTest: 0.5 }
+  'custom shadow materials': () => {
+    const mesh = new THREE.Mesh(makeKnot(), makeStandard())
+    const holes = { alphaMap: makeNormalMap(), alphaTest: 0.5 }
     mesh.customDepthMaterial = new THREE.MeshDepthMaterial({
       depthPacking: THREE.RGBADepthPacking,
       ...holes,
@@ -256,7 +265,7 @@ export const shapes = {
     mesh.customDistanceMaterial = new THREE.MeshDistanceMaterial(holes)
     return mesh
   },
-  ShadowMaterial: () => new THREE.Mesh(knot(), new THREE.ShadowMaterial({ opacity: 0.8 })),
+  ShadowMaterial: () => new THREE.Mesh(makeKnot(), new THREE.ShadowMaterial({ opacity: 0.8 })),
   ...Object.fromEntries(
     [
       ['Basic', { color: 0x80ff40 }],
@@ -265,50 +274,52 @@ export const shapes = {
       ['Physical', { clearcoat: 1, roughness: 0.4 }],
       ['Toon', {}],
       ['Normal', {}],
-      ['Matcap', { matcap: normalMap() }],
+      ['Matcap', { matcap: makeNormalMap() }],
       ['Depth', {}],
     ].map(([name, more]) => [
       `Mesh${name}Material`,
-      () => new THREE.Mesh(knot(), new THREE[`Mesh${name}Material`](more)),
+      () => new THREE.Mesh(makeKnot(), new THREE[`Mesh${name}Material`](more)),
     ]),
   ),
 }
 
-const amount = [0.3, -0.2, 0.25]
+const translation = [0.3, -0.2, 0.25]
 
-/** An image with the same translation in every texel. */
+/** Makes an image with the same translation in every texel. */
 export function shiftMap() {
-  const data = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
+  const data = Float32Array.from({ length: 16 }, (_, i) => [...translation, 1][i % 4])
   const map = new THREE.DataTexture(data, 2, 2, THREE.RGBAFormat, THREE.FloatType)
   map.needsUpdate = true
   return map
 }
-/** That translation as a matrix. */
-export const shiftMatrix = () => new THREE.Matrix4().makeTranslation(...amount)
 
-function light(kind) {
-  const made =
+/** Returns this translation as a matrix. */
+export const shiftMatrix = () => new THREE.Matrix4().makeTranslation(...translation)
+
+function makeLight(kind) {
+  const light =
     kind === 'point'
       ? new THREE.PointLight(0xffffff, 12)
       : kind === 'spot'
         ? new THREE.SpotLight(0xffffff, 20, 0, 0.7)
         : new THREE.DirectionalLight(0xffffff, 2)
-  made.position.set(1.5, 2.5, 2)
-  made.castShadow = true
-  made.shadow.mapSize.set(128, 128)
-  made.shadow.bias = -0.002
-  const { camera } = made.shadow
+  light.position.set(1.5, 2.5, 2)
+  light.castShadow = true
+  light.shadow.mapSize.set(128, 128)
+  light.shadow.bias = -0.002
+  const { camera } = light.shadow
   Object.assign(camera, { near: 0.5, far: 12 })
   if (kind === 'directional') Object.assign(camera, { left: -3, right: 3, top: 3, bottom: -3 })
-  return made
+  return light
 }
 
+/** The side of pictures, in pixels. */
 export const size = 96
 
 /** Makes a scene of the object, a floor and a wall behind it, and a light with shadows. */
 export function sceneOf(object, kind) {
   const scene = new THREE.Scene()
-  scene.add(new THREE.HemisphereLight(0xffffff, 0x404060, 0.4), light(kind), object)
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x404060, 0.4), makeLight(kind), object)
   const wall = new THREE.Mesh(new THREE.PlaneGeometry(8, 8), new THREE.MeshStandardMaterial())
   wall.position.z = -1.2
   const floor = wall.clone()
@@ -317,7 +328,7 @@ export function sceneOf(object, kind) {
   wall.receiveShadow = floor.receiveShadow = true
   scene.add(wall, floor)
   scene.fog = new THREE.Fog(0x8080ff, 3, 14)
-  // Points have no defined size in the shaders of shadows.
+  // In shadow shaders, points have no defined size.
   object.traverse((part) =>
     Object.assign(part, { castShadow: !part.isPoints, receiveShadow: true }),
   )
@@ -331,7 +342,7 @@ export const camera = () => {
   return made
 }
 
-/** The object's own matrix: not the identity, with a nonuniform scale. */
+/** The matrix of the warped object, with a nonuniform scale. */
 export const place = new THREE.Matrix4().compose(
   new THREE.Vector3(0.1, 0.1, 0),
   new THREE.Quaternion().setFromEuler(new THREE.Euler(0.2, -0.4, 0.1)),
@@ -340,26 +351,28 @@ export const place = new THREE.Matrix4().compose(
 
 const plainMotion = motion
 
-/** Moves an object with three's own matrices, before or after its own matrix, depending on `space`. */
+/** Makes an object that three's matrices move: before or after the object's matrix, depending on `space`. */
 export function makeMoved(make, space, motion = plainMotion) {
   const object = (make.moved ?? make)()
-  const set = (part, before = new THREE.Matrix4()) => {
-    const matrix = space === 'world' ? [motion, place, before] : [place, before, motion]
+  const setMatrix = (part, before = new THREE.Matrix4()) => {
+    const factors = space === 'world' ? [motion, place, before] : [place, before, motion]
     part.matrixAutoUpdate = false
     part.matrix.identity()
-    for (const each of matrix) part.matrix.multiply(each)
+    for (const factor of factors) part.matrix.multiply(factor)
   }
   if (space === 'rest') {
     // applyMatrix4 does not transform morph targets.
     object.geometry.applyMatrix4(motion)
     object.matrixAutoUpdate = false
     object.matrix.copy(place)
-  } else if (object.isGroup) for (const child of object.children) set(child, child.userData.before)
-  else set(object)
+  } else if (object.isGroup)
+    for (const child of object.children) setMatrix(child, child.userData.before)
+  else setMatrix(object)
   return object
 }
 
-export function unmoved(make) {
+/** Makes the object to warp. */
+export function makeUnmoved(make) {
   const object = (make.warped ?? make)()
   object.matrixAutoUpdate = false
   object.matrix.copy(place)

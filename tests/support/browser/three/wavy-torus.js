@@ -38,11 +38,11 @@ function pointAt(u, v) {
 /** Computes the normal by finite differences. */
 function normalAt(u, v) {
   const step = 1e-5
-  const along = pointAt(u + step, v).sub(pointAt(u - step, v))
-  return along.cross(pointAt(u, v + step).sub(pointAt(u, v - step))).normalize()
+  const tangent = pointAt(u + step, v).sub(pointAt(u - step, v))
+  return tangent.cross(pointAt(u, v + step).sub(pointAt(u, v - step))).normalize()
 }
 
-function torus({ isMoved, hasTangents }) {
+function makeTorus({ isMoved, hasTangents }) {
   const geometry = new THREE.TorusGeometry(radius, tube, 64, 160)
   const { uv, position, normal } = geometry.attributes
   if (isMoved)
@@ -59,7 +59,9 @@ function torus({ isMoved, hasTangents }) {
   return geometry
 }
 
-/** Counts differing pixels. With tangents, the geometry also has a second uv, and the material reads both. */
+/**
+ * Counts differing and moved pixels. With `hasTangents`, the geometry also has a second uv, and the material reads tangents and second uv.
+ */
 export async function compare(backend, { hasTangents, exact = true }, addSurfaceVariation) {
   const renderer = await rendererFor(backend)
   const ao = new THREE.DataTexture(new Uint8Array([200, 255, 220, 255]), 1, 1)
@@ -70,17 +72,17 @@ export async function compare(backend, { hasTangents, exact = true }, addSurface
       ? { normalMap: scenes.shapes['normal map']().material.normalMap, aoMap: ao }
       : { color: 0xff9060 },
   )
-  const geometry = torus({ hasTangents })
+  const geometry = makeTorus({ hasTangents })
   if (exact) await addSurfaceVariation(geometry)
   const object = new THREE.Mesh(geometry, material)
   warp(object, offset, exact ? {} : { surfaceVariation: false })
   const pictures = []
   for (const mesh of [
     object,
-    new THREE.Mesh(torus({ isMoved: true, hasTangents }), material),
-    new THREE.Mesh(torus({ hasTangents }), material),
+    new THREE.Mesh(makeTorus({ isMoved: true, hasTangents }), material),
+    new THREE.Mesh(makeTorus({ hasTangents }), material),
   ])
     pictures.push(await draw(renderer, scenes.sceneOf(mesh, 'directional')))
-  const [shown, wanted, before] = pictures
-  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
+  const [shown, expected, before] = pictures
+  return { differing: countDiffering(shown, expected), moved: countDiffering(expected, before) }
 }

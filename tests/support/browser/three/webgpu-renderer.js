@@ -1,4 +1,4 @@
-// Makes a WebGPURenderer for each of its backends, and reads its pictures as bytes.
+// Makes a WebGPURenderer for each of its backends, and draws pictures as bytes.
 import * as THREE from 'three/webgpu'
 import * as scenes from './scenes.js'
 
@@ -6,7 +6,7 @@ const { size } = scenes
 const renderers = {}
 let target
 
-/** Without `hasPasses` the option `detail` gets no compute passes, as on a device that has none. */
+/** Returns the renderer for a backend. Without `hasPasses`, the option `detail` cannot create its compute passes, as on some devices. */
 export async function rendererFor(backend, { hasPasses = true } = {}) {
   const key = `${backend} ${hasPasses}`
   if (renderers[key]) return renderers[key]

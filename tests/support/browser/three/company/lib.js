@@ -1,4 +1,5 @@
-// Draws each row of the company tests three times: without motion, with vertices moved on the CPU, and with a warp.
+// The company tests combine warps with other code: a row is a function that draws a scene. Draws each row three times: without motion, with
+// vertices moved on the CPU, and with a warp.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 
@@ -9,7 +10,7 @@ const amount = 0.2
 export const offset = ({ glsl, position }) =>
   glsl.vec3(0, 0, position.x().mult(4).sin().mult(amount))
 
-/** Moves vertices by the same offset on the CPU: z increases by a · sin 4x, and the normal follows its slope. */
+/** Moves vertices on the CPU by the same offset: z increases by `amount` · sin 4x, and normals are transformed accordingly. */
 export function moveByHand(object) {
   const done = new Set()
   object.traverse(({ geometry }) => {
@@ -29,8 +30,10 @@ export function moveByHand(object) {
   })
 }
 
-/** The motion in the user's own shaders in these tests: x increases by 0.3 y², and normals do not change. */
+/** A motion in GLSL that users add to their own shaders in some rows: x increases by 0.3 y², and normals do not change. */
 export const userMotion = 'transformed.x += 0.3 * transformed.y * transformed.y;'
+
+/** Applies this motion to a geometry on the CPU. */
 export function userMotionByHand(geometry) {
   const { position } = geometry.attributes
   for (let i = 0; i < position.count; i++)
@@ -88,14 +91,14 @@ renderer.setPixelRatio(1)
 renderer.setSize(size, size)
 document.body.append(renderer.domElement)
 
-export function pixelsOf(from = renderer) {
+export function readPixels(from = renderer) {
   const gl = from.getContext()
   const pixels = new Uint8Array(4 * size * size)
   gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
   return pixels
 }
 
-/** The ways in which a row moves its object. */
+/** Maps the ways in which a row moves its object → a function that does so. */
 const ways = {
   none: () => {},
   byHand: moveByHand,
@@ -104,7 +107,7 @@ const ways = {
 
 /**
  * Draws a row: a function of { put, way, renderer } that makes objects and calls `put` to move them. With the way 'byHand', the row
- * applies the user's own motion on the CPU, too. Random numbers are the same each time, since passes of three.js use them.
+ * must also apply motions of the user's shaders on the CPU. Random numbers, which passes of three.js use, are the same each time.
  */
 function draw(row, way) {
   let state = 1
@@ -114,17 +117,17 @@ function draw(row, way) {
   renderer.setRenderTarget(null)
   renderer.autoClear = true
   renderer.clear()
-  const undo = []
+  const cleanups = []
   const put = (object, options) => {
     const warped = ways[way](object, options)
-    if (warped) undo.push(() => warped.dispose())
+    if (warped) cleanups.push(() => warped.dispose())
     return warped
   }
   return Promise.resolve(row({ put, way, renderer }))
-    .then((pixels) => pixels ?? pixelsOf())
+    .then((pixels) => pixels ?? readPixels())
     .finally(() => {
       Math.random = random
-      for (const each of undo) each()
+      for (const cleanUp of cleanups) cleanUp()
     })
 }
 
@@ -147,8 +150,11 @@ export async function run(row) {
   return { differing: count, moved: compare(none, byHand).count, worst }
 }
 
-/** Makes a row of one object: `after` runs after it is warped, `then` after the first frame, before a second one. */
-export const one =
+/**
+ * Makes a row that draws one object. `after` runs once it is warped, and may return a camera; `then` runs between the first and a second
+ * frame.
+ */
+export const makeRow =
   (make, { after, then, shadow = false, view = camera } = {}) =>
   ({ put, way, renderer }) => {
     const scene = litScene()
@@ -175,7 +181,10 @@ export const mesh = (material = standard(), geometry = torus()) =>
 
 let changes = 0
 
-/** Adds an `onBeforeCompile` to a material. Without its own key, three.js would share the program of materials with the same source. */
+/**
+ * Adds an `onBeforeCompile` to a material. Without a key of its own, three.js would let it share a program with materials whose
+ * `onBeforeCompile` has the same source.
+ */
 export function withOnBeforeCompile(onBeforeCompile, material = standard()) {
   const key = `row ${++changes}`
   material.onBeforeCompile = onBeforeCompile
@@ -183,6 +192,6 @@ export function withOnBeforeCompile(onBeforeCompile, material = standard()) {
   return material
 }
 
-/** Makes a mesh with the user's own motion, in its shader or on the CPU. */
-export const withMotion = (way, inShader) =>
-  way === 'byHand' ? mesh(standard(), userMotionByHand(torus())) : mesh(inShader())
+/** Makes a mesh with the user's motion: in the shader of the material that `makeMaterial` returns, or applied on the CPU. */
+export const withMotion = (way, makeMaterial) =>
+  way === 'byHand' ? mesh(standard(), userMotionByHand(torus())) : mesh(makeMaterial())

@@ -1,4 +1,4 @@
-// Rows for the pipelines of other packages, bundled by Vite for libraries.browser.test.js.
+// Rows for packages with their own rendering, deformation or instancing, bundled by Vite for libraries.browser.test.js.
 import { MeshDistortMaterial } from '@react-three/drei/core/MeshDistortMaterial'
 import { MeshWobbleMaterial } from '@react-three/drei/core/MeshWobbleMaterial'
 import { InstancedMesh2 } from '@three.ez/instanced-mesh'
@@ -18,8 +18,8 @@ import {
   camera,
   floor,
   litScene,
+  makeRow,
   mesh,
-  one,
   renderer,
   run,
   size,
@@ -27,14 +27,18 @@ import {
   torus,
   userMotionByHand,
 } from './lib.js'
-import { materialOf } from './react-material.js'
+import { renderMaterial } from './react-material.js'
 import { straightCamera, twistByHand } from './twisted.js'
 
-const wobble = await materialOf(MeshWobbleMaterial, { speed: 0, factor: 1, roughness: 0.6 })
+const wobble = await renderMaterial(MeshWobbleMaterial, { speed: 0, factor: 1, roughness: 0.6 })
 wobble.time = 1
-const distort = await materialOf(MeshDistortMaterial, { speed: 0, distort: 0.5, roughness: 0.6 })
+const distort = await renderMaterial(MeshDistortMaterial, {
+  speed: 0,
+  distort: 0.5,
+  roughness: 0.6,
+})
 
-/** Returns drei's material with the warp of these tests written into its shader by hand, after its own motion. */
+/** Returns drei's material with the offset of these tests written into its shader by hand, after drei's motion. */
 function distortByHand() {
   const material = distort.clone()
   for (const name of ['time', 'distort', 'radius']) material[name] = distort[name]
@@ -78,7 +82,9 @@ const font = new URL(
   location,
 )
 
-/** Draws text with a linear motion (shear and translation), through the warp or a matrix: each letter is a square, which cannot bend. */
+/**
+ * Draws text that a warp or a matrix moves linearly (shear and translation): each letter is drawn as one square, which cannot bend.
+ */
 async function text({ way, renderer }) {
   const scene = litScene()
   const made = new Text()
@@ -92,7 +98,7 @@ async function text({ way, renderer }) {
   made.font = String(font)
   await new Promise((done) => made.sync(done))
   scene.add(made)
-  const undo =
+  const warped =
     way === 'warped' &&
     warp(made, ({ glsl, position }) =>
       glsl.vec3(position.y().mult(0.5), 0.2, position.x().mult(0.3)),
@@ -103,10 +109,11 @@ async function text({ way, renderer }) {
   }
   renderer.render(scene, camera())
   renderer.render(scene, camera())
-  if (undo) undo.dispose()
+  if (warped) warped.dispose()
 }
 
-const places = [-0.8, 0.8].map((x) =>
+/** The matrices of the instances. */
+const matrices = [-0.8, 0.8].map((x) =>
   new THREE.Matrix4().compose(
     new THREE.Vector3(x, 0, 0),
     new THREE.Quaternion().setFromEuler(new THREE.Euler(0.3, x, 0)),
@@ -119,7 +126,7 @@ function instances({ put, way, renderer }) {
   const view = camera()
   if (way === 'byHand') {
     const geometry = torus()
-    const parts = places.map((matrix) => {
+    const parts = matrices.map((matrix) => {
       const part = mesh(standard(), geometry)
       part.applyMatrix4(matrix)
       return part
@@ -130,7 +137,7 @@ function instances({ put, way, renderer }) {
     const made = new InstancedMesh2(torus(), standard(), { capacity: 2, renderer })
     let i = 0
     made.addInstances(2, (object) => {
-      places[i++].decompose(object.position, object.quaternion, object.scale)
+      matrices[i++].decompose(object.position, object.quaternion, object.scale)
     })
     scene.add(made)
     put(made)
@@ -168,7 +175,7 @@ export const rows = {
   }),
   'troika-three-text': text,
   '@three.ez/instanced-mesh': instances,
-  'three-custom-shader-material, csm_Position': one((way) =>
+  'three-custom-shader-material, csm_Position': makeRow((way) =>
     way === 'byHand'
       ? mesh(standard(), userMotionByHand(torus()))
       : custom({
@@ -176,7 +183,7 @@ export const rows = {
             'void main() { csm_Position = position + vec3( 0.3 * position.y * position.y, 0.0, 0.0 ); }',
         }),
   ),
-  'three-custom-shader-material, csm_Normal and csm_DiffuseColor': one((way) => {
+  'three-custom-shader-material, csm_Normal and csm_DiffuseColor': makeRow((way) => {
     if (way !== 'byHand')
       return custom({
         vertexShader: 'void main() { csm_Normal = normalize( normal + vec3( 0.0, 0.5, 0.0 ) ); }',
@@ -191,7 +198,7 @@ export const rows = {
     }
     return mesh(standard({ color: 'red' }), geometry)
   }),
-  "drei's wobble": one((way) => (way === 'byHand' ? twistByHand() : mesh(wobble)), {
+  "drei's wobble": makeRow((way) => (way === 'byHand' ? twistByHand() : mesh(wobble)), {
     view: straightCamera,
   }),
   "drei's distort": ({ put, way, renderer }) => {
@@ -203,8 +210,11 @@ export const rows = {
   },
 }
 
-/** Casts rays at instances of @three.ez/instanced-mesh that a warp lifts → the heights of the hits, by space. */
-function heights() {
+/**
+ * Casts rays at an instance of @three.ez/instanced-mesh that a warp lifts → maps the warp's space to the heights of two hits: before and
+ * after the instance moves.
+ */
+function hitHeights() {
   const result = {}
   for (const space of ['local', 'world']) {
     const made = new InstancedMesh2(new THREE.PlaneGeometry(2, 2), standard(), {
@@ -224,7 +234,7 @@ function heights() {
 }
 
 window.company = {
-  heights,
+  hitHeights,
   names: { libraries: Object.keys(rows) },
   run: (_, name) => run(rows[name]),
 }

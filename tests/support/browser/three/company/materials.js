@@ -1,9 +1,9 @@
-// Rows for changes that users make to materials and their shaders.
+// Rows of the company tests for changes that users make to materials and their shaders.
 import * as THREE from 'three'
 import {
   checker,
+  makeRow,
   mesh,
-  one,
   renderer,
   standard,
   torus,
@@ -13,20 +13,21 @@ import {
 } from './lib.js'
 import { straightCamera, twistByHand } from './twisted.js'
 
-const redden = (shader, when = 'true') => {
+/** Makes a fragment shader output red where the GLSL expression `condition` is true. */
+const redden = (shader, condition = 'true') => {
   shader.fragmentShader = shader.fragmentShader.replace(
     '#include <dithering_fragment>',
-    `#include <dithering_fragment>\nif ( ${when} ) gl_FragColor.r = 1.0;`,
+    `#include <dithering_fragment>\nif ( ${condition} ) gl_FragColor.r = 1.0;`,
   )
 }
 
-const inVertex = (from, to) => (shader) => {
+const replaceInVertexShader = (from, to) => (shader) => {
   shader.vertexShader = shader.vertexShader.replace(from, to)
 }
 
 const userBeginVertex = `vec3 transformed = vec3( position );\n${userMotion}`
 
-/** Makes a material that adds a uniform and stores the shader, like three's examples. */
+/** Makes a material that adds a uniform and stores the shader in `userData`, like three's examples. */
 const makeTinted = () => {
   const material = standard()
   material.onBeforeCompile = function (shader) {
@@ -40,7 +41,7 @@ const makeTinted = () => {
   return material
 }
 
-/** Makes a mesh that a bone rotates, or whose vertices are rotated by hand. */
+/** Makes a mesh that a bone rotates or, by hand, one with rotated vertices. */
 function makeSkinned(way, material) {
   const turn = new THREE.Matrix4().makeRotationY(0.6)
   if (way === 'byHand') return mesh(standard(), torus().applyMatrix4(turn))
@@ -60,7 +61,7 @@ function makeSkinned(way, material) {
   return made
 }
 
-/** Makes a mesh with morph targets for positions and normals, or whose vertices are morphed by hand. */
+/** Makes a mesh with morph targets for positions and normals or, by hand, one with morphed vertices. */
 function makeMorphed(way, material) {
   const geometry = torus()
   const targets = ['position', 'normal'].map((name) => {
@@ -90,7 +91,8 @@ function makeMorphed(way, material) {
   return made
 }
 
-const kinds = { skin: makeSkinned, morp: makeMorphed, disp: makeDisplaced }
+/** Maps the first four letters of a chunk → a function that makes a mesh whose shader uses the chunk. */
+const meshMakers = { skin: makeSkinned, morp: makeMorphed, disp: makeDisplaced }
 
 /** Shader chunks of three.js that a user may replace. */
 const chunks = [
@@ -108,13 +110,13 @@ const chunks = [
   'worldpos_vertex',
 ]
 
-/** The example materials_modified, which rotates positions and normals about y by an angle that depends on y. */
+/** Makes the mesh of three's example materials_modified, which rotates positions and normals about y by an angle that depends on y. */
 const makeTwisted = (way) =>
   way === 'byHand'
     ? twistByHand()
     : mesh(
         withOnBeforeCompile(
-          inVertex(
+          replaceInVertexShader(
             '#include <begin_vertex>',
             `float theta = sin( 1.0 + position.y ) / 2.0;
             float c = cos( theta );
@@ -140,12 +142,12 @@ class WithArguments extends THREE.MeshStandardMaterial {
   constructor(options) {
     super()
     this.color.set(options.color)
-    this.mine = { of: this }
+    this.child = { parent: this }
     this.userData.self = this
   }
 }
 
-function targetTexture() {
+function makeTargetTexture() {
   const target = new THREE.WebGLRenderTarget(16, 16)
   const scene = new THREE.Scene()
   scene.background = new THREE.Color(0x20c060)
@@ -155,7 +157,8 @@ function targetTexture() {
   return target.texture
 }
 
-function withCacheKey() {
+/** Makes a material whose program depends on `userData.isRed`. */
+function makeSwitchable() {
   const material = standard()
   material.userData.isRed = false
   material.onBeforeCompile = (shader) => redden(shader, String(material.userData.isRed))
@@ -163,9 +166,9 @@ function withCacheKey() {
   return material
 }
 
-function withAccessor() {
+/** Derives a material from another like troika-three-text. */
+function deriveMaterial() {
   const base = standard()
-  // Troika-three-text derives its materials like this.
   return Object.create(base, {
     isDerivedMaterial: { value: true },
     onBeforeCompile: {
@@ -197,40 +200,43 @@ function makeDisplaced(way, material = standard()) {
 }
 
 export const rows = {
-  'begin_vertex is replaced': one((way) =>
+  'begin_vertex is replaced': makeRow((way) =>
     withMotion(way, () =>
-      withOnBeforeCompile(inVertex('#include <begin_vertex>', userBeginVertex)),
+      withOnBeforeCompile(replaceInVertexShader('#include <begin_vertex>', userBeginVertex)),
     ),
   ),
-  'code is appended to begin_vertex': one((way) =>
+  'code is appended to begin_vertex': makeRow((way) =>
     withMotion(way, () =>
       withOnBeforeCompile(
-        inVertex('#include <begin_vertex>', `#include <begin_vertex>\n${userMotion}`),
+        replaceInVertexShader('#include <begin_vertex>', `#include <begin_vertex>\n${userMotion}`),
       ),
     ),
   ),
-  'a motion is inserted before project_vertex': one((way) =>
+  'a motion is inserted before project_vertex': makeRow((way) =>
     withMotion(way, () =>
       withOnBeforeCompile(
-        inVertex('#include <project_vertex>', `${userMotion}\n#include <project_vertex>`),
+        replaceInVertexShader(
+          '#include <project_vertex>',
+          `${userMotion}\n#include <project_vertex>`,
+        ),
       ),
     ),
   ),
-  'materials_modified of three.js': one(makeTwisted, { view: straightCamera }),
+  'materials_modified of three.js': makeRow(makeTwisted, { view: straightCamera }),
   ...Object.fromEntries(
     chunks.map((name) => [
       `${name} is replaced by its own source`,
-      one((way) => {
-        const make = kinds[name.slice(0, 4)] ?? ((_, material) => mesh(material))
+      makeRow((way) => {
+        const make = meshMakers[name.slice(0, 4)] ?? ((_, material) => mesh(material))
         return make(
           way,
-          withOnBeforeCompile(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])),
+          withOnBeforeCompile(replaceInVertexShader(`#include <${name}>`, THREE.ShaderChunk[name])),
         )
       }),
     ]),
   ),
-  'onBeforeCompile is an accessor property': one(() => mesh(withAccessor())),
-  'the material has defines': one(() => {
+  'onBeforeCompile is an accessor property': makeRow(() => mesh(deriveMaterial())),
+  'the material has defines': makeRow(() => {
     const material = withOnBeforeCompile((shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
         '#include <dithering_fragment>',
@@ -240,46 +246,51 @@ export const rows = {
     material.defines.RED = ''
     return mesh(material)
   }),
-  'color, map and flatShading change': one(() => mesh(), {
+  'color, map and flatShading change': makeRow(() => mesh(), {
     then({ object: { material } }) {
       material.color.set('orange')
       Object.assign(material, { map: checker(), flatShading: true, needsUpdate: true })
     },
   }),
-  'customProgramCacheKey changes': one(() => mesh(withCacheKey()), {
+  'customProgramCacheKey changes': makeRow(() => mesh(makeSwitchable()), {
     then({ object: { material } }) {
       material.userData.isRed = true
       material.needsUpdate = true
     },
   }),
-  'onBeforeCompile is replaced': one(() => mesh(), {
+  'onBeforeCompile is replaced': makeRow(() => mesh(), {
     then({ object: { material } }) {
       material.onBeforeCompile = (shader) => redden(shader)
       material.needsUpdate = true
     },
   }),
-  'userData.shader is set by onBeforeCompile': one(() => mesh(makeTinted()), {
+  'userData.shader is set by onBeforeCompile': makeRow(() => mesh(makeTinted()), {
     then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
   }),
-  'userData.shader is set, and another mesh shares the material': one(() => mesh(makeTinted()), {
-    after({ object, scene }) {
-      const box = new THREE.Mesh(new THREE.BoxGeometry(0.5, 0.5, 0.5), object.material)
-      box.position.set(1, 1, 0)
-      scene.add(box)
+  'userData.shader is set, and another mesh shares the material': makeRow(
+    () => mesh(makeTinted()),
+    {
+      after({ object, scene }) {
+        const box = new THREE.Mesh(new THREE.BoxGeometry(0.5, 0.5, 0.5), object.material)
+        box.position.set(1, 1, 0)
+        scene.add(box)
+      },
+      then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
     },
-    then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
-  }),
-  'material.onBeforeRender changes the color': one(() => {
+  ),
+  'material.onBeforeRender changes the color': makeRow(() => {
     const material = standard()
     material.onBeforeRender = function () {
       this.color.set('lime')
     }
     return mesh(material)
   }),
-  'the class has a private field': one(() => mesh(new WithPrivateField())),
-  'the class has constructor arguments, fields and circular userData': one(() =>
+  'the class has a private field': makeRow(() => mesh(new WithPrivateField())),
+  'the class has constructor arguments, fields and circular userData': makeRow(() =>
     mesh(new WithArguments({ color: 'orange' })),
   ),
-  'the map is the texture of a render target': one(() => mesh(standard({ map: targetTexture() }))),
-  'the material has a displacementMap': one((way) => makeDisplaced(way)),
+  'the map is the texture of a render target': makeRow(() =>
+    mesh(standard({ map: makeTargetTexture() })),
+  ),
+  'the material has a displacementMap': makeRow((way) => makeDisplaced(way)),
 }

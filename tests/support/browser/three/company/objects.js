@@ -1,13 +1,13 @@
-// Rows for changes that users make to warped objects, and for clones.
+// Rows of the company tests for changes that users make to warped objects, and for clones of these.
 import * as THREE from 'three'
 import * as SkeletonUtils from 'three/addons/utils/SkeletonUtils.js'
 import {
   camera,
   checker,
   litScene,
+  makeRow,
   mesh,
-  one,
-  pixelsOf,
+  readPixels,
   renderer,
   size,
   standard,
@@ -45,7 +45,7 @@ const addClone =
 
 const withShadow = (after) => ({ shadow: true, after })
 
-/** Makes instances with a morph target that moves them far to the right of the geometry. */
+/** Makes an InstancedMesh of one instance, whose morph target moves it far to the right of the geometry. */
 function makeMorphingInstances(way) {
   const geometry = new THREE.SphereGeometry(0.4, 32, 24)
   const shift = geometry.attributes.position.clone()
@@ -70,10 +70,10 @@ function makeMorphingInstances(way) {
 }
 
 export const rows = {
-  'a new material is assigned after a frame': one(() => mesh(), {
+  'a new material is assigned after a frame': makeRow(() => mesh(), {
     then: ({ object }) => (object.material = new THREE.MeshPhongMaterial({ color: 'orange' })),
   }),
-  'a material array is assigned after a frame': one(() => mesh(), {
+  'a material array is assigned after a frame': makeRow(() => mesh(), {
     then({ object }) {
       object.geometry.clearGroups()
       object.geometry.addGroup(0, 9000, 0)
@@ -81,10 +81,10 @@ export const rows = {
       object.material = [standard({ color: 'red' }), standard({ color: 'lime' })]
     },
   }),
-  'scene.overrideMaterial is set': one(() => mesh(), {
+  'scene.overrideMaterial is set': makeRow(() => mesh(), {
     after: ({ scene }) => void (scene.overrideMaterial = new THREE.MeshNormalMaterial()),
   }),
-  'customDepthMaterial is set after the warp': one(() => mesh(standard({ color: 'white' })), {
+  'customDepthMaterial is set after the warp': makeRow(() => mesh(standard({ color: 'white' })), {
     shadow: true,
     after({ object }) {
       object.customDepthMaterial = new THREE.MeshDepthMaterial({
@@ -94,12 +94,13 @@ export const rows = {
       })
     },
   }),
-  'mesh.onBeforeRender is set after the warp': one(() => mesh(), {
+  'mesh.onBeforeRender is set after the warp': makeRow(() => mesh(), {
     after({ object }) {
-      object.onBeforeRender = (...given) => given[4].color.set('cyan')
+      object.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) =>
+        material.color.set('cyan')
     },
   }),
-  'a child is added to a group': one(() => makeGroup(makeSmallMesh()), {
+  'a child is added to a group': makeRow(() => makeGroup(makeSmallMesh()), {
     shadow: true,
     after({ object, way }) {
       const child = makeSmallMesh(0.7)
@@ -124,20 +125,23 @@ export const rows = {
     scene.add(late)
     renderer.render(scene, camera())
   },
-  'a mesh is cloned': one(() => makeSmallMesh(), withShadow(addClone((object) => object.clone()))),
-  'a group is cloned': one(
+  'a mesh is cloned': makeRow(
+    () => makeSmallMesh(),
+    withShadow(addClone((object) => object.clone())),
+  ),
+  'a group is cloned': makeRow(
     () => makeGroup(makeSmallMesh()),
     withShadow(addClone((object) => object.clone())),
   ),
-  'a group is cloned by SkeletonUtils': one(
+  'a group is cloned by SkeletonUtils': makeRow(
     () => makeGroup(makeSmallMesh()),
     withShadow(addClone((object) => SkeletonUtils.clone(object))),
   ),
-  'an InstancedMesh is cloned': one(
+  'an InstancedMesh is cloned': makeRow(
     makeInstances,
     withShadow(addClone((object) => object.clone())),
   ),
-  'an ArrayCamera draws it': one(() => mesh(), {
+  'an ArrayCamera draws it': makeRow(() => mesh(), {
     after() {
       const cameras = [0, 1].map((i) => {
         const made = camera()
@@ -152,7 +156,7 @@ export const rows = {
       return made
     },
   }),
-  'a CubeCamera draws it': one(() => mesh(), {
+  'a CubeCamera draws it': makeRow(() => mesh(), {
     after({ scene, renderer }) {
       const target = new THREE.WebGLCubeRenderTarget(64)
       const made = new THREE.CubeCamera(0.1, 20, target)
@@ -163,7 +167,7 @@ export const rows = {
     },
   }),
   ...(THREE.InstancedMesh.prototype.setMorphAt && {
-    'instances have their own morph targets': one(makeMorphingInstances),
+    'instances have their own morph targets': makeRow(makeMorphingInstances),
   }),
   'two renderers draw it': ({ put }) => {
     const scene = litScene()
@@ -173,12 +177,12 @@ export const rows = {
     const other = new THREE.WebGLRenderer({ preserveDrawingBuffer: true })
     other.setSize(size, size)
     for (const each of [renderer, other, renderer]) each.render(scene, camera())
-    const pixels = pixelsOf(other)
+    const pixels = readPixels(other)
     other.dispose()
     other.forceContextLoss()
     return pixels
   },
-  'renderer.compile is called': one(() => mesh(), {
+  'renderer.compile is called': makeRow(() => mesh(), {
     then: ({ scene, renderer }) => renderer.compile(scene, camera()),
   }),
 }

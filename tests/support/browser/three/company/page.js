@@ -1,4 +1,4 @@
-// The page of company.browser.test.js: runs rows by topic and name.
+// The page of company.browser.test.js, which runs a row given its topic and name.
 import { run } from './lib.js'
 import { rows as materials } from './materials.js'
 import { rows as objects } from './objects.js'

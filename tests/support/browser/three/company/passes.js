@@ -1,4 +1,4 @@
-// Rows for passes that draw the scene with their own materials.
+// Rows of the company tests for passes that draw the scene with their own materials.
 import * as THREE from 'three'
 import { BokehPass } from 'three/addons/postprocessing/BokehPass.js'
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js'
@@ -13,8 +13,8 @@ import { camera, floor, litScene, mesh, size } from './lib.js'
 
 const { GTAOPass } = await import('three/addons/postprocessing/GTAOPass.js').catch(() => ({}))
 
-/** Makes a row that draws with a composer with one pass, which `make` creates. */
-const pass =
+/** Makes a row that draws with a composer. It has the pass that `make` creates, after a RenderPass unless `isFirst`. */
+const makeComposerRow =
   (make, { isFirst = false, options } = {}) =>
   ({ put, renderer }) => {
     const scene = litScene()
@@ -35,34 +35,37 @@ const pass =
   }
 
 export const rows = {
-  Bokeh: pass(
+  Bokeh: makeComposerRow(
     (scene, view) => new BokehPass(scene, view, { focus: 4, aperture: 0.01, maxblur: 0.02 }),
   ),
-  Outline: pass((scene, view, object) => {
+  Outline: makeComposerRow((scene, view, object) => {
     const made = new OutlinePass(new THREE.Vector2(size, size), scene, view, [object])
     made.edgeStrength = 5
     made.visibleEdgeColor.set(0xff0000)
     return made
   }),
-  RenderPixelated: pass((scene, view) => new RenderPixelatedPass(3, scene, view), {
+  RenderPixelated: makeComposerRow((scene, view) => new RenderPixelatedPass(3, scene, view), {
     isFirst: true,
-    // It outlines edges between normals of the size of a pixel. The vertices moved by hand have normals that three.js interpolates.
+    // This pass outlines differences between normals of adjacent pixels. So the normals must be interpolated between vertices, as those of
+    // the geometry that is moved by hand.
     options: { normals: 'vertex' },
   }),
-  SAO: pass((scene, view) => {
+  SAO: makeComposerRow((scene, view) => {
     const made = new SAOPass(scene, view)
     made.params.output = SAOPass.OUTPUT.Normal
     return made
   }),
-  SSAO: pass((scene, view) => {
+  SSAO: makeComposerRow((scene, view) => {
     const made = new SSAOPass(scene, view, size, size)
     made.kernelRadius = 0.4
     made.minDistance = 0.001
     return made
   }),
-  SSR: pass(
+  SSR: makeComposerRow(
     (scene, view, object, renderer) =>
       new SSRPass({ renderer, scene, camera: view, width: size, height: size, selects: null }),
   ),
-  ...(GTAOPass && { GTAO: pass((scene, view) => new GTAOPass(scene, view, size, size)) }),
+  ...(GTAOPass && {
+    GTAO: makeComposerRow((scene, view) => new GTAOPass(scene, view, size, size)),
+  }),
 }

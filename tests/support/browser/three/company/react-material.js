@@ -1,4 +1,4 @@
-// Materials that React components create.
+// Creates materials by React components.
 import { createRoot, extend } from '@react-three/fiber'
 import { act, createElement as e } from 'react'
 import * as THREE from 'three'
@@ -6,8 +6,8 @@ import * as THREE from 'three'
 globalThis.IS_REACT_ACT_ENVIRONMENT = true
 extend(THREE)
 
-/** Returns the material that a React component creates. */
-export async function materialOf(component, props) {
+/** Renders a React component on a mesh, and returns the material that it creates. */
+export async function renderMaterial(component, props) {
   const canvas = document.createElement('canvas')
   const root = createRoot(canvas)
   await root.configure({
@@ -16,7 +16,7 @@ export async function materialOf(component, props) {
     gl: { antialias: false },
   })
   let material
-  const ref = (given) => (material = given ?? material)
+  const ref = (current) => (material = current ?? material)
   await act(async () =>
     root.render(e('mesh', {}, e('boxGeometry'), e(component, { ...props, ref }))),
   )

@@ -1,6 +1,6 @@
-// Rows for materials with the user's own shaders.
+// Rows of the company tests for materials with the user's own shaders.
 import * as THREE from 'three'
-import { checker, mesh, one, torus } from './lib.js'
+import { checker, makeRow, mesh, torus } from './lib.js'
 
 const fragmentShader = `uniform float tint;
 uniform sampler2D map;
@@ -15,7 +15,7 @@ const makeMaterial = (vertexShader) =>
     fragmentShader,
   })
 
-const withoutChunks = () =>
+const makeWithoutChunks = () =>
   makeMaterial(`struct Bend { vec3 position; };
 uniform mat3 unused;
 void main() {
@@ -26,7 +26,7 @@ void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4( bend.position, 1.0 );
 }`)
 
-const withChunks = () =>
+const makeWithChunks = () =>
   makeMaterial(`#include <common>
 void main() {
   vUv = uv;
@@ -58,9 +58,9 @@ void main() { ${glslVersion ? 'color' : 'gl_FragColor'} = vec4( normalize( n ) *
   })
 }
 
-/** Makes two meshes that share a material, and set its uniform before each is drawn. */
+/** Makes two meshes that share a material. Each sets a uniform of the material before it is drawn. */
 function makePair() {
-  const material = withoutChunks()
+  const material = makeWithoutChunks()
   const group = new THREE.Group()
   for (const i of [0, 1]) {
     const made = new THREE.Mesh(torus(), material)
@@ -76,11 +76,14 @@ function makePair() {
 }
 
 export const rows = {
-  'a ShaderMaterial without chunks, whose uniforms change': one(() => mesh(withoutChunks()), {
-    then: ({ object }) => (object.material.uniforms.tint.value = 0.9),
-  }),
-  'a ShaderMaterial with chunks and its own normal': one(() => mesh(withChunks())),
-  'a RawShaderMaterial': one(() => mesh(makeRaw(THREE.GLSL3))),
-  'a RawShaderMaterial in GLSL ES 1.00': one(() => mesh(makeRaw(null))),
-  'two meshes that set a shared uniform with uniformsNeedUpdate': one(makePair),
+  'a ShaderMaterial without chunks, whose uniforms change': makeRow(
+    () => mesh(makeWithoutChunks()),
+    {
+      then: ({ object }) => (object.material.uniforms.tint.value = 0.9),
+    },
+  ),
+  'a ShaderMaterial with chunks and its own normal': makeRow(() => mesh(makeWithChunks())),
+  'a RawShaderMaterial': makeRow(() => mesh(makeRaw(THREE.GLSL3))),
+  'a RawShaderMaterial in GLSL ES 1.00': makeRow(() => mesh(makeRaw(null))),
+  'two meshes that set a shared uniform with uniformsNeedUpdate': makeRow(makePair),
 }

@@ -1,10 +1,13 @@
-// Rows for shadows, including cascaded ones.
+// Rows of the company tests for shadows, including cascaded ones.
 import * as THREE from 'three'
 import { CSM } from 'three/addons/csm/CSM.js'
-import { camera, floor, litScene, mesh, one, standard } from './lib.js'
+import { camera, floor, litScene, makeRow, mesh, standard } from './lib.js'
 
-/** Sets up cascades for the materials of the object and the floor before the warp, after it, or after the first frame. */
-const cascades =
+/**
+ * Makes a row with cascades, which are set up for the materials of the object and the floor 'before' the warp, 'after' it, or 'after a
+ * frame'.
+ */
+const makeCascadeRow =
   (when, { isShared = false } = {}) =>
   ({ put, renderer }) => {
     renderer.shadowMap.enabled = true
@@ -44,8 +47,8 @@ const cascades =
     csm.dispose()
   }
 
-const pointLightRow = () =>
-  one(() => mesh(), {
+const makePointLightRow = () =>
+  makeRow(() => mesh(), {
     shadow: true,
     after({ scene }) {
       scene.children[0].castShadow = false
@@ -58,15 +61,15 @@ const pointLightRow = () =>
   })
 
 export const rows = {
-  'a directional light casts shadows': one(() => mesh(), { shadow: true }),
-  'a point light casts shadows': pointLightRow(),
-  'alphaTest cuts holes': one(() => mesh(standard({ alphaTest: 0.5, opacity: 1 })), {
+  'a directional light casts shadows': makeRow(() => mesh(), { shadow: true }),
+  'a point light casts shadows': makePointLightRow(),
+  'alphaTest cuts holes': makeRow(() => mesh(standard({ alphaTest: 0.5, opacity: 1 })), {
     shadow: true,
   }),
-  'cascades are set up before the warp': cascades('before'),
-  'cascades are set up after the warp': cascades('after'),
-  'cascades are set up after a frame': cascades('after a frame'),
-  'cascades are set up on a material that an unwarped mesh shares': cascades('after', {
+  'cascades are set up before the warp': makeCascadeRow('before'),
+  'cascades are set up after the warp': makeCascadeRow('after'),
+  'cascades are set up after a frame': makeCascadeRow('after a frame'),
+  'cascades are set up on a material that an unwarped mesh shares': makeCascadeRow('after', {
     isShared: true,
   }),
 }

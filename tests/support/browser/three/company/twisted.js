@@ -1,5 +1,5 @@
-// The motion of three's example materials_modified and of drei's wobble, on the CPU: rotates positions and normals about y by an
-// angle that depends on y. Their shaders rotate the normal in view space, which equals local space for a camera that looks along -z.
+// Applies the motion of three's example materials_modified and of drei's wobble on the CPU: rotates positions and normals about y by an
+// angle that depends on y. Both shaders rotate the normal in view space, whose axes are those of local space if the camera looks along -z.
 import * as THREE from 'three'
 import { mesh, standard, torus } from './lib.js'
 

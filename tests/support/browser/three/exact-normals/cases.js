@@ -1,4 +1,4 @@
-// Displacements as people write them, each with a formula in double precision that moves the same point.
+// Displacements in GLSL as people write them, each with a formula in double precision that moves a point in the same way.
 import * as THREE from 'three'
 import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
 import {
@@ -16,8 +16,10 @@ import {
 const { sin, cos } = Math
 const time = 0.7
 
-/** A material whose `onBeforeCompile` puts functions above `main` and statements behind a chunk. */
-function changed(
+/**
+ * Adds an `onBeforeCompile` to a material: it puts functions above `main`, and statements after a chunk or, with `replaces`, in its place.
+ */
+function changeShader(
   material,
   functions,
   statements,
@@ -36,7 +38,7 @@ function changed(
 
 const standard = () => new THREE.MeshStandardMaterial()
 
-const heights = () => {
+const makeHeightMap = () => {
   const map = new THREE.DataTexture(texels, 8, 8, THREE.RedFormat, THREE.FloatType)
   map.magFilter = map.minFilter = THREE.LinearFilter
   map.needsUpdate = true
@@ -49,12 +51,12 @@ const rotate = ([x, y, z], angle) => [
   -sin(angle) * x + cos(angle) * z,
 ]
 
-/** `moved(position, normal, uv)` is the oracle. */
+/** Materials that change chunks. The oracle `moved(position, normal, uv)` returns the moved position. */
 export const chunks = {
   'sine sea': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         standard(),
         '',
         'transformed.z += 0.25 * sin(position.x * 3.0 + uTime) * cos(position.y * 2.0);',
@@ -64,7 +66,7 @@ export const chunks = {
   'Gerstner waves': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         new THREE.MeshPhysicalMaterial(),
         `uniform vec4 waves[3];
 vec3 gerstnerWave(vec4 wave, vec3 p) {
@@ -84,7 +86,7 @@ transformed = p;`,
   'terrain ridges': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         new THREE.MeshLambertMaterial(),
         `${glslNoise}
 float ridgedNoise(vec2 p) {
@@ -105,7 +107,7 @@ float ridgedNoise(vec2 p) {
   'ripples by distance': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         new THREE.MeshPhongMaterial(),
         'uniform vec2 center;\nuniform float strength;',
         `float d = distance(transformed.xy, center);
@@ -117,7 +119,7 @@ transformed += objectNormal * strength * sin(9.0 * d - uTime) * exp(-1.5 * d);`,
   'morph by noise': {
     shape: 'sphere',
     material: () =>
-      changed(
+      changeShader(
         standard(),
         glslNoise,
         'transformed += normal * noise(position * 1.7 + vec3(0.0, uTime, 0.0)) * 0.4;',
@@ -130,7 +132,7 @@ transformed += objectNormal * strength * sin(9.0 * d - uTime) * exp(-1.5 * d);`,
   'instanced grass': {
     shape: 'blade',
     material: () =>
-      changed(
+      changeShader(
         standard(),
         '',
         `#ifdef USE_INSTANCING
@@ -148,7 +150,7 @@ transformed.x += bend * 0.3;
   Voronoi: {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         new THREE.MeshToonMaterial(),
         `${glslNoise}
 float voronoi(vec2 p) {
@@ -167,10 +169,10 @@ float voronoi(vec2 p) {
       ),
     moved: ([x, y, z]) => [x, y, z + 0.4 * voronoi(x * 2.3, y * 2.3)],
   },
-  'twist, with normals by hand that are wrong': {
+  'twist, with wrong normals by hand': {
     shape: 'plane',
     material: () => {
-      const material = changed(
+      const material = changeShader(
         new THREE.MeshMatcapMaterial(),
         `mat2 rotation(float a) { float s = sin(a), c = cos(a); return mat2(c, -s, s, c); }`,
         'transformed.xz = rotation(position.y * 1.4 + uTime) * transformed.xz;',
@@ -190,18 +192,18 @@ float voronoi(vec2 p) {
   'height map': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         standard(),
         'uniform sampler2D heightMap;',
         'transformed += normal * texture2D(heightMap, uv).r * 0.5;',
-        { uniforms: { heightMap: { value: heights() } } },
+        { uniforms: { heightMap: { value: makeHeightMap() } } },
       ),
     moved: ([x, y, z], n, [u, v]) => [x, y, z + 0.5 * heightMap(u, v)],
   },
   'flag, with normals by differences': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         new THREE.MeshNormalMaterial(),
         'vec3 wave(vec3 p, vec2 at) { p.z += sin(at.x * 8.0 - uTime) * 0.3 * at.x; p.y += 0.1 * sin(at.x * 3.0); return p; }',
         `vec3 transformed = wave(position, uv);
@@ -215,7 +217,7 @@ vNormal = normalize(normalMatrix * cross(right - transformed, up - transformed))
   'a position bent in view space': {
     shape: 'plane',
     material: () =>
-      changed(
+      changeShader(
         standard(),
         '',
         `vec4 mvPosition = modelViewMatrix * vec4(transformed, 1.0);
@@ -230,7 +232,8 @@ gl_Position = projectionMatrix * mvPosition;`,
 const csm = (vertexShader, baseMaterial = THREE.MeshPhysicalMaterial) =>
   new CustomShaderMaterial({ baseMaterial, vertexShader, uniforms: { uTime: { value: time } } })
 
-export const ofCustomShaderMaterial = {
+/** Materials of three-custom-shader-material. */
+export const customShaderMaterials = {
   'csm_Position along the normal': {
     shape: 'sphere',
     material: () =>
@@ -261,8 +264,9 @@ void main() {
   },
 }
 
-const shown = 'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }'
-const shader = (vertexShader, more = {}, fragmentShader = shown) =>
+const showNormal =
+  'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }'
+const makeShaderMaterial = (vertexShader, more = {}, fragmentShader = showNormal) =>
   new THREE.ShaderMaterial({
     uniforms: { uTime: { value: time }, uStrength: { value: 0.3 } },
     vertexShader,
@@ -270,12 +274,12 @@ const shader = (vertexShader, more = {}, fragmentShader = shown) =>
     ...more,
   })
 
-/** `space` is what the varying of the normal is in. */
-export const ofShaderMaterial = {
+/** ShaderMaterials. `space` is the space of the normal's varying; default: 'view'. */
+export const shaderMaterials = {
   'noise along the normal': {
     shape: 'sphere',
     material: () =>
-      shader(`uniform float uTime; // seconds
+      makeShaderMaterial(`uniform float uTime; // seconds
 uniform float uStrength;
 varying vec3 vNormal;
 varying float vHeight;
@@ -295,7 +299,7 @@ void main() {
     shape: 'plane',
     space: 'world',
     material: () =>
-      shader(`uniform float uTime;
+      makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;
 varying float vElevation;
 float waveElevation(vec3 position) {
@@ -321,7 +325,7 @@ void main() {
   'a wave in view space': {
     shape: 'plane',
     material: () =>
-      shader(`uniform float uTime;
+      makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;
 void main() {
   vNormal = normalize(normalMatrix * normal);
@@ -334,7 +338,7 @@ void main() {
   'a normal that position and light share': {
     shape: 'sphere',
     material: () =>
-      shader(`uniform float uTime;
+      makeShaderMaterial(`uniform float uTime;
 uniform float uStrength;
 varying vec3 vNormal, vEye;
 void main() {
@@ -354,10 +358,10 @@ void main() {
       return [x + n[0] * h, y + n[1] * h, z + n[2] * h]
     },
   },
-  'a varying that moves the vertex, too': {
+  'a varying of the normal that also moves the vertex': {
     shape: 'sphere',
     material: () =>
-      shader(`uniform float uTime;
+      makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;
 void main() {
   vNormal = normalize(normal);
@@ -399,59 +403,62 @@ void main() { fragColor = vec4(normalize(vNormal), 1.0); }`,
   },
 }
 
-const wavy = (chunk, material = standard()) =>
-  changed(
+const makeWavy = (chunk, material = standard()) =>
+  changeShader(
     material,
     '',
     'transformed += vec3(0.1 * sin(4.0 * transformed.y), 0.0, 0.2 * sin(3.0 * transformed.x + uTime));',
     { chunk },
   )
-const movedWavy = ([x, y, z]) => [x + 0.1 * sin(4 * y), y, z + 0.2 * sin(3 * x + time)]
+const moveWavy = ([x, y, z]) => [x + 0.1 * sin(4 * y), y, z + 0.2 * sin(3 * x + time)]
 
-/** Bones, morph targets and sides. `isPosedFirst`: the displacement comes after bones and morph targets. */
+/**
+ * Materials on meshes with bones or morph targets, and others. If `isPosedFirst`, bones and morph targets apply before the displacement.
+ */
 export const objects = {
   'bones after the displacement': {
     shape: 'plane',
     kind: 'skin',
-    material: () => wavy('begin_vertex'),
-    moved: movedWavy,
+    material: () => makeWavy('begin_vertex'),
+    moved: moveWavy,
   },
   'bones before the displacement': {
     shape: 'plane',
     kind: 'skin',
     isPosedFirst: true,
-    material: () => wavy('skinning_vertex'),
-    moved: movedWavy,
+    material: () => makeWavy('skinning_vertex'),
+    moved: moveWavy,
   },
   'morph targets after the displacement': {
     shape: 'plane',
     kind: 'morph',
-    material: () => wavy('begin_vertex'),
-    moved: movedWavy,
+    material: () => makeWavy('begin_vertex'),
+    moved: moveWavy,
   },
   'morph targets before the displacement': {
     shape: 'plane',
     kind: 'morph',
     isPosedFirst: true,
-    material: () => wavy('displacementmap_vertex'),
-    moved: movedWavy,
+    material: () => makeWavy('displacementmap_vertex'),
+    moved: moveWavy,
   },
   'the back of a material': {
     shape: 'plane',
     isBack: true,
-    material: () => wavy('begin_vertex', new THREE.MeshStandardMaterial({ side: THREE.BackSide })),
-    moved: movedWavy,
+    material: () =>
+      makeWavy('begin_vertex', new THREE.MeshStandardMaterial({ side: THREE.BackSide })),
+    moved: moveWavy,
   },
   'a displacementMap of three.js': {
     shape: 'plane',
     material: () =>
-      new THREE.MeshStandardMaterial({ displacementMap: heights(), displacementScale: 0.5 }),
+      new THREE.MeshStandardMaterial({ displacementMap: makeHeightMap(), displacementScale: 0.5 }),
     moved: ([x, y, z], n, [u, v]) => [x, y, z + 0.5 * heightMap(u, v)],
   },
-  'a twist in the world, read by a noise of the world': {
+  'a noise of the position in the world': {
     shape: 'sphere',
     material: () =>
-      changed(
+      changeShader(
         standard(),
         glslNoise,
         'vec4 inWorld = modelMatrix * vec4(transformed, 1.0);\ntransformed += 0.3 * normal * noise(inWorld.xyz * 1.5);',
@@ -463,13 +470,13 @@ export const objects = {
   },
 }
 
-/** Shaders that stay as they are, each with a part of the message. */
+/** Unsupported shaders, which stay as they are, each with a part of the message. */
 export const unsupported = {
   'mvPosition on a mesh with bones': {
     kind: 'skin',
     message: /moves mvPosition on a mesh with bones or morph targets/,
     material: () =>
-      changed(
+      changeShader(
         standard(),
         '',
         'mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
@@ -479,7 +486,7 @@ export const unsupported = {
   'a normal by differences in a ShaderMaterial': {
     message: /makes no varying of the attribute normal/,
     material: () =>
-      shader(`uniform float uTime;
+      makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;
 float h(vec2 p) { return 0.3 * sin(p.x * 3.0 + uTime); }
 void main() {
@@ -490,11 +497,11 @@ void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0);
 }`),
   },
-  'a normal by neighbors along a tangent': {
+  'a normal from neighbors along a tangent': {
     message:
       /line 7, column 3: the statement "vec3 neighbor = .*" makes something of normal and position together/,
     material: () =>
-      shader(`uniform float uTime;
+      makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;
 vec3 displaced(vec3 p, vec3 n) { return p + n * 0.2 * sin(p.y * 4.0 + uTime); }
 void main() {
@@ -510,7 +517,7 @@ void main() {
     message: /line 4, column 10: there is no function "wobble"/,
     isBroken: true,
     material: () =>
-      shader(`varying vec3 vNormal;
+      makeShaderMaterial(`varying vec3 vNormal;
 void main() {
   vec3 p = position;
   p.z += wobble(p.x);

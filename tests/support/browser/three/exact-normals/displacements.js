@@ -1,4 +1,4 @@
-// Displacements as people write them in TSL, each with the same motion of a vertex in double precision, written by hand.
+// Displacements as people write them in TSL, each with a function that moves a vertex in the same way in double precision.
 import * as THREE from 'three'
 import * as TSL from 'three/tsl'
 import { fractal, hash, noise } from './materialx.js'
@@ -50,12 +50,13 @@ const {
 
 const add = (a, b) => a.map((x, i) => x + b[i])
 const scale = (a, factor) => a.map((x) => x * factor)
-const blend = (a, b, t) => a.map((x, i) => x + (b[i] - x) * t)
+const mixVectors = (a, b, t) => a.map((x, i) => x + (b[i] - x) * t)
 const unit = (a) => scale(a, 1 / Math.hypot(...a))
-const smooth = (from, to, x) => {
+const smoothstepAt = (from, to, x) => {
   const t = Math.min(1, Math.max(0, (x - from) / (to - from)))
   return t * t * (3 - 2 * t)
 }
+/** Returns a function that moves a point along an axis by `height(p, …)`. */
 const along =
   (axis, height) =>
   (p, ...others) =>
@@ -68,8 +69,8 @@ const waves = [
   [0.7, -0.7, 0.025, 9],
 ]
 
-/** A texture of 8 × 8 heights, smoothed. */
-function mapOf(heights) {
+/** Makes a texture of 8 × 8 heights with a linear filter. */
+function makeHeightmap(heights) {
   const map = new THREE.DataTexture(
     Float32Array.from({ length: 256 }, (_, i) => (i % 4 ? 0 : heights[i >> 2])),
     8,
@@ -77,14 +78,15 @@ function mapOf(heights) {
     THREE.RGBAFormat,
     THREE.FloatType,
   )
-  const smooth = { magFilter: THREE.LinearFilter, minFilter: THREE.LinearFilter }
-  return Object.assign(map, { ...smooth, needsUpdate: true })
+  const filters = { magFilter: THREE.LinearFilter, minFilter: THREE.LinearFilter }
+  return Object.assign(map, { ...filters, needsUpdate: true })
 }
 
 const heights = Float32Array.from({ length: 64 }, (_, i) => hash(i))
 const otherHeights = heights.map((height) => 0.5 - 0.6 * height)
-const [heightmap, otherHeightmap] = [heights, otherHeights].map(mapOf)
+const [heightmap, otherHeightmap] = [heights, otherHeights].map(makeHeightmap)
 
+/** Samples heights like the texture. */
 function bilinear(u, v, heights) {
   const [x, y] = [u * 8 - 0.5, v * 8 - 0.5]
   const [i, j] = [Math.floor(x), Math.floor(y)]
@@ -96,11 +98,13 @@ function bilinear(u, v, heights) {
 
 const raisedBy = (map) => positionLocal.add(vec3(0, 0, texture(map, uv()).r.mul(0.4)))
 
+/** Heights of the two instances. */
 const lifts = [0.15, 0.3]
 
 /**
- * `position()` makes the positionNode, and `first()` one that is drawn before; `move(p, n, uv, i)` moves a vertex of instance i. Planes are two triangles that face the viewer, and
- * up is towards the viewer.
+ * `position()` makes the positionNode, and `first()` another that is drawn before. `move(p, n, uv, { instance, matrixWorld })` moves a
+ * vertex. `prepare` changes the object. If `ignoresPose`, the positionNode reads the geometry, so that the skin has no effect. Planes are
+ * two triangles that face the viewer, and up is towards the viewer.
  */
 export const displacements = {
   'a sine': {
@@ -134,7 +138,7 @@ export const displacements = {
         return add(moved, [...scale(d, height * Math.cos(phase)), height * Math.sin(phase)])
       }, p),
   },
-  'waves of an array of uniforms': {
+  'waves from an array of uniforms': {
     shape: 'plane',
     position() {
       const list = uniformArray(waves.map((each) => new THREE.Vector4(...each)))
@@ -200,7 +204,7 @@ export const displacements = {
       return 0.12 * Math.sin(14 * d) * Math.exp(-1.5 * d)
     }),
   },
-  'along the normal by noise': {
+  'noise along the normal': {
     shape: 'sphere',
     position: () =>
       positionLocal.add(normalLocal.mul(mx_noise_float(positionLocal.mul(2)).mul(0.25))),
@@ -212,7 +216,7 @@ export const displacements = {
     move: (p) =>
       add(
         p,
-        [0, 1, 2].map((part) => 0.3 * noise(scale(p, 1.5), part)),
+        [0, 1, 2].map((component) => 0.3 * noise(scale(p, 1.5), component)),
       ),
   },
   'fractal noise': {
@@ -251,8 +255,8 @@ export const displacements = {
             const other = cell.add(vec2(float(i), float(j))).toVar()
             const seed = uint(other.x.add(other.y.mul(97)))
             const centre = other.add(vec2(TSL.hash(seed), TSL.hash(seed.add(5000))))
-            const away = p.sub(centre)
-            nearest.assign(min(nearest, dot(away, away)))
+            const toCentre = p.sub(centre)
+            nearest.assign(min(nearest, dot(toCentre, toCentre)))
           },
         )
         return positionLocal.add(vec3(0, 0, nearest.mul(0.2)))
@@ -337,7 +341,7 @@ export const displacements = {
       const amount = smoothstep(-0.3, 0.4, mx_noise_float(positionLocal.mul(2)))
       return mix(positionLocal, round, amount)
     },
-    move: (p) => blend(p, scale(unit(p), 0.9), smooth(-0.3, 0.4, noise(scale(p, 2)))),
+    move: (p) => mixVectors(p, scale(unit(p), 0.9), smoothstepAt(-0.3, 0.4, noise(scale(p, 2)))),
   },
   'angles of a sphere': {
     shape: 'icosahedron',
@@ -346,12 +350,12 @@ export const displacements = {
       const [longitude, latitude] = [atan(p.z, p.x), acos(p.y)]
       return p.mul(sin(longitude.mul(3)).mul(sin(latitude)).mul(0.15).add(1))
     },
-    move(given) {
-      const p = unit(given)
+    move(vertex) {
+      const p = unit(vertex)
       return scale(p, 1 + 0.15 * Math.sin(3 * Math.atan2(p[2], p[0])) * Math.sin(Math.acos(p[1])))
     },
   },
-  'a valley that is flat': {
+  'a valley with a flat bottom': {
     shape: 'plane',
     position: () =>
       Fn(() => {
@@ -381,7 +385,7 @@ export const displacements = {
       )
     },
     move: along(up, ([x, y]) => {
-      const step = Math.floor(3 * x) + smooth(0.6, 1, 3 * x - Math.floor(3 * x))
+      const step = Math.floor(3 * x) + smoothstepAt(0.6, 1, 3 * x - Math.floor(3 * x))
       return 0.1 * (y > 0 ? step : 0.5 * step)
     }),
   },
@@ -413,7 +417,7 @@ export const displacements = {
     },
     move: along(up, ([x]) => 0.2 * Math.sin(4 * x)),
   },
-  'waves of the world': {
+  'waves in world space': {
     shape: 'sphere',
     position: () => positionLocal.mul(sin(positionWorld.x.mul(4)).mul(0.1).add(1)),
     move(p, n, uv, { matrixWorld }) {
@@ -462,24 +466,24 @@ export const displacements = {
     position: () => positionLocal.add(vec3(0, sin(positionLocal.x.mul(4)).mul(0.15), 0)),
     move: ([x, y, z]) => [x, y + 0.15 * Math.sin(4 * x), z],
   },
-  'the geometry of a skin': {
+  'a position of the geometry instead of the skin': {
     kind: 'skin',
     shape: 'sphere',
-    isOfGeometry: true,
+    ignoresPose: true,
     position: () =>
       positionGeometry.add(normalGeometry.mul(sin(positionGeometry.x.mul(4)).mul(0.15))),
     move: (p, n) => add(p, scale(n, 0.15 * Math.sin(4 * p[0]))),
   },
 }
 
-/** Displacements that have no derivative by the position, each with a part of the message. */
+/** Displacements for which we have no derivative with respect to the position, each with a part of the message. */
 export const unsupported = {
   'a jitter by vertexIndex': {
     shape: 'plane',
     position: () => positionLocal.add(vec3(0, 0, TSL.hash(TSL.vertexIndex).mul(0.1))),
     message: /depends on vertexIndex/,
   },
-  'an attribute of vertices': {
+  'a vertex attribute': {
     shape: 'plane',
     position: () => positionLocal.add(attribute('shift', 'vec3')),
     prepare: ({ geometry }) =>

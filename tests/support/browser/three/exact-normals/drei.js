@@ -2,7 +2,7 @@
 import { MeshDistortMaterial } from '@react-three/drei/core/MeshDistortMaterial'
 import { MeshWobbleMaterial } from '@react-three/drei/core/MeshWobbleMaterial'
 import * as THREE from 'three'
-import { materialOf } from '../company/react-material.js'
+import { renderMaterial } from '../company/react-material.js'
 import { measure } from './measure.js'
 import { shadowOnFloor } from './meshes.js'
 import { simplex } from './simplex.js'
@@ -11,12 +11,12 @@ const [time, factor, distort] = [1.3, 0.9, 0.6]
 
 const materials = {
   async MeshDistortMaterial() {
-    const material = await materialOf(MeshDistortMaterial, { speed: 0, distort, radius: 1 })
+    const material = await renderMaterial(MeshDistortMaterial, { speed: 0, distort, radius: 1 })
     material.time = time
     return material
   },
   async MeshWobbleMaterial() {
-    const material = await materialOf(MeshWobbleMaterial, { speed: 0, factor })
+    const material = await renderMaterial(MeshWobbleMaterial, { speed: 0, factor })
     material.time = time
     return material
   },

@@ -1,10 +1,10 @@
-// Formulas of the displacements in JavaScript, in double precision: the oracle. Each has a twin in GLSL in cases.js.
+// Formulas of the displacements in JavaScript, in double precision, as oracles. cases.js has the same formulas in GLSL.
 const { sin, cos, floor, exp, hypot, min, abs, sqrt, PI } = Math
 export const mod = (x, y) => x - y * floor(x / y)
 const fract = (x) => x - floor(x)
 const mix = (a, b, t) => a + (b - a) * t
 
-/** Whole numbers, so that floats have the same bits. */
+/** Permutes integers. These are small enough to be exact in float32, so that GLSL computes the same. */
 const scramble = (x) => mod((x * 34 + 1) * x, 289)
 const cell = (x, y, z) => scramble(scramble(scramble(mod(x, 289)) + mod(y, 289)) + mod(z, 289))
 
@@ -72,7 +72,7 @@ export function gerstner([x, y, z], time) {
   return moved
 }
 
-/** Ridges: four octaves, folded. */
+/** Returns the height of ridges: four octaves of folded noise. */
 export function ridges(x, y) {
   let [sum, amplitude, frequency] = [0, 0.4, 1.3]
   for (let i = 0; i < 4; i++) {
@@ -84,7 +84,7 @@ export function ridges(x, y) {
   return sum
 }
 
-/** The distance to the nearest point of a scattered grid. */
+/** Returns the distance to the nearest point of a jittered grid. */
 export function voronoi(x, y) {
   const [i, j] = [floor(x), floor(y)]
   let nearest = 8
@@ -98,13 +98,19 @@ export function voronoi(x, y) {
   return sqrt(nearest)
 }
 
-/** A height map of 8 × 8 texels, sampled between texel centers and clamped, as WebGL does. */
+/** The texels of a height map of 8 × 8 texels. */
 export const texels = Float32Array.from({ length: 64 }, (_, i) => fract(sin(i * 12.9) * 43.7))
+
+/** Samples the height map like WebGL, with a linear filter and clamped coordinates. */
 export function heightMap(u, v) {
-  const at = (x, y) => texels[Math.max(0, min(7, y)) * 8 + Math.max(0, min(7, x))]
+  const texelAt = (x, y) => texels[Math.max(0, min(7, y)) * 8 + Math.max(0, min(7, x))]
   const [x, y] = [u * 8 - 0.5, v * 8 - 0.5]
   const [i, j] = [floor(x), floor(y)]
-  return mix(mix(at(i, j), at(i + 1, j), x - i), mix(at(i, j + 1), at(i + 1, j + 1), x - i), y - j)
+  return mix(
+    mix(texelAt(i, j), texelAt(i + 1, j), x - i),
+    mix(texelAt(i, j + 1), texelAt(i + 1, j + 1), x - i),
+    y - j,
+  )
 }
 
 export const ripple = ([x, y], time) => {

@@ -1,5 +1,6 @@
-// Other habits in vertex shaders. Their normals are compared with differences of the positions that the GPU computes, at vertices that are
-// shifted by a little.
+// Other habits of people who write vertex shaders. Normals are compared with finite differences: those of positions that the GPU computes
+// for
+// slightly shifted vertices.
 import * as THREE from 'three'
 import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
@@ -8,30 +9,34 @@ import { probe, renderer } from './probe.js'
 
 const uniform = (value) => ({ value })
 
-/** A standard material whose `onBeforeCompile` replaces parts of its vertex shader. */
-const changed =
+/**
+ * Returns a function that creates a material whose `onBeforeCompile` replaces parts of its vertex shader: `pairs` of [part, replacement].
+ */
+const withReplacements =
   (pairs, uniforms = {}, Material = THREE.MeshStandardMaterial, options = {}) =>
   () => {
     const material = new Material(options)
     material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, uniforms)
-      for (const [part, other] of pairs)
-        shader.vertexShader = shader.vertexShader.replace(part, other)
+      for (const [part, replacement] of pairs)
+        shader.vertexShader = shader.vertexShader.replace(part, replacement)
     }
     material.customProgramCacheKey = () => JSON.stringify(pairs)
     return material
   }
 
-const shown = 'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }'
-const shader =
-  (vertexShader, uniforms = {}, options = {}, fragmentShader = shown) =>
+const showNormal =
+  'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }'
+/** Returns a function that creates a ShaderMaterial. */
+const withShaders =
+  (vertexShader, uniforms = {}, options = {}, fragmentShader = showNormal) =>
   () =>
     new THREE.ShaderMaterial({ vertexShader, fragmentShader, uniforms, ...options })
 
-/** Shaders by what is particular to each: a function that creates the material, and what the mesh needs. */
+/** Maps what is particular to a shader → [function that creates the material, what the mesh needs]. */
 export const habits = {
-  'a number of the normal that is multiplied afterwards': [
-    shader(`varying vec3 vNormal;
+  'a factor that depends on the normal': [
+    withShaders(`varying vec3 vNormal;
 void main() {
   float k = 0.5;
   k *= sin(normal.x * 4.0) + 2.0;
@@ -40,7 +45,7 @@ void main() {
 }`),
   ],
   'a function with an inout parameter and the normal': [
-    shader(`varying vec3 vNormal;
+    withShaders(`varying vec3 vNormal;
 void push(inout vec3 p, vec3 n) { p += n * 0.3 * sin(p.x * 3.0); }
 void main() {
   vNormal = normalMatrix * normal;
@@ -49,16 +54,16 @@ void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0);
 }`),
   ],
-  'a height that is shown': [
-    shader(`varying vec3 vNormal; varying float vHeight;
+  'a varying of the height': [
+    withShaders(`varying vec3 vNormal; varying float vHeight;
 void main() {
   vNormal = normalMatrix * normal;
   vHeight = 0.3 * sin(position.x * 3.0);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position + normal * vHeight, 1.0);
 }`),
   ],
-  'statements behind an #include on its line': [
-    changed([
+  'statements after an #include on the same line': [
+    withReplacements([
       [
         '#include <project_vertex>',
         '#include <project_vertex> mvPosition.y += 0.3 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
@@ -66,7 +71,7 @@ void main() {
     ]),
   ],
   'a branch without braces that changes gl_Position': [
-    shader(
+    withShaders(
       `varying vec3 vNormal; uniform float isNear;
 void main() {
   vec3 p = position + normal * 0.3 * sin(position.x * 3.0);
@@ -79,7 +84,7 @@ void main() {
     ),
   ],
   'tangents of the geometry': [
-    changed(
+    withReplacements(
       [
         [
           '#include <begin_vertex>',
@@ -92,8 +97,8 @@ void main() {
     ),
     { tangents: true },
   ],
-  'an interleaved attribute of instances': [
-    changed([
+  'an interleaved attribute per instance': [
+    withReplacements([
       ['#include <common>', '#include <common>\nattribute float aLift;'],
       [
         '#include <begin_vertex>',
@@ -102,8 +107,8 @@ void main() {
     ]),
     { instances: true, interleaved: true },
   ],
-  'an attribute of instances, compiled before it is drawn': [
-    changed([
+  'an attribute per instance, compiled before it is drawn': [
+    withReplacements([
       ['#include <common>', '#include <common>\nattribute float aLift; //c'],
       [
         '#include <begin_vertex>',
@@ -113,7 +118,7 @@ void main() {
     { instances: true, interleaved: true, isCompiledFirst: true },
   ],
   'functions above main, and uniforms with names of inputs': [
-    changed(
+    withReplacements(
       [
         [
           'void main() {',
@@ -128,7 +133,7 @@ void main() {
     ),
   ],
   'int and bool uniforms': [
-    changed(
+    withReplacements(
       [
         [
           '#include <common>',
@@ -143,7 +148,7 @@ void main() {
     ),
   ],
   'struct uniforms': [
-    changed(
+    withReplacements(
       [
         [
           '#include <common>',
@@ -162,8 +167,8 @@ void main() {
       },
     ),
   ],
-  'vec3 array flat': [
-    changed(
+  'an array of vec3 set by a Float32Array': [
+    withReplacements(
       [
         ['#include <common>', '#include <common>\nuniform vec3 pts[2];'],
         [
@@ -174,8 +179,8 @@ void main() {
       { pts: uniform(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
     ),
   ],
-  'vec3 array flat pixel': [
-    changed(
+  'an array of vec3 set by a Float32Array, with normals at pixels': [
+    withReplacements(
       [
         ['#include <common>', '#include <common>\nuniform vec3 pts[2];//p'],
         [
@@ -187,8 +192,8 @@ void main() {
     ),
     { normals: 'pixel' },
   ],
-  'matrix uniform': [
-    changed(
+  'matrix uniforms': [
+    withReplacements(
       [
         ['#include <common>', '#include <common>\nuniform mat4 bend; uniform mat3 rot;'],
         [
@@ -203,7 +208,7 @@ void main() {
     ),
   ],
   'more uniforms with names of inputs': [
-    changed(
+    withReplacements(
       [
         [
           '#include <common>',
@@ -223,7 +228,7 @@ void main() {
     ),
   ],
   'gl_Position changes after the projection': [
-    changed([
+    withReplacements([
       [
         '#include <project_vertex>',
         '#include <project_vertex>\n gl_Position.y += 0.2 * gl_Position.x * gl_Position.x / 25.0;',
@@ -231,15 +236,15 @@ void main() {
     ]),
   ],
   'mvPosition changes': [
-    changed([
+    withReplacements([
       [
         '#include <project_vertex>',
         '#include <project_vertex>\n mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
       ],
     ]),
   ],
-  'instances in the wind of the world': [
-    changed([
+  'instances that bend in world space': [
+    withReplacements([
       [
         '#include <project_vertex>',
         'vec4 mvPosition = vec4(transformed, 1.0);\n#ifdef USE_INSTANCING\nmvPosition = instanceMatrix * mvPosition;\n#endif\nvec4 wp = modelMatrix * mvPosition; wp.x += 0.3 * sin(wp.y * 3.0) ; mvPosition = viewMatrix * wp; gl_Position = projectionMatrix * mvPosition;',
@@ -248,7 +253,7 @@ void main() {
     { instances: true },
   ],
   'mvPosition changes, with instances': [
-    changed([
+    withReplacements([
       [
         '#include <project_vertex>',
         '#include <project_vertex>\n mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition; //i',
@@ -257,12 +262,12 @@ void main() {
     { instances: true },
   ],
   'a position snapped to pixels': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; vec4 clip = projectionMatrix * modelViewMatrix * vec4(p, 1.0); clip.xy = floor(clip.xy * 90.0) / 90.0; gl_Position = clip; }',
     ),
   ],
   tangent: [
-    changed([
+    withReplacements([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n#ifdef USE_TANGENT\n transformed += tangent.xyz * 0.2 * sin(position.x * 3.0);\n#endif\ntransformed.z += 0.2 * sin(4.0 * position.x);',
@@ -270,7 +275,7 @@ void main() {
     ]),
   ],
   gl_VertexID: [
-    changed([
+    withReplacements([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n transformed.z += 0.01 * float(gl_VertexID % 2);',
@@ -278,7 +283,7 @@ void main() {
     ]),
   ],
   'attribute per vertex': [
-    changed([
+    withReplacements([
       ['#include <common>', '#include <common>\nattribute float aHeight;'],
       [
         '#include <begin_vertex>',
@@ -287,8 +292,8 @@ void main() {
     ]),
     { attribute: true },
   ],
-  macro: [
-    changed([
+  macros: [
+    withReplacements([
       [
         '#include <common>',
         '#include <common>\n#define WAVE(x, k) (0.2 * sin((x) * (k)))\n#define AXES xy\n#if 1\nconst float A = 1.5;\n#else\n broken\n#endif',
@@ -300,7 +305,7 @@ void main() {
     ]),
   ],
   'out parameters': [
-    changed([
+    withReplacements([
       [
         '#include <common>',
         '#include <common>\nvoid displace(inout vec3 p, out float h) { h = 0.3 * sin(p.x * 3.0); p.z += h; }\nvarying float vH;',
@@ -308,16 +313,16 @@ void main() {
       ['#include <begin_vertex>', '#include <begin_vertex>\n displace(transformed, vH);'],
     ]),
   ],
-  'while and hash': [
-    changed([
+  'a while loop': [
+    withReplacements([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n float f = 1.0; int n = 0; while (n < 3) { transformed.z += sin(position.y * f * 2.0) / f * 0.2; f *= 2.0; n++; }',
       ],
     ]),
   ],
-  'fract sin hash noise': [
-    changed([
+  'value noise with a hash of fract and sin': [
+    withReplacements([
       [
         '#include <common>',
         '#include <common>\nfloat hsh(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453123); }\nfloat vn(vec2 p) { vec2 i = floor(p), f = fract(p); vec2 u = f * f * (3.0 - 2.0 * f); return mix(mix(hsh(i), hsh(i + vec2(1, 0)), u.x), mix(hsh(i + vec2(0, 1)), hsh(i + vec2(1, 1)), u.x), u.y); }',
@@ -329,7 +334,7 @@ void main() {
     ]),
   ],
   vertexColors: [
-    changed(
+    withReplacements(
       [
         [
           '#include <begin_vertex>',
@@ -343,7 +348,7 @@ void main() {
     { colors: true },
   ],
   vUv: [
-    changed(
+    withReplacements(
       [
         [
           '#include <begin_vertex>',
@@ -356,7 +361,7 @@ void main() {
     ),
   ],
   texelFetch: [
-    changed(
+    withReplacements(
       [
         ['#include <common>', '#include <common>\nuniform highp sampler2D tx;'],
         [
@@ -382,7 +387,7 @@ void main() {
     ),
   ],
   'null texture': [
-    changed(
+    withReplacements(
       [
         ['#include <common>', '#include <common>\nuniform sampler2D tx;'],
         [
@@ -394,7 +399,7 @@ void main() {
     ),
   ],
   'distance to camera': [
-    changed([
+    withReplacements([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n vec4 ww = modelMatrix * vec4(transformed, 1.0); float dd = distance(ww.xyz, cameraPosition); transformed.z += 0.2 * sin(dd * 5.0);',
@@ -415,36 +420,36 @@ void main() {
     { chunks: true },
   ],
   'a Fresnel term': [
-    shader(
+    withShaders(
       'varying vec3 vNormal; varying float vF; uniform float t;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0 + t); vec4 world = modelMatrix * vec4(p, 1.0); vec3 wn = normalize(mat3(modelMatrix) * normal); vF = dot(wn, normalize(cameraPosition - world.xyz)); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * viewMatrix * world; }',
       { t: uniform(1) },
     ),
   ],
   'instances in a ShaderMaterial': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * mat3(instanceMatrix) * normal; gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(p, 1.0); }',
     ),
     { instances: true },
   ],
   defines: [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() {\n vec3 p = position;\n#ifdef WAVE\n p.z += 0.3 * sin(p.x * AMOUNT);\n#endif\n vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
       {},
       { defines: { WAVE: '', AMOUNT: '3.0' } },
     ),
   ],
   fog: [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\n#include <common>\n#include <fog_pars_vertex>\nvoid main() {\n vec3 p = position; p.z += 0.3 * sin(p.x * 3.0);\n vec4 mvPosition = modelViewMatrix * vec4(p, 1.0);\n vNormal = normalMatrix * normal; gl_Position = projectionMatrix * mvPosition;\n#include <fog_vertex>\n }',
     ),
   ],
   'a normal matrix by hand': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position + normal * 0.3 * sin(position.x * 3.0); mat3 nm = transpose(inverse(mat3(modelViewMatrix))); vNormal = normalize(nm * normal); gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
     ),
   ],
   'GLSL ES 3.00': [
-    shader(
+    withShaders(
       'out vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
       {},
       { glslVersion: THREE.GLSL3 },
@@ -452,33 +457,33 @@ void main() {
     ),
   ],
   'a function that sets the varying': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid light() { vNormal = normalMatrix * normal; }\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); light(); gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
     ),
   ],
   'functions that take the normal': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvec3 toView(vec3 n) { return normalMatrix * n; }\nvec3 displaced(vec3 p, vec3 n) { return p + n * 0.3 * sin(p.x * 3.0); }\nvoid main() { vNormal = toView(normal); gl_Position = projectionMatrix * modelViewMatrix * vec4(displaced(position, normal), 1.0); }',
     ),
   ],
   'position and light in one branch': [
-    shader(
+    withShaders(
       'varying vec3 vNormal; uniform float k;\nvoid main() { vec3 p = position; if (k > 0.5) { p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; } else { vNormal = normalMatrix * normal; } gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
       { k: uniform(1) },
     ),
   ],
   'a product of matrices': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); mat4 mvp = projectionMatrix * modelViewMatrix; vNormal = normalMatrix * normal; gl_Position = mvp * vec4(p, 1.0); }',
     ),
   ],
   'a varying that changes': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normal; vNormal = normalMatrix * vNormal; vNormal *= 2.0; gl_Position = projectionMatrix * (modelViewMatrix * vec4(p, 1.0)); }',
     ),
   ],
   'two variables in one declaration': [
-    shader(
+    withShaders(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position, n = normal; p += n * 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * n; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
     ),
   ],
@@ -502,25 +507,26 @@ void main() {
     { chunks: true },
   ],
 }
-/** A plane whose vertices are shifted within it. */
-async function plane([dx, dy], { attribute, colors, tangents, interleaved }) {
+
+/** Makes a plane whose vertices are shifted within the plane. */
+async function makePlane([dx, dy], { attribute, colors, tangents, interleaved }) {
   const geometry = new THREE.PlaneGeometry(2, 2, 20, 20)
   const { position, uv } = geometry.attributes
   for (let i = 0; i < position.count; i++) {
     position.setXY(i, position.getX(i) + dx, position.getY(i) + dy)
     uv.setXY(i, uv.getX(i) + dx / 2, uv.getY(i) + dy / 2)
   }
-  const add = (name, size, number) =>
+  const addAttribute = (name, size, valueAt) =>
     geometry.setAttribute(
       name,
       new THREE.BufferAttribute(
-        Float32Array.from({ length: size * position.count }, (_, i) => number(i)),
+        Float32Array.from({ length: size * position.count }, (_, i) => valueAt(i)),
         size,
       ),
     )
-  if (attribute) add('aHeight', 1, (i) => (i % 7) / 20)
-  if (colors) add('color', 3, () => 0.3)
-  if (tangents) add('tangent', 4, (i) => Number(i % 4 === 0 || i % 4 === 3))
+  if (attribute) addAttribute('aHeight', 1, (i) => (i % 7) / 20)
+  if (colors) addAttribute('color', 3, () => 0.3)
+  if (tangents) addAttribute('tangent', 4, (i) => Number(i % 4 === 0 || i % 4 === 3))
   if (interleaved) {
     const lifts = new THREE.InstancedInterleavedBuffer(new Float32Array([0.2, 0.3, 0.4]), 1)
     geometry.setAttribute('aLift', new THREE.InterleavedBufferAttribute(lifts, 1, 0))
@@ -529,7 +535,7 @@ async function plane([dx, dy], { attribute, colors, tangents, interleaved }) {
   return geometry
 }
 
-function meshOf(geometry, material, { instances }) {
+function makeMesh(geometry, material, { instances }) {
   const mesh = instances
     ? new THREE.InstancedMesh(geometry, material, 3)
     : new THREE.Mesh(geometry, material)
@@ -549,33 +555,36 @@ const shifts = [
   [0, -step],
 ]
 
-/** → the largest error of 95% of the normals, with `exactNormals` and without, and whether the position stays the same. */
+/**
+ * Returns `own`, the 95th percentile of the errors of a material's normals, in degrees; `exact`, the same with `exactNormals`; and whether
+ * positions stay the same.
+ */
 export async function measureHabit(name) {
   const [create, needs = {}] = habits[name]
   const plain = create()
-  const shows = needs.chunks || !plain.isShaderMaterial ? 'vec4(normal, 1.0)' : undefined
+  const output = needs.chunks || !plain.isShaderMaterial ? 'vec4(normal, 1.0)' : undefined
   const draw = async (material, shift, isClip) =>
-    probe(meshOf(await plane(shift, needs), material, needs), camera, shows, isClip)
+    probe(makeMesh(await makePlane(shift, needs), material, needs), camera, output, isClip)
   const material = exactNormals(create(), { normals: needs.normals })
   if (needs.isCompiledFirst)
     renderer.compile(
-      new THREE.Scene().add(meshOf(await plane([0, 0], needs), material, needs)),
+      new THREE.Scene().add(makeMesh(await makePlane([0, 0], needs), material, needs)),
       camera,
     )
   const own = await draw(plain, [0, 0])
   const exact = await draw(material, [0, 0])
   const clips = [await draw(plain, [0, 0], true), await draw(material, [0, 0], true)]
-  const sides = []
-  for (const shift of shifts) sides.push(await draw(plain, shift, true))
-  const placeIn = (clip, i) => {
+  const shifted = []
+  for (const shift of shifts) shifted.push(await draw(plain, shift, true))
+  const toView = (clip, i) => {
     const { x, y, z, w } = new THREE.Vector4(...clip.subarray(4 * i, 4 * i + 4)).applyMatrix4(
       camera.projectionMatrixInverse,
     )
     return [x / w, y / w, z / w]
   }
-  const errorsOf = (normals) => {
+  const percentileOfErrors = (normals) => {
     const errors = Array.from({ length: normals.length / 4 }, (_, i) => {
-      const [a, b, c, d] = sides.map((side) => placeIn(side, i))
+      const [a, b, c, d] = shifted.map((clip) => toView(clip, i))
       const normal = cross(
         a.map((x, k) => x - b[k]),
         c.map((x, k) => x - d[k]),
@@ -585,8 +594,8 @@ export async function measureHabit(name) {
     return errors[Math.floor(0.95 * errors.length)]
   }
   return {
-    own: errorsOf(own),
-    exact: errorsOf(exact),
-    isSamePlace: clips[0].every((number, i) => Object.is(number, clips[1][i])),
+    own: percentileOfErrors(own),
+    exact: percentileOfErrors(exact),
+    hasSamePositions: clips[0].every((number, i) => Object.is(number, clips[1][i])),
   }
 }

@@ -1,9 +1,10 @@
-// Counts evaluations of a height in shader code of three.js: loops with octaves, one for each evaluation. Functions that `main` calls
-// count as often as they are called.
+// Counts how often shader code of three.js evaluates the height of a showcase: each evaluation contains one loop over octaves. A loop in a
+// function counts once per call.
 
-const names = { glsl: /\bvoid main\s*\(/, wgsl: /@(?:vertex|fragment)\s+fn\s+main\s*\(/ }
+/** Patterns for the start of `main`. */
+const mains = { glsl: /\bvoid main\s*\(/, wgsl: /@(?:vertex|fragment)\s+fn\s+main\s*\(/ }
 
-/** Returns the position behind the bracket that closes the first one after `start`. */
+/** Returns the index after the brace that closes the first one after `start`. */
 function endOf(code, start) {
   let depth = 0
   for (let i = code.indexOf('{', start); i < code.length; i++) {
@@ -13,13 +14,13 @@ function endOf(code, start) {
   return code.length
 }
 
-/** Maps the functions of a shader → their bodies; overloads are joined. */
-function bodiesIn(code) {
-  const found = code.matchAll(
+/** Maps the names of a shader's functions → their bodies; those of overloads are concatenated. */
+function findBodies(code) {
+  const matches = code.matchAll(
     /^\s*(?:fn\s+(\w+)\s*\([^{;]*\)\s*->[^{;]*|(?:void|float|u?int|bool|[iub]?vec[234]|mat[234])\s+(\w+)\s*\([^{};]*\)\s*)(?=\{)/gm,
   )
   const bodies = new Map()
-  for (const { 1: wgsl, 2: glsl, index } of found) {
+  for (const { 1: wgsl, 2: glsl, index } of matches) {
     const name = wgsl ?? glsl
     bodies.set(
       name,
@@ -29,16 +30,17 @@ function bodiesIn(code) {
   return bodies
 }
 
-/** Returns the number of evaluations in one run of a shader. */
-export function heightsIn(shader) {
+/** Returns the number of evaluations of the height in a shader. */
+export function countHeights(shader) {
   const code = shader.replace(/\/\/.*|\/\*[^]*?\*\//g, '')
-  const bodies = bodiesIn(code)
-  const start = code.search(names.wgsl.test(code) ? names.wgsl : names.glsl)
-  const count = (body) =>
+  const bodies = findBodies(code)
+  const start = code.search(mains.wgsl.test(code) ? mains.wgsl : mains.glsl)
+  const countLoops = (body) =>
     (body.match(/\bfor \(/g) ?? []).length +
     [...body.matchAll(/(?<![.\w])(\w+)\s*\(/g)].reduce(
-      (sum, [, name]) => sum + (name !== 'main' && bodies.has(name) ? count(bodies.get(name)) : 0),
+      (sum, [, name]) =>
+        sum + (name !== 'main' && bodies.has(name) ? countLoops(bodies.get(name)) : 0),
       0,
     )
-  return count(code.slice(code.indexOf('{', start), endOf(code, start)))
+  return countLoops(code.slice(code.indexOf('{', start), endOf(code, start)))
 }

@@ -1,8 +1,9 @@
-// MaterialX's gradient noise in double precision, from its specification: Bob Jenkins' final mix of whole coordinates chooses a gradient
-// in each corner of a cell.
+// MaterialX's gradient noise in double precision, from its specification. Bob Jenkins' function `final`, of integer coordinates, selects a
+// gradient at each corner of a cell.
 
 const rotl = (x, k) => (x << k) | (x >>> (32 - k))
 
+/** Bob Jenkins' `final`. */
 function mix(a, b, c) {
   c = (c ^ b) - rotl(b, 14)
   a = (a ^ c) - rotl(c, 11)
@@ -29,25 +30,25 @@ function gradient(hash, [x, y, z]) {
 
 const fade = (t) => t * t * t * (t * (t * 6 - 15) + 10)
 
-/** `part` chooses a component of noise with three of them. */
-export function noise(p, part = 0) {
+/** Returns noise at a point of two or three dimensions; `component` selects a component of noise that returns a vector. */
+export function noise(p, component = 0) {
   const cell = p.map(Math.floor)
   const inside = p.map((x, i) => x - cell[i])
-  const at = (corner, axis) => {
+  const interpolate = (corner, axis) => {
     if (axis < 0) {
-      const hash = hashOf(cell.map((x, i) => x + corner[i])) >>> (8 * part)
+      const hash = hashOf(cell.map((x, i) => x + corner[i])) >>> (8 * component)
       return gradient(
         hash & 0xff,
         inside.map((x, i) => x - corner[i]),
       )
     }
-    const [low, high] = [0, 1].map((end) => at({ ...corner, [axis]: end }, axis - 1))
+    const [low, high] = [0, 1].map((end) => interpolate({ ...corner, [axis]: end }, axis - 1))
     return low + (high - low) * fade(inside[axis])
   }
-  return at({}, p.length - 1) * (p.length === 2 ? 0.6616 : 0.982)
+  return interpolate({}, p.length - 1) * (p.length === 2 ? 0.6616 : 0.982)
 }
 
-/** Sums of noise at octaves, each of twice the frequency and half the height. */
+/** Returns the sum of octaves of noise, each of twice the frequency and half the height. */
 export const fractal = (p, octaves) =>
   Array.from({ length: octaves }, (_, i) => noise(p.map((x) => x * 2 ** i)) / 2 ** i).reduce(
     (a, b) => a + b,

@@ -1,4 +1,4 @@
-// Compares the normals that a material shows, vertex by vertex, with differences of the oracle along the surface.
+// Compares the normals that a material computes at each vertex with finite differences of the oracle along the surface.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { probe } from './probe.js'
@@ -9,7 +9,7 @@ camera.lookAt(0, 0, 0)
 
 const { sin, cos, PI } = Math
 
-/** A geometry, and its surface by the numbers of a vertex: uv on a plane and a sphere. */
+/** Maps a name → a function that makes a geometry, and its surface: `at(u, v)` returns position, normal and uv. */
 const shapes = {
   plane: {
     geometry: () => new THREE.PlaneGeometry(2, 2, 30, 30),
@@ -40,12 +40,14 @@ export const cross = (a, b) => [
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 const unit = (a) => a.map((x) => x / Math.sqrt(dot(a, a)))
 export const angle = (a, b) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / PI
-const transformed = (p, matrix) => new THREE.Vector3(...p).applyMatrix4(matrix).toArray()
+const transform = (p, matrix) => new THREE.Vector3(...p).applyMatrix4(matrix).toArray()
 
+/** The matrix of the bone. */
 const bone = new THREE.Matrix4().makeRotationZ(0.6).setPosition(0.2, 0.1, 0)
+/** The motion of the morph target. */
 const delta = [0.1, 0.2, 0.3]
 
-function meshOf({ shape, kind }, geometry, material) {
+function makeMesh({ shape, kind }, geometry, material) {
   if (shape === 'blade') return new THREE.InstancedMesh(geometry, material, 5)
   const { count } = geometry.attributes.position
   if (kind === 'morph') {
@@ -69,34 +71,38 @@ function meshOf({ shape, kind }, geometry, material) {
 }
 
 const poses = {
-  skin: (p) => transformed(p, bone),
+  skin: (p) => transform(p, bone),
   morph: (p) => p.map((x, i) => x + 0.5 * delta[i]),
 }
 
-/** Where a vertex is before the matrices of instances and of the object. */
-function localPlace(row, { p, n, uv }, instance, world) {
+/** Returns the local position of a displaced and posed vertex, before the matrices of instances and of the object. */
+function localPosition(row, { p, n, uv }, instance, world) {
   const pose = poses[row.kind] ?? ((p) => p)
-  const moved = row.moved ?? ((p) => p)
-  return row.isPosedFirst ? moved(pose(p)) : pose(moved(p, n, uv, instance, world))
+  const move = row.moved ?? ((p) => p)
+  return row.isPosedFirst ? move(pose(p)) : pose(move(p, n, uv, instance, world))
 }
 
-export async function measure(row, normals, isOfChunks, isRaw) {
+/**
+ * Measures the errors of a row's normals, with `exactNormals` if `normals` is present. `hasChunks` says whether the material's shaders
+ * consist of three's chunks. With `isRaw`, returns the computed values instead.
+ */
+export async function measure(row, normals, hasChunks, isRaw) {
   const { shape, space = 'view' } = row
   const { geometry: create, at } = shapes[shape]
   const geometry = create()
   if (!isRaw) await addSurfaceVariation(geometry)
   const material = row.material()
   if (normals) exactNormals(material, { normals })
-  const mesh = meshOf(row, geometry, material)
+  const mesh = makeMesh(row, geometry, material)
   mesh.rotation.set(0.4, 0.5, 0.1)
-  // Normals in the world are the user's own formula, which is right without uneven scales.
+  // Shaders that compute normals in world space are correct only for uniform scales.
   mesh.scale.set(...(space === 'world' ? [1.2, 1.2, 1.2] : [1.2, 0.8, 1]))
   for (let i = 0; mesh.isInstancedMesh && i < mesh.count; i++)
     mesh.setMatrixAt(i, new THREE.Matrix4().makeRotationY(i).setPosition(i * 0.4 - 1, 0, 0))
   mesh.updateMatrixWorld()
-  const shown = probe(mesh, camera, isOfChunks ? 'vec4(normal, 1.0)' : undefined)
+  const shown = probe(mesh, camera, hasChunks ? 'vec4(normal, 1.0)' : undefined)
   if (isRaw) return [...shown]
-  const clips = probe(mesh, camera, isOfChunks ? 'vec4(normal, 1.0)' : undefined, true)
+  const clips = probe(mesh, camera, hasChunks ? 'vec4(normal, 1.0)' : undefined, true)
   return compare(row, mesh, { at, space, shown, clips })
 }
 
@@ -108,46 +114,50 @@ function compare(row, mesh, { at, space, shown, clips }) {
     const instance = new THREE.Matrix4()
     if (mesh.isInstancedMesh) mesh.getMatrixAt(k, instance)
     const toWorld = new THREE.Matrix4().multiplyMatrices(mesh.matrixWorld, instance)
-    const place = (u, v, isMoved = true) => {
+    const positionAt = (u, v, isMoved = true) => {
       const { p, n, uv } = at(u, v)
       const local = isMoved
-        ? localPlace(row, { p, n, uv }, instance.elements, transformed(p, toWorld))
+        ? localPosition(row, { p, n, uv }, instance.elements, transform(p, toWorld))
         : p
-      const world = transformed(local, toWorld)
+      const world = transform(local, toWorld)
       const inWorld = isMoved && row.movedInWorld ? row.movedInWorld(world) : world
-      const inView = transformed(inWorld, camera.matrixWorldInverse)
+      const inView = transform(inWorld, camera.matrixWorldInverse)
       return { world: inWorld, view: isMoved && row.movedInView ? row.movedInView(inView) : inView }
     }
     for (let i = 0; i < position.count; i++) {
       const [u, v] = [uv.getX(i), uv.getY(i)]
-      // The poles of a sphere have no uv.
+      // At the poles of a sphere, u is undefined.
       if (row.shape === 'sphere' && (v < 0.01 || v > 0.99)) continue
       total++
       const e = 1e-6
-      const side = (du, dv, isMoved) => {
+      const slope = (du, dv, isMoved) => {
         const [from, to] = [
-          place(u - du * e, v - dv * e, isMoved),
-          place(u + du * e, v + dv * e, isMoved),
+          positionAt(u - du * e, v - dv * e, isMoved),
+          positionAt(u + du * e, v + dv * e, isMoved),
         ]
         return to[space].map((x, k) => (x - from[space][k]) / (2 * e))
       }
-      const normalAt = (isMoved) => cross(side(1, 0, isMoved), side(0, 1, isMoved))
+      const normalAt = (isMoved) => cross(slope(1, 0, isMoved), slope(0, 1, isMoved))
       const expected = unit(normalAt(true)).map((x) => (row.isBack ? -x : x))
-      // Kinks: one-sided differences disagree.
-      const one = (sign) => {
-        const here = place(u, v)[space]
+      // At kinks, one-sided differences disagree.
+      const oneSidedNormal = (sign) => {
+        const here = positionAt(u, v)[space]
         const along = (du, dv) =>
-          place(u + sign * du * e, v + sign * dv * e)[space].map((x, k) => sign * (x - here[k]))
+          positionAt(u + sign * du * e, v + sign * dv * e)[space].map(
+            (x, k) => sign * (x - here[k]),
+          )
         return cross(along(1, 0), along(0, 1))
       }
-      if (angle(one(1), one(-1)) > 0.05) {
+      if (angle(oneSidedNormal(1), oneSidedNormal(-1)) > 0.05) {
         skipped++
         continue
       }
-      const at4 = 4 * (k * position.count + i)
-      angles.push(angle(expected, [...shown.subarray(at4, at4 + 3)]))
-      const clip = new THREE.Vector4(...place(u, v).view, 1).applyMatrix4(camera.projectionMatrix)
-      farthest = Math.max(farthest, ...clip.toArray().map((x, j) => Math.abs(x - clips[at4 + j])))
+      const start = 4 * (k * position.count + i)
+      angles.push(angle(expected, [...shown.subarray(start, start + 3)]))
+      const clip = new THREE.Vector4(...positionAt(u, v).view, 1).applyMatrix4(
+        camera.projectionMatrix,
+      )
+      farthest = Math.max(farthest, ...clip.toArray().map((x, j) => Math.abs(x - clips[start + j])))
     }
   }
   angles.sort((a, b) => a - b)

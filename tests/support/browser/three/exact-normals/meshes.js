@@ -1,4 +1,5 @@
-// Meshes whose shadows, culling and rays follow the displacement, compared with meshes whose vertices were moved by hand.
+// Compares shadows, culling and rays of meshes with `exactNormals`, which must follow the displacement, with those of meshes whose vertices
+// are moved by hand.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals, warp } from 'warpjet/three'
 
@@ -8,7 +9,7 @@ camera.position.set(0, 3, 7)
 camera.lookAt(0, 0.3, 0)
 
 const renderers = {}
-function rendererFor(isShadowed) {
+function getRenderer(isShadowed) {
   return (renderers[isShadowed] ??= (() => {
     const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true })
     renderer.setSize(size, size)
@@ -26,8 +27,8 @@ function picture(renderer, scene, from = camera) {
   return pixels
 }
 
-/** The number of pixels that differ by more than 12 of 255. */
-function differing(a, b) {
+/** Counts the pixels that differ by more than 12 of 255. */
+function countDiffering(a, b) {
   let count = 0
   for (let i = 0; i < a.length; i += 4)
     if ([0, 1, 2].some((k) => Math.abs(a[i + k] - b[i + k]) > 12)) count++
@@ -37,8 +38,8 @@ function differing(a, b) {
 const time = { value: 0.4 }
 const height = ([x, , z]) => 0.5 * Math.sin(2.5 * x + time.value) * Math.cos(2 * z)
 
-/** A material that moves vertices up by `height` and to the side. */
-function displaced() {
+/** Makes a material that moves vertices up by `height` and to the side. */
+function makeDisplaced() {
   const material = new THREE.MeshStandardMaterial({ roughness: 0.6 })
   material.onBeforeCompile = (shader) => {
     shader.uniforms.uTime = time
@@ -52,11 +53,11 @@ function displaced() {
   return material
 }
 
-/** The same vertices, moved by hand. */
+/** Returns a copy of a geometry whose vertices are moved in the same way by hand. */
 function moveVertices(geometry) {
   const copy = geometry.clone()
   const { position, normal } = copy.attributes
-  const at = (p) => [p[0] + 1.5, p[1] + height(p), p[2]]
+  const move = (p) => [p[0] + 1.5, p[1] + height(p), p[2]]
   for (let i = 0; i < position.count; i++) {
     const p = [position.getX(i), position.getY(i), position.getZ(i)]
     const [dx, dz] = [
@@ -64,17 +65,17 @@ function moveVertices(geometry) {
       -Math.sin(2.5 * p[0] + time.value) * Math.sin(2 * p[2]),
     ]
     const n = [normal.getX(i), normal.getY(i), normal.getZ(i)]
-    const turned = new THREE.Vector3(n[0] - dx * n[1], n[1], n[2] - dz * n[1]).normalize()
-    position.setXYZ(i, ...at(p))
-    normal.setXYZ(i, turned.x, turned.y, turned.z)
+    const movedNormal = new THREE.Vector3(n[0] - dx * n[1], n[1], n[2] - dz * n[1]).normalize()
+    position.setXYZ(i, ...move(p))
+    normal.setXYZ(i, movedNormal.x, movedNormal.y, movedNormal.z)
   }
   copy.boundingSphere = copy.boundingBox = null
   return copy
 }
 
-const sphere = () => new THREE.SphereGeometry(0.8, 96, 64)
+const makeSphere = () => new THREE.SphereGeometry(0.8, 96, 64)
 
-function litScene(mesh, light) {
+function makeScene(mesh, light) {
   const scene = new THREE.Scene()
   const floor = new THREE.Mesh(new THREE.PlaneGeometry(12, 12), new THREE.MeshStandardMaterial())
   floor.rotation.x = -Math.PI / 2
@@ -95,27 +96,30 @@ const lights = {
   spot: () => new THREE.SpotLight(0xffffff, 90, 0, 0.7),
 }
 
-/** → pixels that differ from vertices moved by hand; `isFollowing` is `true` for exactNormals(mesh), `false` for its material. */
+/**
+ * Counts pixels in which a shadow differs from that of vertices moved by hand. The shadow follows the displacement if `exactNormals` is
+ * called on the mesh (`isFollowing`) rather than on its material.
+ */
 export function shadow(kind, isFollowing = true) {
   time.value = 0.4
-  const renderer = rendererFor(true)
-  const material = displaced()
-  const mesh = new THREE.Mesh(sphere(), material)
+  const renderer = getRenderer(true)
+  const material = makeDisplaced()
+  const mesh = new THREE.Mesh(makeSphere(), material)
   const returned = exactNormals(isFollowing ? mesh : material)
   mesh.frustumCulled = isFollowing
-  const scene = litScene(mesh, lights[kind]())
+  const scene = makeScene(mesh, lights[kind]())
   renderer.render(scene, camera)
-  // Uniforms stay live.
+  // The uniform must still affect the shadow.
   time.value = 1.9
   const drawn = picture(renderer, scene)
   const plain = new THREE.MeshStandardMaterial({ roughness: 0.6 })
-  const byHand = new THREE.Mesh(moveVertices(sphere()), plain)
-  const expected = picture(renderer, litScene(byHand, lights[kind]()))
-  const without = picture(renderer, litScene(new THREE.Mesh(sphere(), plain), lights[kind]()))
+  const byHand = new THREE.Mesh(moveVertices(makeSphere()), plain)
+  const expected = picture(renderer, makeScene(byHand, lights[kind]()))
+  const without = picture(renderer, makeScene(new THREE.Mesh(makeSphere(), plain), lights[kind]()))
   return {
     isSame: returned === (isFollowing ? mesh : material),
-    differing: differing(drawn, expected),
-    moved: differing(without, expected),
+    differing: countDiffering(drawn, expected),
+    moved: countDiffering(without, expected),
   }
 }
 
@@ -123,10 +127,13 @@ const fromBelow = new THREE.PerspectiveCamera(100, 1, 0.05, 50)
 fromBelow.position.set(0.6, -0.35, 0)
 fromBelow.lookAt(0.6, -2, 0)
 
-/** → pixels of the floor on which the shadow differs from that of vertices moved by hand, and from the shadow without displacement. */
+/**
+ * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which this differs from
+ * the shadow without displacement (`moved`). `place` moves a vertex.
+ */
 export function shadowOnFloor(geometry, material, place) {
-  const renderer = rendererFor(true)
-  const draw = (mesh) => picture(renderer, litScene(mesh, lights.directional()), fromBelow)
+  const renderer = getRenderer(true)
+  const draw = (mesh) => picture(renderer, makeScene(mesh, lights.directional()), fromBelow)
   const byHand = geometry.clone()
   const { position } = byHand.attributes
   for (let i = 0; i < position.count; i++)
@@ -135,12 +142,12 @@ export function shadowOnFloor(geometry, material, place) {
   const drawn = draw(exactNormals(new THREE.Mesh(geometry, material)))
   const expected = draw(new THREE.Mesh(byHand, plain()))
   return {
-    differing: differing(drawn, expected),
-    moved: differing(draw(new THREE.Mesh(geometry, plain())), expected),
+    differing: countDiffering(drawn, expected),
+    moved: countDiffering(draw(new THREE.Mesh(geometry, plain())), expected),
   }
 }
 
-/** → those pixels for a displacement map that moves all vertices of a sphere outwards. */
+/** Counts these pixels for a displacement map that moves all vertices of a sphere outwards. */
 export async function shadowOfMap() {
   const displacementMap = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
   displacementMap.needsUpdate = true
@@ -149,10 +156,12 @@ export async function shadowOfMap() {
   return shadowOnFloor(geometry, material, (p) => p.map((x) => (x * 0.8) / 0.6))
 }
 
-/** Changes a material that is drawn already → pixels of the floor that differ, and where a ray from above meets the mesh. */
+/**
+ * Changes a material that has been drawn → counts of differing pixels of the floor, and the height at which a ray from above hits the mesh.
+ */
 export function recompile(kind) {
-  const renderer = rendererFor(true)
-  const create = (lift) => {
+  const renderer = getRenderer(true)
+  const makeMaterial = (lift) => {
     const material = new THREE.MeshStandardMaterial()
     change(material, lift)
     return material
@@ -169,38 +178,38 @@ export function recompile(kind) {
     material.customProgramCacheKey = () => `${kind} ${statement}`
     material.needsUpdate = true
   }
-  const meshWith = (lift) => exactNormals(new THREE.Mesh(sphere(), create(lift)))
-  const sceneOf = (mesh) => litScene(mesh, lights.directional())
-  const mesh = meshWith('0.1')
-  const scene = sceneOf(mesh)
+  const makeMesh = (lift) => exactNormals(new THREE.Mesh(makeSphere(), makeMaterial(lift)))
+  const sceneWith = (mesh) => makeScene(mesh, lights.directional())
+  const mesh = makeMesh('0.1')
+  const scene = sceneWith(mesh)
   const before = picture(renderer, scene, fromBelow)
   change(mesh.material, '0.9')
   const drawn = picture(renderer, scene, fromBelow)
-  const expected = picture(renderer, sceneOf(meshWith('0.9')), fromBelow)
+  const expected = picture(renderer, sceneWith(makeMesh('0.9')), fromBelow)
   const ray = new THREE.Raycaster(new THREE.Vector3(-1.5, 9, 0), new THREE.Vector3(0, -1, 0))
   return {
-    differing: differing(drawn, expected),
-    stale: differing(before, expected),
+    differing: countDiffering(drawn, expected),
+    stale: countDiffering(before, expected),
     ray: ray.intersectObject(mesh)[0]?.point.y,
     expected: 0.4 + 0.8 + 0.9,
   }
 }
 
-/** → bounds, and where a ray from above meets the mesh, before it is ever drawn and after. */
+/** Returns the height at which a ray from above hits the mesh, before it is first drawn, after, and later; and tests the bounds. */
 export function cpu() {
   time.value = 0.4
-  const mesh = exactNormals(new THREE.Mesh(sphere(), displaced()))
+  const mesh = exactNormals(new THREE.Mesh(makeSphere(), makeDisplaced()))
   mesh.position.y = 0.25
   mesh.updateMatrixWorld()
   const ray = new THREE.Raycaster(new THREE.Vector3(1.7, 9, 0.1), new THREE.Vector3(0, -1, 0))
   const hit = () => ray.intersectObject(mesh)[0]?.point.y
   const found = { before: hit() }
   const scene = new THREE.Scene().add(mesh)
-  rendererFor(false).render(scene, camera)
+  getRenderer(false).render(scene, camera)
   found.after = hit()
   time.value = 1.9
   found.later = hit()
-  const byHand = new THREE.Mesh(moveVertices(sphere()), new THREE.MeshBasicMaterial())
+  const byHand = new THREE.Mesh(moveVertices(makeSphere()), new THREE.MeshBasicMaterial())
   byHand.position.y = 0.25
   byHand.updateMatrixWorld()
   found.expected = ray.intersectObject(byHand)[0]?.point.y
@@ -215,10 +224,10 @@ export function cpu() {
   return found
 }
 
-/** → whether a mesh is drawn whose place before the displacement is out of sight. */
+/** Returns whether a mesh is drawn that only the displacement moves into sight. */
 export function culling(isFollowing) {
-  const renderer = rendererFor(false)
-  const mesh = new THREE.Mesh(sphere(), displaced())
+  const renderer = getRenderer(false)
+  const mesh = new THREE.Mesh(makeSphere(), makeDisplaced())
   exactNormals(isFollowing ? mesh : mesh.material)
   const aside = new THREE.PerspectiveCamera(10, 1, 0.1, 50)
   aside.position.set(2, 0, 9)
@@ -226,18 +235,18 @@ export function culling(isFollowing) {
   return renderer.info.render.triangles > 0
 }
 
-/** → pixels of a warp on top that differ from the same warp by hand. */
+/** Counts pixels in which a warped mesh with `exactNormals` differs from a warped mesh that is displaced by hand. */
 export function warpOnTop(normals) {
   time.value = 0.4
-  const renderer = rendererFor(false)
+  const renderer = getRenderer(false)
   const draw = (mesh) => {
     mesh.frustumCulled = false
     return picture(renderer, new THREE.Scene().add(mesh), camera)
   }
-  const show = (material) => {
-    const own = material.onBeforeCompile
+  const showNormals = (material) => {
+    const { onBeforeCompile } = material
     material.onBeforeCompile = function (shader, renderer) {
-      own.call(this, shader, renderer)
+      onBeforeCompile.call(this, shader, renderer)
       shader.fragmentShader = shader.fragmentShader.replace(
         '#include <dithering_fragment>',
         'gl_FragColor = vec4(0.5 * normal + 0.5, 1.0);',
@@ -245,23 +254,35 @@ export function warpOnTop(normals) {
     }
     return material
   }
-  const twisted = new THREE.Mesh(sphere(), exactNormals(show(displaced()), { normals }))
+  const twisted = new THREE.Mesh(
+    makeSphere(),
+    exactNormals(showNormals(makeDisplaced()), { normals }),
+  )
   twisted.position.set(-1.5, 0, 0)
   const offset = ({ glsl, position }) => glsl.vec3(0, 0, position.y().mult(3).sin().mult(0.3))
   warp(twisted, offset, { normals: 'vertex' })
-  const byHand = new THREE.Mesh(moveVertices(sphere()), show(new THREE.MeshStandardMaterial()))
+  const byHand = new THREE.Mesh(
+    moveVertices(makeSphere()),
+    showNormals(new THREE.MeshStandardMaterial()),
+  )
   byHand.position.set(-1.5, 0, 0)
   warp(byHand, offset, { normals: 'vertex' })
-  const plain = new THREE.Mesh(moveVertices(sphere()), show(new THREE.MeshStandardMaterial()))
+  const plain = new THREE.Mesh(
+    moveVertices(makeSphere()),
+    showNormals(new THREE.MeshStandardMaterial()),
+  )
   plain.position.set(-1.5, 0, 0)
   const expected = draw(byHand)
-  return { differing: differing(draw(twisted), expected), moved: differing(draw(plain), expected) }
+  return {
+    differing: countDiffering(draw(twisted), expected),
+    moved: countDiffering(draw(plain), expected),
+  }
 }
 
-/** → pixels that differ between two materials of one class whose `onBeforeCompile` differ, and each alone. */
+/** Counts pixels that differ between two materials of one class whose `onBeforeCompile` differ. */
 export function twins() {
   time.value = 0.4
-  const renderer = rendererFor(false)
+  const renderer = getRenderer(false)
   const create = (amount) => {
     const material = new THREE.MeshNormalMaterial()
     const statement = `transformed.x += ${amount} * sin(4.0 * position.y);`
@@ -273,13 +294,13 @@ export function twins() {
   }
   const draw = (...materials) =>
     materials.map((material) =>
-      picture(renderer, new THREE.Scene().add(new THREE.Mesh(sphere(), material))),
+      picture(renderer, new THREE.Scene().add(new THREE.Mesh(makeSphere(), material))),
     )
   const [first, second] = draw(create('0.1'), create('0.4'))
-  return differing(first, second)
+  return countDiffering(first, second)
 }
 
-/** → the messages of wrong calls. */
+/** Returns the messages of wrong calls. */
 export function wrongCalls() {
   const calls = [
     () => exactNormals(),

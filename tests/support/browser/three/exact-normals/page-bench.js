@@ -1,16 +1,16 @@
-// Measures two of three's showcases with normals by hand and by `exactNormals`, for `npm run bench -- nodes`.
+// Measures two of three's example scenes, with their own normals and with those of `exactNormals`, for `npm run bench -- nodes`.
 import * as THREE from 'three/webgpu'
 import { exactNormals } from 'warpjet/three/webgpu'
-import { heightsIn } from './heights.js'
+import { countHeights } from './heights.js'
 import { showcases } from './showcases.js'
 
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
 
-/** Maps the modes → the option `normals`, or `undefined` for the showcase as it is. */
+/** Maps the modes → the option `normals`; `undefined` for a showcase without `exactNormals`. */
 const modes = { original: undefined, 'exactNormals, vertex': 'vertex', exactNormals: 'auto' }
 
-/** Makes a showcase and its camera. `salt` makes shader code differ, so that no cache has its program. */
-function sceneOf(name, mode, { pieces, salt = 0 }) {
+/** Makes a showcase and its camera. `salt` changes the shader code, so that no cache contains its program. */
+function makeShowcase(name, mode, { pieces, salt = 0 }) {
   const { geometry, parameters, material: make } = showcases[name]
   const material = make(parameters(), modes[mode] === undefined)
   material.positionNode = material.positionNode.add(THREE.TSL.vec3(0, salt, 0))
@@ -28,7 +28,7 @@ function sceneOf(name, mode, { pieces, salt = 0 }) {
 
 let renderer, target
 
-/** Starts the renderer and draws a mesh, so that what three.js and the browser do once is done. */
+/** Starts the renderer and draws a mesh, so that later measurements exclude what three.js and the browser do only once. */
 async function open(backend, side) {
   renderer = new THREE.WebGPURenderer({ antialias: false, forceWebGL: backend === 'webgl' })
   await renderer.init()
@@ -55,7 +55,7 @@ async function draw({ scene, camera }, count) {
 
 let framebuffer
 
-/** Reads a pixel on WebGL at once: three.js looks for it in the next animation frame. */
+/** Reads a pixel on WebGL immediately: three.js would only deliver it in the next animation frame. */
 function readPixel() {
   const { gl, state } = renderer.backend
   const { textureGPU } = renderer.backend.get(target.texture)
@@ -65,14 +65,14 @@ function readPixel() {
   gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
   state.bindFramebuffer(gl.READ_FRAMEBUFFER, null)
   const error = gl.getError()
-  if (error) throw new Error(`reading a pixel: error ${error} of WebGL`)
+  if (error) throw new Error(`reading a pixel: WebGL reports the error ${error}`)
 }
 
-/** Returns the milliseconds of the first frame, with the call of `exactNormals`, in a page that has drawn none of ours before. */
+/** Returns the milliseconds of the first frame, including the call of `exactNormals`, in a page that has not drawn a showcase yet. */
 async function first(name, mode, options) {
   const start = performance.now()
-  const made = sceneOf(name, mode, options)
-  await draw(made, 1)
+  const showcase = makeShowcase(name, mode, options)
+  await draw(showcase, 1)
   return performance.now() - start
 }
 
@@ -80,24 +80,24 @@ async function first(name, mode, options) {
 async function frames(name, { pieces, batch, rounds }) {
   const measured = []
   for (const mode of Object.keys(modes)) {
-    const made = sceneOf(name, mode, { pieces })
-    await draw(made, 1)
-    const { vertexShader, fragmentShader } = await shadersOf(made)
-    const count = Math.ceil(Math.min(1000, batch / (await draw(made, 1))))
-    const heights = `${heightsIn(vertexShader)} + ${heightsIn(fragmentShader)}`
-    measured.push({ mode, made, count, heights, times: [] })
+    const showcase = makeShowcase(name, mode, { pieces })
+    await draw(showcase, 1)
+    const { vertexShader, fragmentShader } = await getShaders(showcase)
+    const count = Math.ceil(Math.min(1000, batch / (await draw(showcase, 1))))
+    const heights = `${countHeights(vertexShader)} + ${countHeights(fragmentShader)}`
+    measured.push({ mode, showcase, count, heights, times: [] })
   }
   for (let i = 0; i < rounds; i++)
-    for (const { made, count, times } of measured) times.push(await draw(made, count))
+    for (const { showcase, count, times } of measured) times.push(await draw(showcase, count))
   return measured.map(({ mode, heights, times }) => ({
     mode,
     frame: median(times),
-    ratio: median(times.map((each, i) => each / measured[0].times[i])),
+    ratio: median(times.map((time, i) => time / measured[0].times[i])),
     heights,
   }))
 }
 
-async function shadersOf({ scene, camera, mesh }) {
+async function getShaders({ scene, camera, mesh }) {
   renderer.setRenderTarget(target)
   const shaders = await renderer.debug.getShaderAsync(scene, camera, mesh)
   renderer.setRenderTarget(null)

@@ -1,11 +1,11 @@
-// A page with WebGPURenderer, on both its backends, that measures the normals of `exactNormals` at pixels.
+// A page with WebGPURenderer, on both backends, that measures the errors of normals at pixels that `exactNormals` computes.
 import * as THREE from 'three/webgpu'
 import { exactNormals } from 'warpjet/three/webgpu'
 import { degreesBetween, exactVertex, quantile } from '../pixel-normals/exact.js'
-import { camera, objectFor, parts, restPart, size } from '../pixel-normals/scenes.js'
+import { attributeNames, camera, makeObject, readUnwarped, size } from '../pixel-normals/scenes.js'
 import { rendererFor } from '../webgpu-renderer.js'
 import { displacements, unsupported } from './displacements.js'
-import { heightsIn } from './heights.js'
+import { countHeights } from './heights.js'
 import { showcases } from './showcases.js'
 import { varyings } from './varyings.js'
 import { warpBeside } from './warp-beside.js'
@@ -13,19 +13,19 @@ import { warpBeside } from './warp-beside.js'
 const { Fn, attribute, normalGeometry, normalLocal, positionGeometry, positionLocal } = THREE.TSL
 const { varyingProperty, vec4 } = THREE.TSL
 
-/** Each renderer has a target of its own: one that another has drawn to stays empty on WebGL. */
+/** The targets of each renderer. They are not shared: on WebGL, a target that another renderer has drawn to stays empty. */
 const targets = new Map()
 
-function targetOf(renderer, side) {
+function getTarget(renderer, side) {
   const key = `${renderer.backend.isWebGPUBackend} ${side}`
   if (!targets.has(key))
     targets.set(key, new THREE.RenderTarget(side, side, { type: THREE.FloatType }))
   return targets.get(key)
 }
 
-/** Draws a scene → its numbers, four for each pixel. */
+/** Draws a scene → its picture, four floats per pixel. */
 async function picture(renderer, scene, view, side = size) {
-  const target = targetOf(renderer, side)
+  const target = getTarget(renderer, side)
   renderer.setRenderTarget(target)
   renderer.setClearColor(0, 0)
   renderer.render(scene, view)
@@ -33,7 +33,7 @@ async function picture(renderer, scene, view, side = size) {
   return renderer.readRenderTargetPixelsAsync(target, 0, 0, side, side)
 }
 
-/** Converts a linear colour back to sRGB: MeshNormalMaterial takes the normal for an sRGB colour and writes it linearly. */
+/** Converts a linear colour back to sRGB, since MeshNormalMaterial treats the normal as an sRGB colour and converts it to a linear one. */
 const decode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)
 
 function draw(renderer, object, view) {
@@ -42,7 +42,7 @@ function draw(renderer, object, view) {
   return picture(renderer, scene, view)
 }
 
-/** Draws a case with `exactNormals`, or without → the picture and everything that drew it. */
+/** Draws a case, with `exactNormals` if `isExact` → the picture `shown`, and the objects that were drawn. */
 async function drawCase(
   { kind = 'plain', shape, first, position, prepare },
   { backend, normals = 'pixel', isExact = true },
@@ -51,7 +51,7 @@ async function drawCase(
   const material = new THREE.MeshNormalNodeMaterial()
   material.positionNode = (first ?? position)()
   if (isExact) exactNormals(material, { normals })
-  const { object, geometry } = objectFor(kind, shape, material)
+  const { object, geometry } = makeObject(kind, shape, material)
   prepare?.(object)
   const view = camera()
   if (first) {
@@ -63,22 +63,25 @@ async function drawCase(
   return { renderer, material, object, geometry, view, shown }
 }
 
-/** Compares shown normals with exact ones → degrees, by quantiles. */
+/** Compares the drawn normals of a displacement with exact ones → quantiles of their angles, in degrees. */
 async function measure(name, settings) {
-  const given = displacements[name]
-  const { move, isOfGeometry } = given
-  const { renderer, material, object, geometry, view, shown } = await drawCase(given, settings)
+  const displacement = displacements[name]
+  const { move, ignoresPose } = displacement
+  const { renderer, material, object, geometry, view, shown } = await drawCase(
+    displacement,
+    settings,
+  )
   const seen = {}
-  const shows = positionShowing(material.positionNode, isOfGeometry)
+  const nodes = withVaryings(material.positionNode, ignoresPose)
   object.material = new THREE.MeshBasicNodeMaterial()
-  object.material.positionNode = shows.positionNode
-  for (const part of parts) {
-    if (part === 'tangent') continue
-    object.material.fragmentNode = shows[part] ?? attribute('seen', 'vec4')
+  object.material.positionNode = nodes.positionNode
+  for (const attributeName of attributeNames) {
+    if (attributeName === 'tangent') continue
+    object.material.fragmentNode = nodes[attributeName] ?? attribute('seen', 'vec4')
     object.material.needsUpdate = true
-    const numbers = restPart('plain', geometry, part)
+    const numbers = readUnwarped('plain', geometry, attributeName)
     object.geometry.setAttribute('seen', new THREE.BufferAttribute(numbers, 4))
-    seen[part] = await draw(renderer, object, view)
+    seen[attributeName] = await draw(renderer, object, view)
   }
   const { matrixWorld } = object
   const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
@@ -86,12 +89,14 @@ async function measure(name, settings) {
   let skipped = 0
   for (let i = 0; i < 4 * size * size; i += 4) {
     if (shown[i + 3] === 0 || seen.position[i + 3] === 0) continue
-    const at = (part, count) => Array.from(seen[part].slice(i, i + count))
-    const [x, y, z, length] = at('normal', 4)
+    const read = (attributeName, count) => Array.from(seen[attributeName].slice(i, i + count))
+    const [x, y, z, length] = read('normal', 4)
     const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
-    const gradients = parts.filter((part) => part.endsWith('Gradient')).map((part) => at(part, 3))
+    const gradients = attributeNames
+      .filter((attributeName) => attributeName.endsWith('Gradient'))
+      .map((attributeName) => read(attributeName, 3))
     const instance = Number((i / 4) % size >= size / 2)
-    const vertex = { position: at('position', 3), normal, uv: at('uv', 2), gradients }
+    const vertex = { position: read('position', 3), normal, uv: read('uv', 2), gradients }
     const exact = exactVertex((...vectors) => move(...vectors, { instance, matrixWorld }), vertex)
     if (!exact) {
       skipped++
@@ -110,10 +115,13 @@ async function measure(name, settings) {
   }
 }
 
-/** Wraps a positionNode: the varyings `position` and `normal` are those of the posed vertex before it moves; the fourth component of `normal` is its length. */
-function positionShowing(positionNode, isOfGeometry) {
+/**
+ * Adds varyings to a positionNode: `position` and `normal` of the vertex before it moves: posed, unless `ignoresPose`. The
+ * fourth component of `normal` is its length.
+ */
+function withVaryings(positionNode, ignoresPose) {
   const [position, normal] = [0, 1].map((i) => varyingProperty('vec4', `seen${i}`))
-  const [p, n] = isOfGeometry ? [positionGeometry, normalGeometry] : [positionLocal, normalLocal]
+  const [p, n] = ignoresPose ? [positionGeometry, normalGeometry] : [positionLocal, normalLocal]
   const show = Fn(() => {
     position.assign(vec4(p, 1))
     normal.assign(vec4(n, n.length()))
@@ -122,7 +130,7 @@ function positionShowing(positionNode, isOfGeometry) {
   return { positionNode: show(), position, normal }
 }
 
-/** Counts pixels that `exactNormals` changes. */
+/** Counts values of a picture that `exactNormals` changes. */
 async function countChanges(name, settings) {
   const pictures = []
   for (const isExact of [true, false])
@@ -130,13 +138,16 @@ async function countChanges(name, settings) {
   return pictures[0].filter((x, i) => x !== pictures[1][i]).length
 }
 
-/** Half the side of each showcase's plane, which the view from above shows whole. */
-const halves = { sea: 1, terrain: 5 }
+/** Half the side of each showcase's plane. The view from above shows the whole plane. */
+const halfSides = { sea: 1, terrain: 5 }
 /** The side of a picture of a showcase, in pixels. */
-const wide = 320
+const showcaseSize = 320
 
-/** Shows the normals of a showcase, computed `by` 'hand', 'us' or 'nobody', → the picture and everything that drew it. */
-async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side = wide }) {
+/**
+ * Draws the normals of a showcase → the picture `shown`, and the objects that were drawn. `by` says which normals: 'hand' for those of the
+ * showcase, 'us' for `exactNormals`.
+ */
+async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side = showcaseSize }) {
   const renderer = await rendererFor(backend)
   const { geometry, parameters, material: make } = showcases[name]
   const original = make(parameters(), by === 'hand')
@@ -144,7 +155,7 @@ async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side
   Object.assign(material, { positionNode: original.positionNode, normalNode: original.normalNode })
   if (by === 'us') exactNormals(material, { normals })
   const mesh = new THREE.Mesh(geometry(pieces), material)
-  const half = halves[name]
+  const half = halfSides[name]
   const view = new THREE.OrthographicCamera(-half, half, half, -half, 0.1, 40)
   view.position.y = 20
   view.lookAt(0, 0, 0)
@@ -156,30 +167,30 @@ async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side
   return { renderer, material, mesh, scene, view, shown, shaders }
 }
 
-/** Counts evaluations of the height of a showcase → numbers for the two stages. */
+/** Counts evaluations of the height of a showcase → [count in the vertex shader, count in the fragment shader]. */
 async function heightsOf(name, settings) {
   const { shaders } = await drawShowcase(name, { ...settings, pieces: 4, side: 16 })
-  return [heightsIn(shaders.vertexShader), heightsIn(shaders.fragmentShader)]
+  return [countHeights(shaders.vertexShader), countHeights(shaders.fragmentShader)]
 }
 
-/** Shows the normals of a showcase → degrees from those of differences of its height, by quantiles. */
+/** Compares the drawn normals of a showcase with finite differences of its height → statistics of their angles, in degrees. */
 async function measureShowcase(name, settings) {
   const { renderer, material, mesh, scene, view, shown } = await drawShowcase(name, settings)
   const { heightNear } = showcases[name]
   mesh.material = new THREE.MeshBasicNodeMaterial()
   mesh.material.positionNode = material.positionNode
   mesh.material.fragmentNode = vec4(positionLocal, 1)
-  const seen = await picture(renderer, scene, view, wide)
+  const seen = await picture(renderer, scene, view, showcaseSize)
   const angles = []
   let skipped = 0
-  for (let i = 0; i < 4 * wide * wide; i += 4) {
+  for (let i = 0; i < 4 * showcaseSize * showcaseSize; i += 4) {
     if (shown[i + 3] === 0 || seen[i + 3] === 0) continue
     const slopes = [
       [1, 0],
       [0, 1],
     ].map(([x, z]) => {
-      const at = heightNear(seen[i], seen[i + 2])
-      const slope = (h) => (at(h * x, h * z) - at(-h * x, -h * z)) / (2 * h)
+      const heightAt = heightNear(seen[i], seen[i + 2])
+      const slope = (h) => (heightAt(h * x, h * z) - heightAt(-h * x, -h * z)) / (2 * h)
       const [coarse, fine] = [slope(2e-5), slope(1e-5)]
       return Math.abs(coarse - fine) < 1e-4 ? (4 * fine - coarse) / 3 : NaN
     })
@@ -203,7 +214,7 @@ async function measureShowcase(name, settings) {
   }
 }
 
-/** Draws a position that assigns varyings, which are the colours, with `exactNormals` and without → the max difference. */
+/** Draws the varyings that a positionNode assigns, as colours, with `exactNormals` and without → the max difference. */
 async function differenceOfVaryings(name, { backend, normals, hasTangents }) {
   const pictures = []
   let heights
@@ -221,7 +232,7 @@ async function differenceOfVaryings(name, { backend, normals, hasTangents }) {
     const view = camera()
     pictures.push(await draw(renderer, mesh, view))
     const shaders = await renderer.debug.getShaderAsync(mesh.parent, view, mesh)
-    if (isExact) heights = heightsIn(shaders.vertexShader)
+    if (isExact) heights = countHeights(shaders.vertexShader)
   }
   const [exact, plain] = pictures
   return {
@@ -232,7 +243,7 @@ async function differenceOfVaryings(name, { backend, normals, hasTangents }) {
   }
 }
 
-/** Raises a plane that faces the viewer between two frames → the velocities at its middle, in pixels upwards. */
+/** Raises a plane that faces the viewer between two frames → the velocities at its middle, upwards, in units of the scene. */
 async function velocities({ backend }) {
   const renderer = await rendererFor(backend)
   const { mrt, output, uniform, vec3, velocity } = THREE.TSL
@@ -246,23 +257,24 @@ async function velocities({ backend }) {
   target.textures[0].name = 'output'
   target.textures[1].name = 'velocity'
   renderer.setMRT(mrt({ output, velocity }))
-  const found = []
+  const results = []
   for (const value of [0, 0.3, 0.3]) {
     shift.value = value
-    // Three.js counts a frame in each animation frame, whose order beside ours is unknown.
+    // Three.js starts a new frame in its own animation frame callback, which may run before or after ours.
     for (let i = 0; i < 2; i++) await new Promise(requestAnimationFrame)
     renderer.setRenderTarget(target)
     renderer.render(scene, camera())
     renderer.setRenderTarget(null)
     const numbers = await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size, 1)
-    // Both have the same middle, whichever row is first; a velocity is in units of half a picture.
-    found.push(numbers[4 * (size / 2) * (size + 1) + 1] * 1.5)
+    // The middle is the same whether the top or the bottom row is first. A velocity is in units of half a picture, which is 1.5 units of
+    // the scene high.
+    results.push(numbers[4 * (size / 2) * (size + 1) + 1] * 1.5)
   }
   renderer.setMRT(null)
-  return found
+  return results
 }
 
-/** Draws a mesh whose material has exact normals and that is warped, too, and one by hand → pixels that differ. */
+/** Counts pixels that differ between a warped mesh whose material has exact normals, and a mesh with both motions written by hand. */
 async function besideWarp(name, { backend }) {
   const renderer = await rendererFor(backend)
   const view = camera()

@@ -1,12 +1,12 @@
-// A page that measures exact normals of displacements against differences in double precision.
+// A page that compares the normals that `exactNormals` computes for displacements with finite differences in double precision.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
-import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, unsupported } from './cases.js'
+import { chunks, customShaderMaterials, objects, shaderMaterials, unsupported } from './cases.js'
 import { habits, measureHabit } from './habits.js'
 import { measure } from './measure.js'
 import * as meshes from './meshes.js'
 
-const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, unsupported }
+const tables = { chunks, objects, customShaderMaterials, shaderMaterials, unsupported }
 
 globalThis.THREE = THREE
 globalThis.exact = {
@@ -15,16 +15,16 @@ globalThis.exact = {
   names: Object.fromEntries(
     Object.entries(tables).map(([table, rows]) => [table, Object.keys(rows)]),
   ),
-  /** Returns the largest differences from the oracle. `normals` is the option; without it, the material is not changed. */
+  /** Measures the differences from the oracle. `normals` is the option of `exactNormals`; if it is missing, the material is not changed. */
   measure: (table, name, normals) =>
-    measure(tables[table][name], normals, table !== 'ofShaderMaterial'),
-  /** Returns the expected message, and whether the material looks the same as without `exactNormals`. */
+    measure(tables[table][name], normals, table !== 'shaderMaterials'),
+  /** Returns the expected message, and whether the material has the same normals as without `exactNormals`. */
   async unsupported(name) {
     const { material, message, kind } = unsupported[name]
     const shown = []
-    for (const each of [material(), exactNormals(material())])
+    for (const candidate of [material(), exactNormals(material())])
       shown.push(
-        await measure({ material: () => each, shape: 'plane', kind }, undefined, false, true),
+        await measure({ material: () => candidate, shape: 'plane', kind }, undefined, false, true),
       )
     return {
       message: message.source,

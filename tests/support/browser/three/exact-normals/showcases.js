@@ -1,6 +1,7 @@
-// Two of three's showcases, reconstructed in TSL from their formulas: a raging sea and a procedural terrain. Each has its normals by hand,
-// from heights at two shifted places, and without these; and its height in double precision,
-// `heightNear(x, z)(dx, dz)`, at the places of octaves that float32 has for x and z.
+// Two of three's example scenes, reconstructed in TSL from their formulas: a raging sea and a procedural terrain. With `isByHand`,
+// `material`
+// computes normals as the example does, from heights at two shifted points. `heightNear(x, z)(dx, dz)` is the height in double precision at
+// (x + dx, z + dz); the points at which its octaves are evaluated have the rounding errors that float32 has at (x, z).
 import * as TSL from 'three/tsl'
 import * as THREE from 'three/webgpu'
 import { noise } from './materialx.js'
@@ -20,12 +21,12 @@ const {
 } = TSL
 const { uniform, varying, vec3 } = TSL
 
-const plane = (size, pieces) =>
+const makePlane = (size, pieces) =>
   new THREE.PlaneGeometry(size, size, pieces, pieces).rotateX(-Math.PI / 2)
 
-/** A pass over two lengths and an angle of waves, with three octaves of MaterialX noise cut out of it. */
+/** A product of two waves, minus three octaves of the absolute value of MaterialX noise. */
 const sea = {
-  geometry: (pieces = 256) => plane(2, pieces),
+  geometry: (pieces = 256) => makePlane(2, pieces),
   parameters: () => ({
     time: uniform(1.3),
     iterations: uniform(3),
@@ -41,8 +42,8 @@ const sea = {
         .mul(height)
         .toVar()
       Loop({ type: 'float', start: float(1), end: iterations.add(1) }, ({ i }) => {
-        const at = vec3(place.xz.add(2).mul(smallFrequency).mul(i), time.mul(0.3))
-        large.subAssign(abs(mx_noise_float(at, 1, 0).mul(smallHeight).div(i)))
+        const noisePoint = vec3(place.xz.add(2).mul(smallFrequency).mul(i), time.mul(0.3))
+        large.subAssign(abs(mx_noise_float(noisePoint, 1, 0).mul(smallHeight).div(i)))
       })
       return large
     })
@@ -52,14 +53,14 @@ const sea = {
     material.positionNode = position
     if (isByHand) {
       const shift = uniform(0.01)
-      const beside = (x, z) => {
+      const directionTo = (x, z) => {
         const place = positionLocal.add(vec3(x, 0, z))
         return place
           .add(vec3(0, elevation(place), 0))
           .sub(position)
           .normalize()
       }
-      const normal = cross(beside(shift, 0), beside(0, shift.negate()))
+      const normal = cross(directionTo(shift, 0), directionTo(0, shift.negate()))
       material.normalNode = transformNormalToView(normal)
     }
     material.emissiveNode = TSL.color('#ff0a81').mul(raised.remap(0.2, -0.25).pow(7))
@@ -75,9 +76,9 @@ const sea = {
   },
 }
 
-/** Octaves of MaterialX noise at a place that noise has moved, squared with their sign. */
+/** The sum of octaves of MaterialX noise at a point that noise has shifted, squared with its sign preserved. */
 const terrain = {
-  geometry: (pieces = 500) => plane(10, pieces),
+  geometry: (pieces = 500) => makePlane(10, pieces),
   parameters: () => ({
     iterations: uniform(3),
     frequency: uniform(0.175),
@@ -108,13 +109,13 @@ const terrain = {
     material.positionNode = Fn(() => {
       const position = positionLocal.xyz.toVar()
       const shift = uniform(0.01)
-      const besides = isByHand
+      const neighbours = isByHand
         ? [vec3(shift, 0, 0), vec3(0, 0, shift.negate())].map((each) =>
             positionLocal.add(each).toVar(),
           )
         : []
       position.y.addAssign(elevation(positionLocal.xz))
-      const [a, b] = besides.map((each) => {
+      const [a, b] = neighbours.map((each) => {
         each.y.addAssign(elevation(each.xz))
         return each.sub(position).normalize()
       })
@@ -131,18 +132,18 @@ const terrain = {
     return material
   },
   heightNear(x0, z0) {
-    const movedTo = (x, z) => {
+    const shiftPoint = (x, z) => {
       const place = [x + 0.4, z - 0.7]
-      const moved = noise(place.map((each) => each * 0.175 * 6))
-      return place.map((each) => each + moved)
+      const shift = noise(place.map((each) => each * 0.175 * 6))
+      return place.map((each) => each + shift)
     }
     const octave = (at, i) => at.map((each) => each * 0.175 * 2 * i + 987 * i)
-    // Float32 has only four decimals of these places.
+    // In float32, these coordinates have only four correct decimals.
     const errors = [1, 2, 3].map((i) =>
-      octave(movedTo(x0, z0), i).map((each) => Math.fround(each) - each),
+      octave(shiftPoint(x0, z0), i).map((each) => Math.fround(each) - each),
     )
     return (dx, dz) => {
-      const at = movedTo(x0 + dx, z0 + dz)
+      const at = shiftPoint(x0 + dx, z0 + dz)
       let height = 0
       for (let i = 1; i <= 3; i++)
         height += noise(octave(at, i).map((each, k) => each + errors[i - 1][k])) / ((i + 1) * 2)

@@ -1,10 +1,11 @@
-// Positions that assign varyings, which the fragment stage shows: `position` is the positionNode, `colour` the fragmentNode. Each has a
-// loop, so that evaluations can be counted.
+// Nodes that assign varyings: `position` is a positionNode that does so, `colour` a fragmentNode that outputs the varyings. Each position
+// has
+// one loop, so that heights.js can count its evaluations.
 import * as TSL from 'three/tsl'
 
 const { Fn, If, Loop, float, positionLocal, sin, varying, varyingProperty, vec2, vec3, vec4 } = TSL
 
-/** The sum of three sines. */
+/** Returns the sum of three sines. */
 const heightAt = (p) => {
   const height = float(0).toVar()
   Loop({ type: 'float', start: float(1), end: TSL.uniform(3), condition: '<=' }, ({ i }) =>
@@ -24,7 +25,7 @@ export const varyings = {
     })()
     return { position, colour: vec4(height.add(0.5), place) }
   },
-  'one of them in part, and one in a branch'() {
+  'a component of a varying, and a varying in a branch'() {
     const [pair, side] = [varying(vec2(0.25, 0)), varyingProperty('float', 'shownSide')]
     const position = Fn(() => {
       const height = heightAt(positionLocal).toVar()
@@ -39,7 +40,7 @@ export const varyings = {
   },
 }
 
-/** More numbers than the vertex function returns. */
+/** Assigns more floats than our vertex function can return. */
 varyings['too many'] = () => {
   const all = [0, 1, 2, 3].map((i) => varying(vec4(0), `shownNumbers${i}`))
   const position = Fn(() => {

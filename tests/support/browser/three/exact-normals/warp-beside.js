@@ -1,11 +1,13 @@
-// Meshes that have both: a material with `exactNormals`, and a warp. Each is compared with one whose vertices were half moved by hand.
+// Meshes that have both a warp and a material with `exactNormals`. Each is compared with a mesh to which one of the two motions is applied
+// by
+// hand.
 import * as THREE from 'three/webgpu'
 import { exactNormals, tslOffset, warp } from 'warpjet/three/webgpu'
 import { noise } from './materialx.js'
 
 const { mx_noise_float, positionLocal, sin, vec3 } = THREE.TSL
 
-/** Heights by axis: as a node, and in double precision. The shader has noise that is called twice as a function. */
+/** Maps a name → a height, as a node and in double precision. Of `noise`, the shader calls a function twice. */
 const heights = {
   wave: {
     node: (p, axis) => sin(p[axis].mul(3)).mul(0.3),
@@ -25,18 +27,18 @@ const offsets = {
   noise: tslOffset((p) => vec3(0, 0, heights.noise.node(p))),
 }
 
-const sphere = () => new THREE.SphereGeometry(0.8, 128, 96)
+const makeSphere = () => new THREE.SphereGeometry(0.8, 128, 96)
 
-/** Moves the vertices of a sphere along an axis, and their normals by differences of the height. */
-function movedByHand(height, along, by) {
-  const geometry = sphere()
+/** Makes a sphere whose vertices move along one axis by a height that depends on another; its normals come from finite differences. */
+function makeMovedSphere(height, along, by) {
+  const geometry = makeSphere()
   const { position, normal } = geometry.attributes
   const k = 'xyz'.indexOf(along)
   for (let i = 0; i < position.count; i++) {
     const p = [0, 1, 2].map((axis) => position.getComponent(i, axis))
     const slopes = p.map((_, axis) => {
-      const near = (e) => heights[height].at(p.with(axis, p[axis] + e), by)
-      return (near(1e-4) - near(-1e-4)) / 2e-4
+      const heightAt = (e) => heights[height].at(p.with(axis, p[axis] + e), by)
+      return (heightAt(1e-4) - heightAt(-1e-4)) / 2e-4
     })
     const n = new THREE.Vector3().fromBufferAttribute(normal, i)
     const slope = new THREE.Vector3(...slopes).multiplyScalar(n.getComponent(k))
@@ -49,14 +51,14 @@ function movedByHand(height, along, by) {
   return geometry
 }
 
-function materialOf(height, isExact = true) {
+function makeMaterial(height, isExact = true) {
   const material = new THREE.MeshNormalNodeMaterial()
   if (!height) return material
   material.positionNode = positionLocal.add(vec3(0, heights[height].node(positionLocal, 'x'), 0))
   return isExact ? exactNormals(material, { normals: 'vertex' }) : material
 }
 
-function meshOf(geometry, material, isInstanced) {
+function makeMesh(geometry, material, isInstanced) {
   const mesh = isInstanced
     ? new THREE.InstancedMesh(geometry, material, 2)
     : new THREE.Mesh(geometry, material)
@@ -75,25 +77,30 @@ function warpMesh(mesh, height, options) {
 }
 
 /** The warp comes after the positionNode. */
-const after = (options, height = 'wave') => ({
-  both: () => warpMesh(meshOf(sphere(), materialOf(height)), height, options),
-  byHand: () => warpMesh(meshOf(movedByHand(height, 'y', 'x'), materialOf()), height, options),
-  withoutExact: () => warpMesh(meshOf(sphere(), materialOf(height, false)), height, options),
+const warpAfter = (options, height = 'wave') => ({
+  both: () => warpMesh(makeMesh(makeSphere(), makeMaterial(height)), height, options),
+  byHand: () =>
+    warpMesh(makeMesh(makeMovedSphere(height, 'y', 'x'), makeMaterial()), height, options),
+  withoutExact: () =>
+    warpMesh(makeMesh(makeSphere(), makeMaterial(height, false)), height, options),
 })
 
 /** The warp comes before the positionNode. */
-const before = (options, isInstanced) => ({
-  both: () => warpMesh(meshOf(sphere(), materialOf('wave'), isInstanced), 'wave', options),
-  byHand: () => meshOf(movedByHand('wave', 'z', 'y'), materialOf('wave'), isInstanced),
+const warpBefore = (options, isInstanced) => ({
+  both: () => warpMesh(makeMesh(makeSphere(), makeMaterial('wave'), isInstanced), 'wave', options),
+  byHand: () => makeMesh(makeMovedSphere('wave', 'z', 'y'), makeMaterial('wave'), isInstanced),
   withoutExact: () =>
-    warpMesh(meshOf(sphere(), materialOf('wave', false), isInstanced), 'wave', options),
+    warpMesh(makeMesh(makeSphere(), makeMaterial('wave', false), isInstanced), 'wave', options),
 })
 
+/**
+ * Maps a name → functions that make meshes: with both motions, with one of them by hand, and with a material without `exactNormals`.
+ */
 export const warpBeside = {
-  local: after({}),
-  world: after({ space: 'world' }),
-  rest: before({ space: 'rest' }),
-  instances: before({}, true),
-  'a function of noise that both call': after({}, 'noise'),
-  'normals of the warp at pixels': after({ normals: 'auto' }),
+  local: warpAfter({}),
+  world: warpAfter({ space: 'world' }),
+  rest: warpBefore({ space: 'rest' }),
+  instances: warpBefore({}, true),
+  'a noise function that warp and positionNode call': warpAfter({}, 'noise'),
+  'normals of the warp at pixels': warpAfter({ normals: 'auto' }),
 }

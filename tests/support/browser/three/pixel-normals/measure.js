@@ -1,14 +1,15 @@
-// Compares shown normals with exact ones at each pixel. `draw(scene, camera)` returns the RGBA numbers of a picture, by pixel from the
-// bottom left. `normalMaterial` shows normals; `decode` converts its colours to those of WebGLRenderer. `attributeMaterial` shows the
-// attribute `shownAttribute`.
+// Compares drawn normals with exact ones at each pixel. The first parameter describes a renderer: `draw(scene, camera)` returns a picture,
+// four
+// floats per pixel from the bottom left; `normalMaterial` makes a material that draws normals as colours, which `decode` converts to those
+// of WebGLRenderer; `attributeMaterial` makes one that draws the attribute `shownAttribute`.
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
-import { degreesBetween, exactVertex, mover, quantile } from './exact.js'
-import { camera, kinds, objectFor, parts, restPart, size } from './scenes.js'
+import { degreesBetween, exactVertex, makeMover, quantile } from './exact.js'
+import { attributeNames, camera, kinds, makeObject, readUnwarped, size } from './scenes.js'
 import { heights, warps } from './warps.js'
 
-/** A normal map of one direction, in floats. */
-function mapOf(direction) {
+/** Makes a normal map of one direction, in floats. */
+function makeNormalMap(direction) {
   const map = new THREE.DataTexture(
     Float32Array.from([...direction.map((x) => 0.5 * x + 0.5), 1]),
     1,
@@ -20,7 +21,10 @@ function mapOf(direction) {
   return map
 }
 
-/** `map`: the direction of a normal map, in the frame of vertex tangents. */
+/**
+ * Draws a warped object and measures the errors of its normals. `map` is the direction in a normal map, in the frame of the vertex
+ * tangents.
+ */
 export async function measure(
   { draw, decode = (picture) => picture, normalMaterial, attributeMaterial },
   {
@@ -36,10 +40,10 @@ export async function measure(
 ) {
   const offset = shape === 'plane' ? heights[name] : warps[name]
   const options = { side: THREE[side] }
-  const { object, geometry } = objectFor(
+  const { object, geometry } = makeObject(
     kind,
     shape,
-    normalMaterial({ ...options, ...(map && { normalMap: mapOf(map) }) }),
+    normalMaterial({ ...options, ...(map && { normalMap: makeNormalMap(map) }) }),
   )
   const varies = /flag|blob/.test(name)
   if (varies) await addSurfaceVariation(geometry)
@@ -56,20 +60,21 @@ export async function measure(
   const shown = decode(await draw(scene, view))
   object.material = attributeMaterial(options)
   const drawnAttributes = {}
-  for (const part of parts) {
-    if (!geometry.attributes[part] && !(varies && part.endsWith('Gradient'))) continue
+  for (const attributeName of attributeNames) {
+    if (!geometry.attributes[attributeName] && !(varies && attributeName.endsWith('Gradient')))
+      continue
     const all = new Float32Array(4 * object.geometry.attributes.position.count)
-    const numbers = restPart(kind, geometry, part)
-    all.set(space === 'world' ? moveIntoWorld(part, numbers, object) : numbers)
+    const numbers = readUnwarped(kind, geometry, attributeName)
+    all.set(space === 'world' ? transformToWorld(attributeName, numbers, object) : numbers)
     object.geometry.setAttribute('shownAttribute', new THREE.BufferAttribute(all, 4))
-    drawnAttributes[part] = await draw(scene, view)
+    drawnAttributes[attributeName] = await draw(scene, view)
   }
   warped.dispose()
   return compare({ object, kind, view, offset, shown, drawnAttributes, side, map, space })
 }
 
-/** The matrix from the space of the warp to view space. */
-function matrixFor({ object, kind, view, space }, column) {
+/** Returns the matrix from the space of the warp to view space, for a pixel's column: instances are on the left and on the right. */
+function getMatrix({ object, kind, view, space }, column) {
   const matrix = view.matrixWorldInverse.clone()
   if (space === 'world') return matrix
   matrix.multiply(object.matrixWorld)
@@ -77,57 +82,61 @@ function matrixFor({ object, kind, view, space }, column) {
   return matrices ? matrix.multiply(matrices[column < size / 2 ? 0 : 1]) : matrix
 }
 
-/** Transforms an attribute to world space, for warps of that space. It has four numbers per vertex. */
-function moveIntoWorld(part, numbers, { matrixWorld }) {
+/** Transforms an attribute, with four numbers per vertex, to world space, for warps in that space. */
+function transformToWorld(attributeName, numbers, { matrixWorld }) {
   const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
   const linear = new THREE.Matrix3().setFromMatrix4(matrixWorld)
-  const moves = {
+  const transforms = {
     position: (vector) => vector.applyMatrix4(matrixWorld),
     normal: (vector) => vector.applyMatrix3(normalMatrix).normalize(),
     tangent: (vector) => vector.applyMatrix3(linear),
   }
   const vector = new THREE.Vector3()
-  for (let i = 0; moves[part] && i < numbers.length; i += 4)
-    moves[part](vector.fromArray(numbers, i)).toArray(numbers, i)
+  for (let i = 0; transforms[attributeName] && i < numbers.length; i += 4)
+    transforms[attributeName](vector.fromArray(numbers, i)).toArray(numbers, i)
   return numbers
 }
 
 function compare(all) {
   const { offset, shown, drawnAttributes, side, map } = all
-  const move = mover(offset)
+  const move = makeMover(offset)
   const angles = []
   let [skipped, facing] = [0, 0]
   for (let i = 0; i < 4 * size * size; i += 4) {
     if (shown[i + 3] === 0 || drawnAttributes.position[i + 3] === 0) continue
-    const at = (part, count) => Array.from((drawnAttributes[part] ?? []).slice(i, i + count))
-    const [x, y, z, length] = at('normal', 4)
+    const read = (attributeName, count) =>
+      Array.from((drawnAttributes[attributeName] ?? []).slice(i, i + count))
+    const [x, y, z, length] = read('normal', 4)
     const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
-    const gradients = parts
-      .filter((part) => part.endsWith('Gradient'))
-      .map((part) => (drawnAttributes[part] ? at(part, 3) : [0, 0, 0]))
-    const tangent = map && at('tangent', 4)
-    const vertex = { position: at('position', 3), normal, uv: at('uv', 2), gradients, tangent }
+    const gradients = attributeNames
+      .filter((attributeName) => attributeName.endsWith('Gradient'))
+      .map((attributeName) => (drawnAttributes[attributeName] ? read(attributeName, 3) : [0, 0, 0]))
+    const tangent = map && read('tangent', 4)
+    const vertex = { position: read('position', 3), normal, uv: read('uv', 2), gradients, tangent }
     const exact = exactVertex(move, vertex)
     if (!exact) {
       skipped++
       continue
     }
-    const matrix = matrixFor(all, ((i / 4) % size) + 0.5)
+    const matrix = getMatrix(all, ((i / 4) % size) + 0.5)
     const expected = new THREE.Vector3(...exact.normal).applyNormalMatrix(
       new THREE.Matrix3().getNormalMatrix(matrix),
     )
     if (map) {
-      const along = new THREE.Vector3(...exact.tangent).transformDirection(matrix)
-      const across = new THREE.Vector3()
-        .crossVectors(expected, along)
+      const tangentInView = new THREE.Vector3(...exact.tangent).transformDirection(matrix)
+      const bitangent = new THREE.Vector3()
+        .crossVectors(expected, tangentInView)
         .multiplyScalar(tangent[3])
         .normalize()
-      expected.multiplyScalar(map[2]).addScaledVector(along, map[0]).addScaledVector(across, map[1])
+      expected
+        .multiplyScalar(map[2])
+        .addScaledVector(tangentInView, map[0])
+        .addScaledVector(bitangent, map[1])
     }
     const colour = [0, 1, 2].map((k) => 2 * shown[i + k] - 1)
     if (colour[2] > 0) facing++
     const angle = degreesBetween(colour, expected.toArray())
-    // A back face shows its other side.
+    // The normal of a back face may be reversed.
     angles.push(side === 'FrontSide' ? angle : Math.min(angle, 180 - angle))
   }
   return {

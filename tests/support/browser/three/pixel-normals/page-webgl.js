@@ -3,12 +3,12 @@ import * as THREE from 'three'
 import { warp, warpMaterial } from 'warpjet/three'
 import { measure } from './measure.js'
 import {
-  bumps,
   collapse,
   countDifferences,
+  countFacetDifferences,
   drawWithMap,
-  facets,
   litScene,
+  makeBumps,
   mapNames,
   summarize,
 } from './pictures.js'
@@ -55,19 +55,21 @@ const makers = {
 }
 const host = { draw, normalMaterial, attributeMaterial, makers }
 
-/** Sources of the last program that was compiled for a material with a normal. */
+/** Returns the sources of the program that is compiled for a material of this kind with `normals`. */
 function sources(normals, kind = 'standard') {
   const { scene, warped } = litScene(makers[kind](), warps.simplex, { normals })
   const known = new Set(renderer.info.programs)
   draw(scene)
-  const made = renderer.info.programs.find((program) => !known.has(program))
+  const compiled = renderer.info.programs.find((program) => !known.has(program))
   const gl = renderer.getContext()
-  const texts = [made.vertexShader, made.fragmentShader].map((shader) => gl.getShaderSource(shader))
+  const vertexAndFragment = [compiled.vertexShader, compiled.fragmentShader].map((shader) =>
+    gl.getShaderSource(shader),
+  )
   warped.dispose()
-  return texts
+  return vertexAndFragment
 }
 
-/** Materials in which normals cannot be computed at pixels. */
+/** Maps an obstacle → a function that makes a material whose normals cannot be computed at pixels because of it. */
 const obstacles = {
   'normals changed after the warp': () =>
     makeMaterialWithHook((shader) => {
@@ -91,11 +93,11 @@ const obstacles = {
       )
     }),
   'MeshBasicMaterial with an environment': () => {
-    const envMap = bumps()
+    const envMap = makeBumps()
     envMap.mapping = THREE.EquirectangularReflectionMapping
     return new THREE.MeshBasicMaterial({ envMap })
   },
-  'a ShaderMaterial of its own': () =>
+  'a ShaderMaterial without chunks': () =>
     new THREE.ShaderMaterial({
       vertexShader: `varying vec3 vN; void main() { vN = normalMatrix * normal;
         gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 ); }`,
@@ -117,34 +119,35 @@ function makeMaterialWithHook(change) {
   return material
 }
 
-/** Draws a material that has an obstacle → how many pixels differ from those with normals at vertices. */
+/** Draws a material that has an obstacle → the number of pixels that differ from those with normals at vertices. */
 function obstacle(name, normals) {
   const pictures = ['vertex', normals].map((normals) => {
     const { scene, warped } = litScene(obstacles[name](), warps.simplex, { normals })
-    const twice = [draw(scene), draw(scene)]
+    draw(scene)
+    const secondFrame = draw(scene)
     warped.dispose()
-    return twice[1]
+    return secondFrame
   })
   renderer.capabilities.maxVaryings = maxVaryings
   return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
-/** Returns the stage that `auto` chooses for each warp, and for a constant shift. */
+/** Returns the stages that 'auto' selects for each warp, and for a constant shift: in `warp` and in `warpMaterial`. */
 function stages() {
   const shift = ({ glsl }) => glsl.vec3(1, 0, 0)
   return Object.fromEntries(
     Object.entries({ ...warps, shift }).map(([name, offset]) => {
       const mesh = new THREE.Mesh(new THREE.SphereGeometry(), new THREE.MeshStandardMaterial())
       const { normals } = warp(mesh, offset, { surfaceVariation: false })
-      const made = warpMaterial(new THREE.MeshStandardMaterial(), offset, {
+      const warpedMaterial = warpMaterial(new THREE.MeshStandardMaterial(), offset, {
         surfaceVariation: false,
       })
-      return [name, [normals, made.normals]]
+      return [name, [normals, warpedMaterial.normals]]
     }),
   )
 }
 
-/** Shows a sphere of noise with the given `normals`, on a page that somebody looks at. */
+/** Draws a noisy sphere with `normals` → a data URL, to look at it. */
 function show(normals, name = 'simplex', pixels = 400) {
   renderer.setSize(pixels, pixels)
   const { scene } = litScene(
@@ -165,7 +168,7 @@ window.pixels = {
   warps: Object.keys(warps),
   measure: (settings) => measure(host, settings),
   collapse: (name, settings) => collapse(host, name, settings),
-  facets: (name) => facets(host, name),
+  countFacetDifferences: (name) => countFacetDifferences(host, name),
   mapNames,
   drawWithMap: (name) => drawWithMap(host, name),
   obstacles: Object.keys(obstacles),

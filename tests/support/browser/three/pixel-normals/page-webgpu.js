@@ -1,28 +1,31 @@
-// A page with WebGPURenderer, on both its backends, that measures normals at pixels.
+// A page with WebGPURenderer, on both backends, that measures normals at pixels.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import 'warpjet/three/webgpu'
 import { rendererFor } from '../webgpu-renderer.js'
 import { measure } from './measure.js'
 import {
-  bumps,
   collapse,
   countDifferences,
+  countFacetDifferences,
   drawWithMap,
-  facets,
   litScene,
+  makeBumps,
   mapNames,
   summarize,
 } from './pictures.js'
 import { camera, size } from './scenes.js'
 import { warps } from './warps.js'
 
-const floats = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
+const floatTarget = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
 
-/** A target of bytes for transmission, which reads mipmaps of the background: WebGPU cannot filter those of floats. A row must have 256 bytes. */
-const bytes = new THREE.RenderTarget(64, 64, { type: THREE.UnsignedByteType })
+/**
+ * A target of bytes for transmission, which reads mipmaps of the background: WebGPU cannot filter those of floats. It is read in rows of
+ * 256 bytes, which are 64 pixels.
+ */
+const byteTarget = new THREE.RenderTarget(64, 64, { type: THREE.UnsignedByteType })
 
-/** Converts linear colours back to sRGB: MeshNormalMaterial takes the normal for an sRGB colour and writes it linearly. */
+/** Converts linear colours back to sRGB, since MeshNormalMaterial treats the normal as an sRGB colour and converts it to a linear one. */
 const decode = (picture) =>
   picture.map((x, i) =>
     i % 4 === 3 ? x : x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
@@ -40,7 +43,7 @@ const makers = {
   physical: (options) => new THREE.MeshPhysicalMaterial(options),
 }
 
-async function hostFor(backend, target = floats) {
+async function makeHost(backend, target = floatTarget) {
   const renderer = await rendererFor(backend)
   const draw = async (scene, view = camera()) => {
     renderer.setRenderTarget(target)
@@ -52,9 +55,9 @@ async function hostFor(backend, target = floats) {
   return { draw, decode, normalMaterial: makers.normal, attributeMaterial, makers }
 }
 
-/** A material whose own normalNode adds to the normal: it adds to that of the pixel. */
+/** Returns the max error of a material whose normalNode adds a vector to the normal: it must be added to the warped normal of the pixel. */
 async function ownNode(backend, normals) {
-  const { draw } = await hostFor(backend)
+  const { draw } = await makeHost(backend)
   const material = new THREE.MeshNormalNodeMaterial()
   const { normalView, vec3 } = THREE.TSL
   material.normalNode = normalView.add(vec3(0.3, 0, 0)).normalize()
@@ -71,18 +74,18 @@ async function ownNode(backend, normals) {
       .normalize()
       .add(new THREE.Vector3(0.3, 0, 0))
       .normalize()
-    const found = new THREE.Vector3(...shown.slice(i, i + 3)).multiplyScalar(2).subScalar(1)
-    worst = Math.max(worst, found.distanceTo(expected))
+    const actual = new THREE.Vector3(...shown.slice(i, i + 3)).multiplyScalar(2).subScalar(1)
+    worst = Math.max(worst, actual.distanceTo(expected))
   }
   return worst
 }
 
-/** Draws a reflection by MeshBasicMaterial, with normals at pixels and at vertices → how many pixels differ. */
+/** Draws a reflection by MeshBasicMaterial, with normals at pixels and at vertices → the number of pixels that differ. */
 async function reflection(backend) {
-  const { draw } = await hostFor(backend)
+  const { draw } = await makeHost(backend)
   const pictures = []
   for (const normals of ['vertex', 'pixel']) {
-    const envMap = bumps()
+    const envMap = makeBumps()
     envMap.mapping = THREE.EquirectangularReflectionMapping
     const { scene, warped } = litScene(new THREE.MeshBasicMaterial({ envMap }), warps.simplex, {
       normals,
@@ -93,14 +96,17 @@ async function reflection(backend) {
   return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
-/** Draws a warp before skinning, whose normals stay those of vertices. */
+/**
+ * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices → the number of pixels that differ from
+ * these.
+ */
 async function obstacle(backend, normals) {
-  const { draw } = await hostFor(backend)
+  const { draw } = await makeHost(backend)
   const pictures = []
-  for (const each of ['vertex', normals]) {
+  for (const stage of ['vertex', normals]) {
     const material = makers.standard()
     const { scene, object, warped } = litScene(material, warps.simplex, {
-      normals: each,
+      normals: stage,
       space: 'rest',
     })
     object.geometry.morphAttributes.normal = [object.geometry.attributes.normal.clone()]
@@ -115,12 +121,13 @@ async function obstacle(backend, normals) {
 
 window.pixels = {
   warps: Object.keys(warps),
-  measure: async ({ backend, ...settings }) => measure(await hostFor(backend), settings),
-  collapse: async (backend, name, settings) => collapse(await hostFor(backend), name, settings),
-  facets: async (backend, name) => facets(await hostFor(backend), name),
+  measure: async ({ backend, ...settings }) => measure(await makeHost(backend), settings),
+  collapse: async (backend, name, settings) => collapse(await makeHost(backend), name, settings),
+  countFacetDifferences: async (backend, name) =>
+    countFacetDifferences(await makeHost(backend), name),
   mapNames,
   drawWithMap: async (backend, name) =>
-    drawWithMap(await hostFor(backend, name === 'transmission' ? bytes : floats), name),
+    drawWithMap(await makeHost(backend, name === 'transmission' ? byteTarget : floatTarget), name),
   ownNode,
   reflection,
   obstacle,

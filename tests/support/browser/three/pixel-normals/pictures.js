@@ -1,15 +1,15 @@
-// Pictures of the tests of normals at pixels, for both renderers: surfaces that collapse, facets, maps, and normals that someone changes.
+// Pictures for tests of normals at pixels, for both renderers: surfaces that collapse, flat-shaded facets, and maps.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { collapses } from './scenes.js'
 import { warps } from './warps.js'
 
-/** A map of bumps. */
-export function bumps() {
+/** Makes a normal map of bumps. */
+export function makeBumps() {
   const count = 16
   const bytes = Uint8Array.from({ length: 4 * count * count }, (_, i) => {
-    const at = i >> 2
-    const [x, y] = [Math.sin((at % count) * 0.8), Math.cos(Math.floor(at / count) * 0.9)]
+    const texel = i >> 2
+    const [x, y] = [Math.sin((texel % count) * 0.8), Math.cos(Math.floor(texel / count) * 0.9)]
     return [128 + 60 * x, 128 + 60 * y, 220, 255][i % 4]
   })
   const map = new THREE.DataTexture(bytes, count, count)
@@ -34,17 +34,17 @@ export function litScene(
   return { scene, object, warped }
 }
 
-/** Returns how many pixels a picture covers, how many are not finite, dark, or face away from the eye, and the picture. */
+/** Returns the numbers of covered pixels, of those that are not finite (`wrong`), and of dark ones, which include back faces. */
 export function summarize(picture) {
-  const found = { covered: 0, wrong: 0, dark: 0 }
+  const counts = { covered: 0, wrong: 0, dark: 0 }
   for (let i = 0; i < picture.length; i += 4) {
     if (picture[i + 3] === 0) continue
-    found.covered++
+    counts.covered++
     const colour = picture.slice(i, i + 3)
-    if (!colour.every(Number.isFinite)) found.wrong++
-    if (!(colour[0] + colour[1] + colour[2] > 0.02)) found.dark++
+    if (!colour.every(Number.isFinite)) counts.wrong++
+    if (!(colour[0] + colour[1] + colour[2] > 0.02)) counts.dark++
   }
-  return found
+  return counts
 }
 
 /** Counts the pixels of two pictures that differ. */
@@ -55,22 +55,22 @@ export function countDifferences(a, b, tolerance = 1e-3) {
   return count
 }
 
-/** A surface that collapses, lit, and its normals beside those of facets. */
+/** Draws a collapsing surface lit and with its normals as colours, and counts the pixels that differ from flat-shaded ones. */
 export async function collapse({ draw, makers }, name, { normals, side = 'FrontSide' }) {
   const offset = collapses[name]
   const options = { side: THREE[side] }
-  const pictureOf = async (material, given) => {
-    const { scene, warped } = litScene(material, offset, given)
+  const drawWarped = async (material, warpOptions) => {
+    const { scene, warped } = litScene(material, offset, warpOptions)
     const picture = await draw(scene)
     warped.dispose()
     return picture
   }
-  const lit = await pictureOf(makers.standard(options), { normals })
-  const shown = await pictureOf(makers.normal(options), { normals })
-  const facets = await pictureOf(makers.normal({ ...options, flatShading: true }), {
+  const lit = await drawWarped(makers.standard(options), { normals })
+  const shown = await drawWarped(makers.normal(options), { normals })
+  const facets = await drawWarped(makers.normal({ ...options, flatShading: true }), {
     normals: 'vertex',
   })
-  const litFacets = await pictureOf(makers.standard({ ...options, flatShading: true }), {
+  const litFacets = await drawWarped(makers.standard({ ...options, flatShading: true }), {
     normals: 'vertex',
   })
   return {
@@ -81,8 +81,10 @@ export async function collapse({ draw, makers }, name, { normals, side = 'FrontS
   }
 }
 
-/** Flat-shaded facets, whose normals a warp does not smooth. */
-export async function facets({ draw, makers }, name) {
+/**
+ * Counts the pixels that differ between normals at vertices and at pixels with flat shading. None may differ: warps do not smooth facets.
+ */
+export async function countFacetDifferences({ draw, makers }, name) {
   const pictures = []
   for (const normals of ['vertex', 'pixel']) {
     const { scene, warped } = litScene(makers.standard({ flatShading: true }), warps[name], {
@@ -95,18 +97,18 @@ export async function facets({ draw, makers }, name) {
 }
 
 const maps = {
-  normalMap: () => ({ normalMap: bumps() }),
-  bumpMap: () => ({ bumpMap: bumps(), bumpScale: 4 }),
-  'both sides': () => ({ normalMap: bumps(), side: THREE.DoubleSide }),
-  clearcoat: () => ({ clearcoat: 1, clearcoatNormalMap: bumps() }),
+  normalMap: () => ({ normalMap: makeBumps() }),
+  bumpMap: () => ({ bumpMap: makeBumps(), bumpScale: 4 }),
+  'both sides': () => ({ normalMap: makeBumps(), side: THREE.DoubleSide }),
+  clearcoat: () => ({ clearcoat: 1, clearcoatNormalMap: makeBumps() }),
   anisotropy: () => ({ anisotropy: 1 }),
-  // Behind it is nothing to refract: half of the light is diffuse.
+  // Nothing is behind the object, so that only the diffuse half of the light is visible.
   transmission: () => ({ transmission: 0.5, thickness: 1 }),
-  tangents: () => ({ normalMap: bumps() }),
+  tangents: () => ({ normalMap: makeBumps() }),
 }
 export const mapNames = Object.keys(maps)
 
-/** A material with a map, with normals of both kinds → finite pixels, and how many differ. */
+/** Draws a material with a map, with normals at vertices and at pixels → a summary of the latter, and the number of differing pixels. */
 export async function drawWithMap({ draw, makers }, name, offsetName = 'simplex') {
   const pictures = []
   for (const normals of ['vertex', 'pixel']) {

@@ -1,8 +1,8 @@
-// The objects that the tests of normals at pixels draw, and their vertices before the warp.
+// Objects for tests of normals at pixels, and their vertices before the warp.
 import * as THREE from 'three'
 import { variationAttributes } from './attributes.js'
 
-/** A row of floats is a multiple of 256 bytes, as WebGPU requires. */
+/** The side of pictures, in pixels. A row of four floats per pixel is a multiple of 256 bytes, as WebGPU requires. */
 export const size = 80
 
 export const camera = () => {
@@ -31,9 +31,10 @@ function place(object, isPlane) {
   return object
 }
 
-const turn = new THREE.Euler(0.3, 0.7, 0)
+/** The rotation of the bone. */
+const boneRotation = new THREE.Euler(0.3, 0.7, 0)
 
-/** Bones that turn the whole geometry. */
+/** Makes a mesh with a bone that rotates the whole geometry. */
 function makeSkinnedMesh(geometry, material) {
   const { count } = geometry.attributes.position
   const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
@@ -43,16 +44,16 @@ function makeSkinnedMesh(geometry, material) {
   const bone = new THREE.Bone()
   mesh.add(bone)
   mesh.bind(new THREE.Skeleton([bone]))
-  bone.rotation.copy(turn)
+  bone.rotation.copy(boneRotation)
   bone.updateMatrixWorld()
   return mesh
 }
 
-const boneMatrix = () => new THREE.Matrix4().makeRotationFromEuler(turn)
+const boneMatrix = () => new THREE.Matrix4().makeRotationFromEuler(boneRotation)
 
-/** A morph target that adds to positions and normals. */
+/** Makes a mesh with a morph target that adds to positions and normals. */
 function makeMorphingMesh(geometry, material) {
-  const targets = morphsOf(geometry)
+  const targets = makeMorphTargets(geometry)
   Object.assign(geometry.morphAttributes, targets)
   geometry.morphTargetsRelative = true
   const mesh = new THREE.Mesh(geometry, material)
@@ -60,18 +61,18 @@ function makeMorphingMesh(geometry, material) {
   return mesh
 }
 
-function morphsOf({ attributes }) {
-  const of = (name, amount) => {
+function makeMorphTargets({ attributes }) {
+  const makeTarget = (name, amount) => {
     const numbers = Float32Array.from(attributes[name].array, (_, i) => {
       const [y, z] = [attributes.position.getY((i / 3) | 0), attributes.position.getZ((i / 3) | 0)]
       return i % 3 === 0 ? amount * y : i % 3 === 1 ? amount * z * z : 0
     })
     return [new THREE.BufferAttribute(numbers, 3)]
   }
-  return { position: of('position', 0.3), normal: of('normal', -0.3) }
+  return { position: makeTarget('position', 0.3), normal: makeTarget('normal', -0.3) }
 }
 
-/** Two instances whose matrices are uneven. */
+/** The matrices of two instances, with uneven scales. */
 export const instances = [
   [-0.8, 0.2],
   [0.8, -0.3],
@@ -91,15 +92,15 @@ function makeInstancedMesh(geometry, material) {
 
 function makeBatchedMesh(geometry, material) {
   const mesh = new THREE.BatchedMesh(2, 4000, 12000, material)
-  // Two geometries of different attributes would not fit into one batch.
+  // Both instances share a geometry: geometries with different attributes would not fit into one batch.
   const id = mesh.addGeometry(geometry)
   for (const matrix of instances) mesh.setMatrixAt(mesh.addInstance(id), matrix)
   return mesh
 }
 
 /**
- * Maps the name of a case → a function that makes its object. `pose` returns the vertices before the warp, if they are not those of the
- * geometry; `matrices` are those of the instances.
+ * Maps the name of a case → a function that makes its object. `pose(name, numbers, geometry)` computes positions or normals before
+ * the warp, if they differ from those of the geometry. `matrices` are those of the instances.
  */
 export const kinds = {
   plain: { make: (geometry, material) => new THREE.Mesh(geometry, material) },
@@ -117,7 +118,7 @@ export const kinds = {
   morphs: {
     make: makeMorphingMesh,
     pose(name, numbers, geometry) {
-      const [{ array }] = morphsOf(geometry)[name]
+      const [{ array }] = makeMorphTargets(geometry)[name]
       return numbers.map((x, i) => x + 0.7 * array[i])
     },
   },
@@ -133,7 +134,8 @@ function transformPoints(numbers, matrix) {
   return moved
 }
 
-export function objectFor(kind, shape, material) {
+/** Makes a positioned object, and returns it with the geometry that has its vertices. */
+export function makeObject(kind, shape, material) {
   const geometry = shapeGeometries[shape]()
   const object = place(kinds[kind].make(geometry, material), shape === 'plane')
   if (object.userData.mirrored) {
@@ -143,11 +145,11 @@ export function objectFor(kind, shape, material) {
   return { object, geometry: object.isBatchedMesh ? geometry : object.geometry }
 }
 
-/** Returns a part of the vertices before the warp, as a vec4 per vertex, for a picture of it. */
-export function restPart(kind, geometry, part) {
+/** Returns an attribute before the warp as four floats per vertex, to draw it. The fourth number of a normal is its length. */
+export function readUnwarped(kind, geometry, name) {
   const { count } = geometry.attributes.position
   const numbers = new Float32Array(4 * count)
-  const attribute = geometry.attributes[variationAttributes[part] ?? part]
+  const attribute = geometry.attributes[variationAttributes[name] ?? name]
   if (!attribute) return numbers
   const plain = Float32Array.from({ length: count * attribute.itemSize }, (_, i) =>
     attribute[['getX', 'getY', 'getZ', 'getW'][i % attribute.itemSize]](
@@ -156,12 +158,12 @@ export function restPart(kind, geometry, part) {
   )
   const { pose } = kinds[kind]
   const values =
-    pose && (part === 'normal' || part === 'position') ? pose(part, plain, geometry) : plain
+    pose && (name === 'normal' || name === 'position') ? pose(name, plain, geometry) : plain
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < attribute.itemSize; k++)
       numbers[4 * i + k] = values[attribute.itemSize * i + k]
-    if (part === 'position') numbers[4 * i + 3] = 1
-    if (part === 'normal') numbers[4 * i + 3] = Math.hypot(...numbers.subarray(4 * i, 4 * i + 3))
+    if (name === 'position') numbers[4 * i + 3] = 1
+    if (name === 'normal') numbers[4 * i + 3] = Math.hypot(...numbers.subarray(4 * i, 4 * i + 3))
   }
   return numbers
 }
@@ -173,4 +175,11 @@ export const collapses = {
     glsl.vec3(0, 1.2, 0).sub(position).mult(glsl.step(0.3, position.y())),
 }
 
-export const parts = ['position', 'normal', 'uv', 'tangent', ...Object.keys(variationAttributes)]
+/** The attributes that `readUnwarped` reads. */
+export const attributeNames = [
+  'position',
+  'normal',
+  'uv',
+  'tangent',
+  ...Object.keys(variationAttributes),
+]

@@ -1,6 +1,6 @@
 // Warps for the tests of normals at pixels. Shapes have a size of about 1.
 
-/** Offsets whose normals, interpolated over the faces of a coarse mesh, are wrong by degrees. */
+/** Offsets with normals that are wrong by degrees if they are interpolated over the faces of a coarse mesh. */
 export const warps = {
   fbm: ({ glsl, position }) => position.mult(glsl.fbm(position.mult(2)).mult(0.3)),
   simplex: ({ glsl, position }) => position.mult(glsl.simplex(position.mult(2)).mult(0.2)),
@@ -20,7 +20,7 @@ export const warps = {
     normal.mult(position.x().mult(5).add(1).sin().add(position.y().mult(4).sin()).mult(0.08)),
 }
 
-/** Heights above a plane, so that the rest position of a pixel is its centre. */
+/** Offsets perpendicular to a plane: the unwarped position of a pixel is its centre. */
 export const heights = Object.fromEntries(
   ['fbm', 'simplex', 'worley'].map((name) => [
     name,

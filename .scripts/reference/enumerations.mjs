@@ -1,18 +1,19 @@
-// Writes js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: the C++ enumerations, ordered by value, and the
-// limits.
+// Writes js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: the enumerations and limits of the C++, with the
+// enumerators ordered by value.
 
-const head =
+const header =
   '// Written by `npm run reference` from the C++: its enumerations, ordered by value, and its limits.'
 
-const list = (names) => `[${names.map((name) => `'${name}'`).join(', ')}] as const`
+const writeList = (names) => `[${names.map((name) => `'${name}'`).join(', ')}] as const`
 
 /** Writes an object that maps names → numbers. */
-const numbers = (entries) => `{${entries.map(([name, number]) => `${name}: ${number}`).join(', ')}}`
+const writeObject = (entries) =>
+  `{${entries.map(([name, number]) => `${name}: ${number}`).join(', ')}}`
 
 /** Returns the source of tables.ts, not yet formatted. */
-export const numberedText = (table) => {
+export const tablesText = (table) => {
   const { languages, noises, filters, wraps, warpOperands, warpResults, variantCount } = table
-  return `${head}
+  return `${header}
 
 /** Maps a shading language → the name of its sources in \`glsl.fn\`. The first one is the default. */
 export const languages = {${languages.map(({ name, source }) => `${name}: '${source}'`).join(', ')}} as const
@@ -21,8 +22,8 @@ export const languages = {${languages.map(({ name, source }) => `${name}: '${sou
 export const noises = {${noises.map(({ name, use }) => `${name}: '${use}'`).join(', ')}} as const
 
 /** Options of \`glsl.texture\`. */
-export const filters = ${list(filters)}
-export const wraps = ${list(wraps)}
+export const filters = ${writeList(filters)}
+export const wraps = ${writeList(wraps)}
 
 export const maxSeed = ${table.maxSeed}
 export const maxOctaves = ${table.maxOctaves}
@@ -33,26 +34,26 @@ export const failed = ${table.failed}
 export const needsPartials = ${table.needsPartials}
 
 /** The operands of a warp, after its offset. */
-export const warpOperands = ${list(warpOperands)}
+export const warpOperands = ${writeList(warpOperands)}
 
 /** The results of a warp. The last ${variantCount} are followed by variants that take into account how normal and uv vary over the surface. */
-export const warpResults = ${numbers(warpResults.map((name, i) => [name, i]))}
+export const warpResults = ${writeObject(warpResults.map((name, i) => [name, i]))}
 export const variantCount = ${variantCount}
 `
 }
 
 /** Returns the source of mesh-tables.ts, not yet formatted. */
-export const meshNumberedText = ({ meshArrays, triangleLimit, defaultTriangles }) => {
-  const of = (wanted) =>
+export const meshTablesText = ({ meshArrays, triangleLimit, defaultTriangles }) => {
+  const namesOfKind = (wanted) =>
     meshArrays
       .filter(({ kind }) => kind === wanted)
       .map(({ name }) => `'${name}'`)
       .join(' | ')
   return `// Written by \`npm run reference\` from the C++: the names of the arrays that are passed to the mesh module, by type, and limits.
 
-export type FloatArray = ${of('float')}
-export type IndexArray = ${of('index')}
-export type ByteArray = ${of('byte')}
+export type FloatArray = ${namesOfKind('float')}
+export type IndexArray = ${namesOfKind('index')}
+export type ByteArray = ${namesOfKind('byte')}
 
 export const triangleLimit = ${triangleLimit}
 /** The default of the option \`maxTriangles\`. */
