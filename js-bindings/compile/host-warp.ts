@@ -1,13 +1,13 @@
 // `HostWarp`: everything that an adapter needs from a warp, so that it contains only what is particular to its host.
+import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import { vertexInputs, type InputName } from '../core/inputs/inputs.js'
-import { allowNonFinite, countVertices, type Box, type Vertices } from '../core/inputs/vertices.js'
+import { allowNonFinite, type Box, type Vertices } from '../core/inputs/vertices.js'
 import { lazily } from '../core/module/lazily.js'
 import { ResultSet } from '../core/module/result-set.js'
-import { makePhases, makeProgram, type Program } from '../core/module/serialized-module.js'
+import { costOf, makePhases, makeProgram, type Program } from '../core/module/serialized-module.js'
 import { bounds } from '../cpu/bounds.js'
 import type { Bounds, CpuWarp } from '../cpu/cpu-warp.js'
 import { createCpuWarp } from '../cpu/create-cpu-warp.js'
-import type { Sink } from '../cpu/machine-code.js'
 import { positionsAlone } from '../cpu/results.js'
 import { runOnVertices } from '../cpu/vertex-run.js'
 import { warpProgram, type WarpProgram } from '../cpu/warp-program.js'
@@ -22,12 +22,14 @@ const quickBudget = 20_000
 
 /** The points at which waves and noises of the warped position are evaluated; they say how far apart samples may be. */
 export interface SurfacePhases {
-  /** For each phase, its numbers per vertex, and how far it may move between samples. */
-  readonly phases: readonly { readonly size: number; readonly step: number }[]
+  /** The numbers per vertex of each phase. */
+  readonly sizes: readonly number[]
+  /** The distance that each phase may move between samples. */
+  readonly steps: readonly number[]
   /** The numbers per vertex of all phases. */
   readonly size: number
-  /** Writes the phases of all vertices. */
-  evaluate(vertices: Vertices, given: DrawValues, into: Float32Array): void
+  /** Writes the phases of the first `count` vertices. */
+  evaluate(vertices: Vertices, count: number, given: DrawValues, into: Float32Array): void
 }
 
 export class HostWarp extends OffsetWarp {
@@ -69,10 +71,19 @@ export class HostWarp extends OffsetWarp {
     return this.cpu().evaluate(allowNonFinite(vertices), { uniforms: given as never })
   }
 
-  /** Writes warped positions into an array, and computes nothing else. */
-  evaluatePositions(vertices: Vertices, given: DrawValues, into: Float32Array) {
-    const sinks = [{ values: into, results: positionsAlone.numbers }]
-    this.runOn(this.running(), vertices, given, positionsAlone, sinks)
+  /** Estimates the operations on single floats in the warped position of a vertex. */
+  readonly operations = lazily(
+    () => costOf(this.recorded.module, [onSurface(warpResults.position)]).operations,
+  )
+
+  /** Returns the values with those of functions among the uniforms, so that several evaluations use the same ones. */
+  withUniformsNow(given: DrawValues): DrawValues {
+    return snapshotUniforms(this.place, this.uniforms.declared, given)!
+  }
+
+  /** Writes the warped positions of the first `count` vertices into an array, and computes nothing else. */
+  evaluatePositions(vertices: Vertices, count: number, given: DrawValues, into: Float32Array) {
+    this.runOn(this.running(), vertices, count, given, positionsAlone, into)
   }
 
   /** Returns the phases of the warped position; `undefined` if it has none, or if only the GPU can evaluate it. */
@@ -81,8 +92,9 @@ export class HostWarp extends OffsetWarp {
     const varying = Object.keys(vertexInputs).map((name) => inputs[name as InputName])
     const made = this.canRunOnCpu ? makePhases(module, [warpResults.position], varying) : undefined
     if (!made) return undefined
-    const { phases } = made
-    const size = phases.reduce((sum, each) => sum + each.size, 0)
+    const sizes = made.phases.map((each) => each.size)
+    const steps = made.phases.map((each) => each.step)
+    const size = sizes.reduce((sum, each) => sum + each, 0)
     const results = new ResultSet(Array.from({ length: size }, (_, i) => i))
     const program = this.withUserNames(made.program)
     const running: WarpProgram = {
@@ -91,21 +103,21 @@ export class HostWarp extends OffsetWarp {
       frameConstants: undefined,
       program: () => program,
     }
-    const evaluate: SurfacePhases['evaluate'] = (vertices, given, into) =>
-      this.runOn(running, vertices, given, results, [{ values: into, results: results.numbers }])
-    return { phases, size, evaluate }
+    const evaluate: SurfacePhases['evaluate'] = (vertices, count, given, into) =>
+      this.runOn(running, vertices, count, given, results, into)
+    return { sizes, steps, size, evaluate }
   })
 
   private runOn(
     program: WarpProgram,
     vertices: Vertices,
+    count: number,
     given: DrawValues,
     results: ResultSet,
-    sinks: readonly Sink[],
+    into: Float32Array,
   ) {
-    const mesh = allowNonFinite(vertices)
-    const count = countVertices(this.place, mesh)
-    runOnVertices(program, this.place, mesh, count, given as never, results, sinks)
+    const sinks = [{ values: into, results: results.numbers }]
+    runOnVertices(program, this.place, vertices, count, given as never, results, sinks)
   }
 
   private running() {

@@ -32,9 +32,9 @@ export const object = <All extends Kinds>(
     read(given, place) {
       rejectUnknownOptions(given, names, place, advice)
       const options = (given ?? {}) as Record<string, unknown>
-      return Object.fromEntries(
-        all.map(([name, kind]) => [name, kind.read(options[name], place.option(name))]),
-      ) as ValuesOf<All>
+      const values: Record<string, unknown> = {}
+      for (const [name, kind] of all) values[name] = kind.read(options[name], place.option(name))
+      return values as ValuesOf<All>
     },
   }
 }

@@ -45,8 +45,8 @@ View<std::uint32_t> groups(const Detail& detail) { return View(detail.groups());
 
 // `numbers` has 19 numbers for each view: a matrix by columns, half of the size of the viewport in
 // pixels, and `ScreenView::facing`.
-bool update(Detail& detail, const std::vector<float>& numbers, float tolerance) {
-  return detail.update(numbers, tolerance);
+View<std::uint32_t> show(Detail& detail, const std::vector<float>& numbers) {
+  return View(detail.show(numbers));
 }
 
 // For compute passes: the base, the pieces of its edges, and the numbers of the criterion.
@@ -84,10 +84,13 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("pose", &Detail::pose)
       .function("cut", &Detail::cut)
       .function("sampleCount", &Detail::sampleCount)
+      .function("cutSampleCount", &Detail::cutSampleCount)
       .function("sample", &sample)
       .function("phases", &phases)
       .function("warped", &warped)
-      .function("update", &update)
+      .function("forgetSamples", &Detail::forgetSamples)
+      .function("show", &show)
+      .function("update", &Detail::update)
       .function("attribute", &attribute)
       .function("indices", &indices)
       .function("groups", &groups)

@@ -187,6 +187,26 @@ TEST(Lanes, UnaryFunctionsMeetTheirErrorBoundsForAllFloats) {
   }
 }
 
+// The hash is ((1597 (h + i) + 823) mod 4091)^3 mod 4091.
+TEST(Lanes, HashesAreThoseOfIntegers) {
+  const auto modulo = [](std::int64_t x) { return (x % 4091 + 4091) % 4091; };
+  const std::size_t row = index(ops::find("hash"));
+  int wrong = 0;
+  for (const int h : {0, 1, 2045, 2046, 4090}) {
+    for (std::int64_t first = -(1 << 24); first <= 1 << 24; first += first < 1 << 23 ? 4 : 4091) {
+      Operands<Lanes> operands{Lanes(double(h)), Lanes(0.0), Lanes(0.0)};
+      for (int k = 0; k < 4; ++k) operands[1].set(k, static_cast<float>(first + k));
+      const Lanes results = evaluators[row](operands);
+      for (int k = 0; k < 4; ++k) {
+        const std::int64_t i = static_cast<std::int64_t>(operands[1][k]);
+        const std::int64_t n = modulo(1597 * (h + modulo(i)) + 823);
+        wrong += results[k] != static_cast<float>(modulo(modulo(n * n) * n));
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
 std::vector<float> specialFloats() {
   std::vector<float> floats{std::numeric_limits<float>::quiet_NaN()};
   for (const float x : {0.0f,          1e-45f,
