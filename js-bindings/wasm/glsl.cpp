@@ -18,7 +18,7 @@ using namespace warpjet::source;
 
 namespace {
 
-// The builder's name of each code; empty where it is none of its operations.
+// Returns the builder's name of each code; empty where it is none of its operations.
 std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeNames)}; }
 
 Source* openSource(std::string_view text, bool isWgsl) {

@@ -9,7 +9,7 @@ namespace warpjet {
 Value multiply(const Value& a, const Value& b);
 Value transpose(const Value& m);
 Expression determinant(const Value& m);
-// The adjugate divided by the determinant: infinite or NaN if that is zero.
+// Returns the adjugate divided by the determinant: infinite or NaN if that is zero.
 Value inverse(const Value& m);
 
 // `value` on the diagonal, zero elsewhere.

@@ -30,9 +30,9 @@ bool Builder::checkPossible(std::span<const NodeId> results, std::size_t before,
   return false;
 }
 
-// A message for nodes that a shader can't compute: operations on constants that weren't folded,
-// because the result isn't a finite float32; divisions by the constant zero; and noise derivatives
-// of such a high order that their code would be endless. Null for other nodes.
+// Returns a message for nodes that a shader can't compute: operations on constants that weren't
+// folded, because the result isn't a finite float32; divisions by the constant zero; and noise
+// derivatives of such a high order that their code would be endless. Null for other nodes.
 const std::string_view* Builder::impossible(NodeId id) const {
   if (graph_.isResult(id)) {
     const Function& function = graph_.function(graph_.operand(id, 0));

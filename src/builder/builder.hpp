@@ -69,7 +69,7 @@ class Builder {
   int callNoise(const Noise& noise, bool isMethod);
   // Samples the host's image of that name; the operand is a vec2.
   int callTexture(const Sampling& sampling, std::string_view image);
-  // The width and height of the host's image of that name.
+  // Returns the width and height of the host's image of that name.
   int imageSize(std::string_view image);
 
   // Adds a function that a front end recorded as a module; returns its number. Calls take numbers,
@@ -109,7 +109,7 @@ class Builder {
   // it needs the gradients, 0 if not; or `failed` or `needsPartials`.
   int warp(std::string_view method, const WarpOptions& options);
 
-  // The number of the input that the value is, or is a component of.
+  // Returns the number of the input that the value is, or is a component of.
   std::uint32_t inputOf(int handle);
 
   // Returns true if the module can be written and run; otherwise sets the problem.
@@ -153,8 +153,8 @@ class Builder {
   bool hasAllPartials(const Value& value);
   [[gnu::noinline]] bool dependsOnLoopOf(NodeId call, std::span<const NodeId> nodes) const;
   int addAll(std::span<const Shape> shapes, std::span<const NodeId> nodes);
-  // True if a node reads a variable of a loop outside of its fold. With `mayReadStep`, the step
-  // number is ignored.
+  // Returns true if a node reads a variable of a loop outside of its fold. With `mayReadStep`, the
+  // step number is ignored.
   bool readsOpenRepeat(std::span<const NodeId> nodes, bool mayReadStep);
   bool checkReadsNoRepeat(const Value& value, std::string_view asker);
 

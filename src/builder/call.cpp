@@ -10,7 +10,7 @@ namespace {
 
 constexpr Op Mult = ops::find("mult"), Div = ops::find("div");
 
-// The description of a kind in messages.
+// Returns the description of a kind in messages.
 std::string_view kindName(Kind kind) {
   switch (kind) {
     case Kind::Number:

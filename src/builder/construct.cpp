@@ -15,7 +15,7 @@ NodeId toFloat(Graph& graph, NodeId id) {
 
 }  // namespace
 
-// The components of all operands, concatenated.
+// Returns the components of all operands, concatenated.
 std::optional<std::vector<Expression>> Builder::components(const Site& site) {
   std::vector<Expression> all;
   for (std::size_t i = 0; i < operands_.size(); ++i) {

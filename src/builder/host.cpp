@@ -127,8 +127,8 @@ int Builder::argumentOfCall(NodeId call, int i) {
   return values_.add(Expression{&graph_, graph_.arguments(call)[i]});
 }
 
-// True if one of the nodes depends on a loop that contains the call: the derivative of that loop
-// would depend on itself.
+// Returns true if one of the nodes depends on a loop that contains the call: the derivative of that
+// loop would depend on itself.
 bool Builder::dependsOnLoopOf(NodeId call, std::span<const NodeId> nodes) const {
   if (!graph_.has(foldOp)) return false;
   std::vector<NodeId> folds = reachable(graph_, nodes);

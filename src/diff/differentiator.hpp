@@ -32,7 +32,7 @@ class Differentiator {
   // From now on, new nodes are recorded in `log`.
   void logTo(std::vector<DerivedNodes>& log) { log_ = &log; }
 
-  // The size of the cache for later derivatives.
+  // Returns the size of the cache for later derivatives.
   std::size_t bytes() const { return bytes_; }
 
  private:
@@ -71,8 +71,8 @@ class Differentiator {
   NodeId factorOf(const Tangent& tangent) { return tangent.factor; }
   NodeId fullTangent(const Tangent& tangent);
 
-  // True if the node belongs to a fold and was handled, or has to wait for the derivative of its
-  // fold.
+  // Returns true if the node belongs to a fold and was handled, or has to wait for the derivative
+  // of its fold.
   [[gnu::noinline, gnu::cold]] bool visitFoldPart(NodeId id, const Direction& direction);
   bool isWaiting(NodeId id, const Tangents& tangents) const;
   bool findTangents(std::span<const State> states, const Direction& direction);

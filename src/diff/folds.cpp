@@ -5,7 +5,7 @@
 
 namespace warpjet {
 
-// True for nodes that read a state whose derivative is unknown until its fold is reached.
+// Returns true for nodes that read a state whose derivative is unknown until its fold is reached.
 bool Differentiator::isWaiting(NodeId id, const Tangents& tangents) const {
   if (graph_.isLocal(id)) return !graph_.isStep(id);
   if (graph_.isFold(id)) return false;

@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// True if an operation of the graph is undefined for some numbers, such as the root.
+// Returns true if an operation of the graph is undefined for some numbers, such as the root.
 bool hasBorders(const Graph& graph);
 
 // Returns the roots with each number that is less than a pixel outside of the domain of an

@@ -9,10 +9,10 @@
 
 namespace warpjet {
 
-// The number of values that a function returns with all derivatives up to an order.
+// Returns the number of values that a function returns with all derivatives up to an order.
 int resultCount(const Function& function, int order);
 
-// The name of the function that returns that many derivatives: warpjetNoise3,
+// Returns the name of the function that returns that many derivatives: warpjetNoise3,
 // warpjetNoise3Gradient.
 std::string nameWithDerivatives(const Function& function, int order);
 
@@ -30,9 +30,9 @@ struct Bundle {
   static std::string partName(int part);
 
   std::string type(const Dialect& dialect) const;
-  // The suffix that selects value `i` of a variable: `.x`, or a member of the struct.
+  // Returns the suffix that selects value `i` of a variable: `.x`, or a member of the struct.
   std::string member(int i) const;
-  // The definition of the struct, or empty if there is none.
+  // Returns the definition of the struct, or empty if there is none.
   std::string definition(const Dialect& dialect) const;
 };
 

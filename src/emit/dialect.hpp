@@ -64,7 +64,7 @@ struct Dialect {
   }
 
   std::string_view typeName(ops::Type type, Shape shape) const;
-  // The source of one of our functions that nodes can't express.
+  // Returns the source of one of our functions that nodes can't express.
   std::string_view sourceOf(std::string_view called) const;
 };
 
@@ -77,10 +77,10 @@ extern const Dialect glsl300;
 extern const Dialect glsl100;
 extern const Dialect wgsl;
 
-// All dialects; the first one is the default.
+// Returns all dialects; the first one is the default.
 std::span<const Dialect* const> dialects();
 
-// The dialect with that name, or null.
+// Returns the dialect with that name, or null.
 const Dialect* findDialect(std::string_view name);
 
 }  // namespace warpjet

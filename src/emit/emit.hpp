@@ -49,7 +49,7 @@ struct EmittedCode {
   std::size_t vectors = 0;  // temporaries that are vectors
 };
 
-// The expression of each input in this language, if the host uses its label as its name.
+// Returns the expression of each input in this language, if the host uses its label as its name.
 std::vector<std::string> inputExpressions(const Graph& graph, const Dialect& dialect);
 
 // Names must have passed `inputProblem` and `outputProblem`, and be distinct. The outputs must have

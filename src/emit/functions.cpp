@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// The results as one variable, or one variable per member of a struct.
+// Returns the results as one variable, or one variable per member of a struct.
 std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
                               const std::vector<NodeId>& results) {
   if (!bundle.isStruct()) return {{"result", vectorOf(bundle.count), results}};

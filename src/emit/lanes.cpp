@@ -59,7 +59,7 @@ bool Packs::isPackable(const Lanes& lanes) const {
   return true;
 }
 
-// True if all lanes are the same operation, and it can be applied to vectors.
+// Returns true if all lanes are the same operation, and it can be applied to vectors.
 bool Packs::isOperation(const Lanes& lanes) const {
   const Op op = graph_.node(lanes[0]).op;
   if (!graph_.isOperation(lanes[0])) return false;

@@ -32,12 +32,12 @@ class Lengths {
   // `nodes` are all nodes to write, in ascending order, with their names set.
   void measure(std::span<const NodeId> nodes);
 
-  // The length where the node is read. Operands more than `levels` operations deep are not
+  // Returns the length where the node is read. Operands more than `levels` operations deep are not
   // measured.
   int whereRead(NodeId id, int levels) const;
-  // The length of the node's operation.
+  // Returns the length of the node's operation.
   int lengthOfOperation(NodeId id, int levels) const;
-  // The number of characters of a spelling that don't belong to operands.
+  // Returns the number of characters of a spelling that don't belong to operands.
   static int around(const ops::Spelling& spelling, int operands) {
     return static_cast<int>(spelling.text.size()) - member * operands;
   }

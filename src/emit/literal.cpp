@@ -27,9 +27,9 @@ double scaleByPowerOfTen(double x, int exponent) {
   return exponent < 0 ? x / powersOfTen[-exponent] : x * powersOfTen[exponent];
 }
 
-// The shortest decimal that reads back as the positive `value`: closer than half the gap to the
-// next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate to
-// 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
+// Returns the shortest decimal that reads back as the positive `value`: closer than half the gap to
+// the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate
+// to 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
 Decimal findShortest(float value) {
   constexpr double margin = 1e-5;
   const double exact = value;

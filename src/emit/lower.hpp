@@ -10,10 +10,10 @@
 
 namespace warpjet {
 
-// True if the graph contains an operation that the language lacks.
+// Returns true if the graph contains an operation that the language lacks.
 bool lacksAny(const Graph& graph, ops::Language language);
 
-// The name of an operation that the language lacks and that can't be lowered, or empty.
+// Returns the name of an operation that the language lacks and that can't be lowered, or empty.
 std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
                                  ops::Language language);
 

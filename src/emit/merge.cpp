@@ -95,7 +95,7 @@ class Merger {
     merged.add(statement, reads);
   }
 
-  // True if a scalar is read by a single statement, once, as the scalar operand of a vector
+  // Returns true if a scalar is read by a single statement, once, as the scalar operand of a vector
   // operation, as in `v * t1`: then it is written inline.
   bool isInlineScalar(const Statement& statement, std::span<const std::uint32_t> readers) const {
     const NodeId id = statement.node;
@@ -129,7 +129,7 @@ class Merger {
 
   bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
 
-  // True if the operands nest fewer than `levels` operations.
+  // Returns true if the operands nest fewer than `levels` operations.
   bool areShallow(NodeId id, int levels) const {
     if (levels == 0) return false;
     for (int i = 0; i < graph_.arity(id); ++i) {
@@ -140,15 +140,15 @@ class Merger {
     return true;
   }
 
-  // True if a statement does nothing but assign these lanes to a result.
+  // Returns true if a statement does nothing but assign these lanes to a result.
   bool assignsOnly(const Lanes& lanes, const Statement& statement) const {
     return statement.node == noNode &&
            std::equal(lanes.begin(), lanes.end(), statement.output->components.begin(),
                       statement.output->components.end());
   }
 
-  // True for a pack that doesn't pay off because the packs it counted on were not made. Reading a
-  // single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
+  // Returns true for a pack that doesn't pay off because the packs it counted on were not made.
+  // Reading a single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
   bool isLoss(const Lanes& lanes) const {
     int gain = packs_.gainOf(lanes, packs_.chooseLayout(lanes, As::Statement).length);
     for (const NodeId id : lanes) {

@@ -28,7 +28,7 @@ class Packer {
     }
   }
 
-  // True if it has made any packs.
+  // Returns true if it has made any packs.
   bool run() {
     packs_.setOptimistic(true);
     const std::uint32_t first = packs_.size();
@@ -132,7 +132,7 @@ class Packer {
     if (best != noNode) lanes.add(best);
   }
 
-  // The first `maxReaders` readers.
+  // Returns the first `maxReaders` readers.
   std::span<const std::uint32_t> readersOf(NodeId id) const { return someReadersOf(numberOf(id)); }
   std::span<const std::uint32_t> someReadersOf(std::uint32_t i) const {
     const auto all = readers_.of(i);

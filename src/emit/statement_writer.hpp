@@ -40,7 +40,7 @@ class StatementWriter {
 
   const std::string& code() const { return code_; }
   std::size_t temporaryCount() const { return temporaryCount_; }
-  // The number of temporaries that are vectors.
+  // Returns the number of temporaries that are vectors.
   std::size_t vectorCount() const { return vectorCount_; }
 
  private:

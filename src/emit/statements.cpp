@@ -192,7 +192,7 @@ class Maker {
     return set;
   }
 
-  // The number of statements that the expression of a node reads, if it is written inline.
+  // Returns the number of statements that the expression of a node reads, if it is written inline.
   std::uint32_t readsWhereWritten(NodeId id) {
     return state(id).statement == none ? state(id).reads.count : 0;
   }

@@ -8,13 +8,13 @@ namespace {
 
 constexpr Op add = ops::find("add"), sub = ops::find("sub");
 
-// True if the graph simplifies -x to `y`, or the reverse.
+// Returns true if the graph simplifies -x to `y`, or the reverse.
 bool isNegative(const Graph& graph, NodeId x, NodeId y) {
   if (graph.isConstant(x)) return graph.isConstant(y, -graph.value(x));
   return graph.is(x, ops::find("neg")) && graph.operand(x, 0) == y;
 }
 
-// True if the graph simplifies x + y to `sum`, where x is an input.
+// Returns true if the graph simplifies x + y to `sum`, where x is an input.
 bool isSum(const Graph& graph, NodeId sum, NodeId x, NodeId y) {
   if (graph.isConstant(y, 0)) return sum == x;
   if (isNegative(graph, y, x)) return graph.isConstant(sum, 0);
@@ -51,9 +51,8 @@ class Finder {
   }
 
  private:
-  // The inputs that have the output's shape, and of which a component is a component of the output,
-  // or
-  // an operand of one.
+  // Returns the inputs that have the output's shape, and of which a component is a component of the
+  // output, or an operand of one.
   std::vector<std::uint32_t> inputsIn(const Output& output) const {
     std::vector<std::uint32_t> found;
     const auto consider = [&](NodeId id) {

@@ -17,7 +17,7 @@ namespace warpjet {
 
 namespace {
 
-// True if the source defines or calls a function of that name.
+// Returns true if the source defines or calls a function of that name.
 bool hasCall(std::string_view text, std::string_view name) {
   const auto words = identifiers(text);
   return std::any_of(words.begin(), words.end(),

@@ -27,7 +27,7 @@ class Writer {
   // Rotation matrices. They form a stack, since names defined in a loop's body are visible only
   // there; those of the body being written start at `first`.
   void countMatrix(const Packs::Matrix& matrix, std::size_t first);
-  // True if the matrix is used more than once and has no name yet.
+  // Returns true if the matrix is used more than once and has no name yet.
   bool wantsName(const Packs::Matrix& matrix) const;
   void nameMatrix(const Packs::Matrix& matrix, std::string name);
   std::size_t matrixCount() const { return matrices_.size(); }
@@ -36,7 +36,7 @@ class Writer {
   // Requests a result of a call of a library function, and thereby all derivatives of its order.
   void requestResult(NodeId call, int result);
   int orderOf(NodeId call) const { return orders_[index(call)]; }
-  // The type of the variable that holds the node.
+  // Returns the type of the variable that holds the node.
   std::string typeOf(NodeId id) const;
 
   bool isNamed(NodeId id) const { return names_[index(id)] != none; }
@@ -66,7 +66,7 @@ class Writer {
     std::uint32_t text;    // its name, if it has one
   };
   static constexpr std::uint32_t wanted = none - 1;
-  // The index of the matrix, or `none`.
+  // Returns the index of the matrix, or `none`.
   std::uint32_t find(const Packs::Matrix& matrix) const;
 
   void write(std::string& text, NodeId id);

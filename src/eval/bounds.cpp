@@ -42,7 +42,7 @@ class Search {
   bool isNeeded() const { return !plain_.isEmpty() && dimensions() > 0; }
   Interval plain() const { return plain_; }
 
-  // The upper bound of `sign` times the result; leaves `reserve` of the budget.
+  // Returns the upper bound of `sign` times the result; leaves `reserve` of the budget.
   double upper(double sign, std::uint64_t reserve);
 
  private:
@@ -82,7 +82,7 @@ class Search {
   void sampleCorners();
   void sampleBox(std::span<const Interval> box);
 
-  // A bound that is good enough.
+  // Returns a bound that is good enough.
   double target(double sign) const {
     const double best = sign > 0 ? found_.high : -found_.low;
     const double size = std::max(std::abs(found_.low), std::abs(found_.high));
@@ -130,7 +130,7 @@ void Search::sampleBox(std::span<const Interval> box) {
   if (touches) sample();
 }
 
-// The axis whose extent widens the result most: without it, the bound is smallest.
+// Returns the axis whose extent widens the result most: without it, the bound is smallest.
 std::size_t Search::axisToSplit(double sign, std::span<Interval> box) {
   std::size_t best = 0;
   double least = infinity;

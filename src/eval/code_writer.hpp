@@ -24,7 +24,7 @@ struct CodeModule {
   std::uint32_t constant(std::uint32_t bits);
 };
 
-// The formula that a routine computes.
+// Returns the formula that a routine computes.
 Staged routineFormula(Op op, Staged x, Staged y);
 
 class CodeWriter {
@@ -73,7 +73,7 @@ class CodeWriter {
   void releaseAllBut(Staged x);
 
   std::size_t size() const { return code_.size(); }
-  // The function with its locals, as stored in the code section.
+  // Returns the function with its locals, as stored in the code section.
   WasmBytes function() const;
 
  private:

@@ -17,7 +17,7 @@ struct Cost {
   bool needsGpu = false;
 };
 
-// The cost of evaluating these results once, of which shared parts are computed once.
+// Returns the cost of evaluating these results once, of which shared parts are computed once.
 Cost costOf(const Module& module, std::span<const std::uint32_t> results);
 
 }  // namespace warpjet

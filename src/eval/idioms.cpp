@@ -14,7 +14,7 @@ bool isSquare(const Words& words, std::uint32_t i, std::uint32_t of) {
   return words.op(i) == mult && words.operands(i)[0] == of && words.operands(i)[1] == of;
 }
 
-// True for x * x plus a nonnegative term. Sums are left-associative.
+// Returns true for x * x plus a nonnegative term. Sums are left-associative.
 bool isSumWithSquare(const Words& words, std::span<const Interval> ranges, std::uint32_t sum,
                      std::uint32_t x) {
   while (words.op(sum) == add) {
@@ -26,7 +26,7 @@ bool isSumWithSquare(const Words& words, std::span<const Interval> ranges, std::
   return isSquare(words, sum, x);
 }
 
-// True for 1 / sqrt(x * x + ...), or the same with 0 instead of infinity.
+// Returns true for 1 / sqrt(x * x + ...), or the same with 0 instead of infinity.
 bool isInverseLength(const Words& words, std::span<const Interval> ranges, std::uint32_t i,
                      std::uint32_t x) {
   if (words.op(i) == ops::find("ifElse") && isConstant(words, words.operands(i)[2], 0))
@@ -35,7 +35,7 @@ bool isInverseLength(const Words& words, std::span<const Interval> ranges, std::
          isSumWithSquare(words, ranges, words.operands(i)[0], x);
 }
 
-// True for `factor` times x.
+// Returns true for `factor` times x.
 bool isMultiple(const Words& words, std::uint32_t i, double factor, std::uint32_t x) {
   if (words.op(i) != mult) return false;
   const auto parts = words.operands(i);
@@ -43,7 +43,7 @@ bool isMultiple(const Words& words, std::uint32_t i, double factor, std::uint32_
          (parts[1] == x && isConstant(words, parts[0], factor));
 }
 
-// True for 3 - 2 x.
+// Returns true for 3 - 2 x.
 bool isFallingLine(const Words& words, std::uint32_t i, std::uint32_t x) {
   if (words.op(i) != add && words.op(i) != sub) return false;
   const auto parts = words.operands(i);

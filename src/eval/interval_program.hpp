@@ -15,9 +15,9 @@ class IntervalProgram {
   // Inputs whose range is a point are constant.
   IntervalProgram(const Words& words, std::span<const Interval> inputs, std::size_t result);
 
-  // The indices of the inputs that vary and are used.
+  // Returns the indices of the inputs that vary and are used.
   std::span<const std::uint32_t> variables() const { return variables_; }
-  // The number of instructions that one evaluation runs.
+  // Returns the number of instructions that one evaluation runs.
   std::size_t cost() const { return varying_.size() + 1; }
 
   // Takes one interval or number per variable.

@@ -68,7 +68,7 @@ inline Lanes ifElse(Mask condition, Lanes yes, Lanes no) {
   return simd::select(condition.bits, yes.floats, no.floats);
 }
 
-// The sign bits; all other bits are zero.
+// Returns the sign bits; all other bits are zero.
 inline Mask signOf(Lanes x) { return {asMask(x).bits & simd::signBit}; }
 // Flips the sign where the bit is set.
 inline Lanes flipSign(Lanes x, Mask signs) { return asLanes({asMask(x).bits ^ signs.bits}); }

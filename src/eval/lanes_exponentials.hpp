@@ -44,9 +44,9 @@ inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
   return expTimesPower((near - (shifted - roundToInt)) * 0x1.62e42fefa39efp-1, integerOf(shifted));
 }
 
-// The logarithm to base 2 of finite positive numbers that aren't denormal doubles, with a relative
-// error below 2^-37. x = 2^e m with m from √½ to √2, and log2(m) = s p(s²) for s = (m - 1) / (m +
-// 1).
+// Returns the logarithm to base 2 of finite positive numbers that aren't denormal doubles, with a
+// relative error below 2^-37. x = 2^e m with m from √½ to √2, and log2(m) = s p(s²) for s = (m - 1)
+// / (m + 1).
 inline WideLanes log2OfPositive(WideLanes x) {
   constexpr std::int64_t rootOfHalf = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
   const WideMask above = asMask(x) + wideMask(one - rootOfHalf);
@@ -63,7 +63,7 @@ inline WideLanes log2OfPositive(WideLanes x) {
 
 inline WideLanes logOfPositive(WideLanes x) { return log2OfPositive(x) * 0x1.62e42fefa39efp-1; }
 
-// The logarithm of any x, given its value for finite positive x.
+// Returns the logarithm of any x, given its value for finite positive x.
 inline Lanes logarithmOf(Lanes x, Lanes finiteValue) {
   const Lanes specialValue = ifElse(eq(x, 0.0), -infinity, ifElse(gt(x, 0.0), x, notANumber));
   return ifElse(logicalAnd(gt(x, 0.0), lt(x, infinity)), finiteValue, specialValue);

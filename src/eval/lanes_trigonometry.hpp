@@ -48,7 +48,7 @@ typename X::Mask signOfOdd(X multiple) {
   return {asMask(multiple).bits << 31};
 }
 
-// The sine of a magnitude up to sineLimit.
+// Returns the sine of a magnitude up to sineLimit.
 template <FourLanes X>
 X sineUpToLimit(X magnitude) {
   const X shifted = magnitude * 0x1.45f306dc9c883p-2 + roundToLowBits;

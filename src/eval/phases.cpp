@@ -66,7 +66,7 @@ class Dependence {
   std::vector<Kind> kinds_;
 };
 
-// The point that a node evaluates a wave or a noise at, if it does.
+// Returns the point that a node evaluates a wave or a noise at, if it does.
 std::vector<NodeId> pointOf(const Module& module, NodeId id) {
   const Graph& graph = module.graph;
   if (stepOfWave(graph.node(id).op)) return {graph.operand(id, 0)};

@@ -35,7 +35,7 @@ struct ModuleProgram {
 };
 ModuleProgram program(const Module& module, std::span<const std::uint32_t> results);
 
-// True if the program reads any of `count` input numbers starting at `first`.
+// Returns true if the program reads any of `count` input numbers starting at `first`.
 bool reads(const Program& program, std::uint32_t first, std::uint32_t count);
 
 // Runs a program of that many instructions; conditions are 1 and 0.

@@ -19,7 +19,7 @@ enum FunctionType : std::uint32_t {
 
 class WasmModule {
  public:
-  // The number of the next function.
+  // Returns the number of the next function.
   std::uint32_t functionCount() const { return functionCount_; }
 
   // Imports must be added before the first function. Returns the number.

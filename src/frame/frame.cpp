@@ -24,7 +24,7 @@ struct SeparatedModule {
   Separation separation;
 };
 
-// True if all loops, unrolled, are small enough to compile quickly.
+// Returns true if all loops, unrolled, are small enough to compile quickly.
 bool canUnroll(const Graph& graph) {
   if (!graph.has(foldOp)) return false;
   std::size_t unrolledSize = graph.size();

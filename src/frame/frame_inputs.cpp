@@ -25,7 +25,7 @@ NodeId FrameInputs::pass(NodeId id) {
   return given == noNode ? id : given;
 }
 
-// The component that passes this float, or `noNode` if all frame inputs are used.
+// Returns the component that passes this float, or `noNode` if all frame inputs are used.
 NodeId FrameInputs::component(NodeId value) {
   std::size_t place = 0;
   while (place < values_.size() && values_[place] != value) ++place;

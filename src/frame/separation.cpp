@@ -112,7 +112,7 @@ NodeId Separation::combine(Op op, NodeId x, NodeId y) {
   return graph_.apply(op, {x, y});
 }
 
-// The period of the operation with respect to its first operand; 0 if it isn't periodic.
+// Returns the period of the operation with respect to its first operand; 0 if it isn't periodic.
 double Separation::periodOf(NodeId id) const {
   const Op op = graph_.node(id).op;
   if (op == ops::find("sin") || op == ops::find("cos")) return 2 * std::numbers::pi;
@@ -122,7 +122,7 @@ double Separation::periodOf(NodeId id) const {
   return isModulo ? graph_.value(graph_.operand(id, 1)) : 0;
 }
 
-// The operand with its frame constant reduced by whole periods.
+// Returns the operand with its frame constant reduced by whole periods.
 NodeId Separation::reduceBy(double period, NodeId id) {
   const auto [varying, frame] = partsOf(id);
   if (frame == noNode) return varying;

@@ -19,11 +19,11 @@ class Separation {
   // Operands are visited before their users.
   void visit(NodeId id);
 
-  // The node that replaces `id` in the shader.
+  // Returns the node that replaces `id` in the shader.
   NodeId replacementOf(NodeId id);
 
   const FrameInputs& inputs() const { return inputs_; }
-  // The number of frame constants that were reduced by whole periods.
+  // Returns the number of frame constants that were reduced by whole periods.
   std::size_t reduced() const { return reduced_; }
 
  private:

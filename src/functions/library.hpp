@@ -28,8 +28,8 @@ struct Body {
 
 class Library {
  public:
-  // A library of the same functions with empty caches: what is derived in it does not reach this
-  // one.
+  // Returns a library of the same functions with empty caches: what is derived in it does not reach
+  // this one.
   Library withEmptyCaches() const;
 
   void add(const Definition& definition);
@@ -41,13 +41,13 @@ class Library {
   // Calls a function in the graph of the arguments; returns its values.
   Numbers call(const Definition& definition, const Numbers& arguments);
 
-  // The body with all `results` up to that order of derivatives; without results if the function
-  // has no body.
+  // Returns the body with all `results` up to that order of derivatives; without results if the
+  // function has no body.
   Body& withResults(std::string_view name, int order);
   // Also fills `withoutCalls` up to that order. Requires a function with a body.
   Body& withoutCalls(std::string_view name, int order);
 
-  // True if the graph of a body has reached its limit, which makes its nodes meaningless.
+  // Returns true if the graph of a body has reached its limit, which makes its nodes meaningless.
   bool isFull() const;
 
  private:

@@ -33,16 +33,16 @@ class Loops {
   // of it. Nodes that only folds read (states and lists of them) are left out.
   const std::vector<NodeId>& order() const { return order_; }
 
-  // The innermost loop whose variables the node reads.
+  // Returns the innermost loop whose variables the node reads.
   std::uint32_t loopOf(NodeId id) const { return setOf(id) == 0 ? outside : sets_[setOf(id)].loop; }
-  // True if the node reads variables of that loop.
+  // Returns true if the node reads variables of that loop.
   bool reads(NodeId id, std::uint32_t loop) const;
-  // The loop that directly encloses a loop.
+  // Returns the loop that directly encloses a loop.
   std::uint32_t parentOf(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
 
-  // All needed states of a needed loop.
+  // Returns all needed states of a needed loop.
   const std::vector<State>& statesOf(std::uint32_t loop) const { return states_[loop]; }
-  // The node of the loop's step number, if it is needed.
+  // Returns the node of the loop's step number, if it is needed.
   std::optional<NodeId> stepOf(std::uint32_t loop) const { return steps_[loop]; }
 
  private:

@@ -51,15 +51,15 @@ To bitCast(From from) {
   return to;
 }
 
-// True for operations for which `known` may return a value. Most operands are not known, and one
-// byte rules them out.
+// Returns true for operations for which `known` may return a value. Most operands are not known,
+// and one byte rules them out.
 constexpr auto mayBeKnown = [] {
   std::array<bool, arities.size()> all{};
   for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;
   return all;
 }();
 
-// A constant rounded as a shader reads it.
+// Returns a constant rounded as a shader reads it.
 double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 bool fitsFloat32(double value) {

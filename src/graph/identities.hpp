@@ -33,7 +33,7 @@ inline constexpr Pattern x{Kind::Anything, 'x'}, y{Kind::Anything, 'y'}, z{Kind:
 
 namespace detail {
 
-// True for a float32 that is neither subnormal nor infinite.
+// Returns true for a float32 that is neither subnormal nor infinite.
 inline double isNormal(double number) {
   using Limits = std::numeric_limits<float>;
   return std::abs(number) >= Limits::min() && std::abs(number) <= Limits::max();
@@ -41,13 +41,13 @@ inline double isNormal(double number) {
 
 inline double isNormalOrZero(double number) { return number == 0 || isNormal(number) != 0; }
 
-// True for the integer exponents that are expanded to products: GLSL's pow is undefined for a
-// negative base.
+// Returns true for the integer exponents that are expanded to products: GLSL's pow is undefined for
+// a negative base.
 inline double isExponent(double number) {
   return number == std::floor(number) && number >= 1 && number <= 16;
 }
 
-// The greatest power of two that doesn't exceed the exponent.
+// Returns the greatest power of two that doesn't exceed the exponent.
 inline double powerOfTwo(double exponent) {
   return exponent < 2 ? 1 : exponent < 4 ? 2 : exponent < 8 ? 4 : exponent < 16 ? 8 : 16;
 }

@@ -177,7 +177,7 @@ class RotationMatcher {
   std::array<Goal, 24> goals_;
 };
 
-// True if the products have a sine and a cosine of the same angle, one each.
+// Returns true if the products have a sine and a cosine of the same angle, one each.
 bool haveSineAndCosine(const Graph& graph, NodeId first, NodeId second) {
   for (int i = 0; i < 4; ++i) {
     const NodeId x = graph.operand(first, i / 2), y = graph.operand(second, i % 2);

@@ -52,7 +52,7 @@ constexpr Pattern swapOperands(const Pattern& pattern) {
   return other;
 }
 
-// True if the patterns are equal up to the names of variables.
+// Returns true if the patterns are equal up to the names of variables.
 constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Item &left = p.items[i], &right = q.items[i];
@@ -84,7 +84,7 @@ constexpr bool isNegative(std::size_t kind) {
   return kind == negativeNumber || (isNamedNumber(kind) && namedNumbers[kind - arities.size()] < 0);
 }
 
-// True if the condition is that the constant is negative: a < 0.
+// Returns true if the condition is that the constant is negative: a < 0.
 constexpr bool requiresNegative(const Pattern& when, const Item& constant) {
   const Item &left = when.items[1], &right = when.items[2];
   return when.root().is(ops::find("lt")) && left.isVariable() && left.number == constant.number &&

@@ -32,9 +32,9 @@ class ModelFile {
   std::vector<std::string> externalFiles(const Files& files = {});
   Loaded load(const Files& files);
 
-  // The compressed parts of a glTF. `unpack` may replace them by their decoded bytes before the
-  // file is loaded: see gltf/packed_part.hpp. The files must not move until it is loaded. Throws a
-  // FileProblem.
+  // Returns the compressed parts of a glTF. `unpack` may replace them by their decoded bytes before
+  // the file is loaded: see gltf/packed_part.hpp. The files must not move until it is loaded.
+  // Throws a FileProblem.
   std::vector<PackedPart> packedParts(const Files& files);
   void unpack(std::size_t part, Pieces pieces);
 
@@ -56,9 +56,9 @@ class ModelFile {
 // and the rest are finite and the indices are in range: problemOf(mesh) is empty.
 Loaded loadMesh(Bytes bytes, const Files& files = {});
 
-// The URIs of the files that loadMesh expects in `files`: buffers, without which a model can't be
-// loaded, and base color images and .mtl files, without which it warns. The images of an .mtl
-// file are included once it is in `files` itself. Empty if the bytes can't be read at all.
+// Returns the URIs of the files that loadMesh expects in `files`: buffers, without which a model
+// can't be loaded, and base color images and .mtl files, without which it warns. The images of an
+// .mtl file are included once it is in `files` itself. Empty if the bytes can't be read at all.
 std::vector<std::string> externalFiles(Bytes bytes, const Files& files = {});
 
 }  // namespace warpjet

@@ -7,7 +7,7 @@
 
 namespace warpjet {
 
-// The MIME type, by the first bytes.
+// Returns the MIME type, by the first bytes.
 std::string sniffType(Bytes bytes);
 
 }  // namespace warpjet

@@ -50,7 +50,7 @@ int hexDigit(char c) {
   return -1;
 }
 
-// True if a text starts with `start`, which is lowercase; case-insensitive.
+// Returns true if a text starts with `start`, which is lowercase; case-insensitive.
 bool startsLike(std::string_view text, std::string_view start) {
   return std::equal(start.begin(), start.end(), text.begin(),
                     text.begin() + std::min(text.size(), start.size()), [](char small, char c) {

@@ -26,7 +26,7 @@ std::optional<DataUri> decodeDataUri(std::string_view uri);
 // the URI of the file that contains the name.
 std::string uriOfName(std::string_view name, std::string_view beside = {});
 
-// The file with that name as written, or percent-decoded ("my file.bin"), or null.
+// Returns the file with that name as written, or percent-decoded ("my file.bin"), or null.
 const std::vector<std::uint8_t>* fileOf(const std::string& uri, const Files& files);
 
 }  // namespace warpjet

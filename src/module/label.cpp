@@ -96,8 +96,8 @@ std::string join(std::span<const std::string_view> tokens, std::string_view betw
   return text;
 }
 
-// True if there is no operator outside of brackets, so that a selector at the end applies to the
-// whole expression.
+// Returns true if there is no operator outside of brackets, so that a selector at the end applies
+// to the whole expression.
 bool isOneOperand(std::span<const std::string_view> tokens) {
   int depth = 0;
   for (const std::string_view token : tokens) {
@@ -135,7 +135,7 @@ bool isWithin(const Label& part, const Label& whole) {
          std::equal(whole.selectors.begin(), whole.selectors.end(), part.selectors.begin());
 }
 
-// The position of components in a selection: of p.zx, p.x is the second.
+// Returns the position of components in a selection: of p.zx, p.x is the second.
 static std::optional<std::vector<int>> partOfSelection(const Label& whole, const Label& part) {
   const std::size_t last = whole.selectors.size() - 1;
   const bool isBeside =

@@ -31,13 +31,14 @@ struct Label {
 // The text must be a syntactically valid expression.
 Label readLabel(std::string_view text);
 
-// The components of `whole`, which has that shape, that the expression `part` reads, if any.
+// Returns the components of `whole`, which has that shape, that the expression `part` reads, if
+// any.
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part);
 
-// True if `part` starts like `whole`, which makes it a part of it.
+// Returns true if `part` starts like `whole`, which makes it a part of it.
 bool isWithin(const Label& part, const Label& whole);
 
-// True if both may read the same number.
+// Returns true if both may read the same number.
 bool mayOverlap(const Label& a, const Label& b);
 
 }  // namespace warpjet

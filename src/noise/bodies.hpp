@@ -16,7 +16,7 @@ struct Point : Numbers {
   // The width of a pixel, for noise that fades.
   std::optional<Expression> pixel = {};
 
-  // The cell of coordinate `i`, given the cell of its remainder.
+  // Returns the cell of coordinate `i`, given the cell of its remainder.
   Expression cell(std::size_t i, Expression found) const {
     return cells.size() > 0 ? found + cells[i] : found;
   }
@@ -26,7 +26,7 @@ struct Point : Numbers {
 // grid and his fifth-degree blend: twice continuously differentiable, 0 at the corners, from -1
 // to 1.
 Expression gradientNoise(Library& library, const Point& p, Expression seed);
-// An upper bound of the magnitude of each first derivative, by dimension.
+// Returns an upper bound of the magnitude of each first derivative, by dimension.
 double maxSlopeOfGradientNoise(int dimensions);
 
 // Blends a random number per corner in the same way; from -1 to 1.
@@ -39,13 +39,13 @@ double maxSlopeOfValueNoise();
 Expression simplexNoise(Library& library, const Numbers& p, Expression seed);
 double maxSlopeOfSimplexNoise(int dimensions);
 
-// The distances to the nearest and to the second nearest of random points, one per cell (Worley, "A
-// cellular texture basis function", 1996): two values.
+// Returns the distances to the nearest and to the second nearest of random points, one per cell
+// (Worley, "A cellular texture basis function", 1996): two values.
 Numbers worleyNoise(const Point& p, Expression seed);
 
-// The curl of three noises of kind `base`, a divergence-free vector field (Bridson, Hourihan,
-// Nordenstam, "Curl-noise for procedural fluid flow", 2007, equation 1): three values. A fourth
-// coordinate is time.
+// Returns the curl of three noises of kind `base`, a divergence-free vector field (Bridson,
+// Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007, equation 1): three values. A
+// fourth coordinate is time.
 Numbers curlNoise(Library& library, NoiseKind base, const Point& p, Expression seed);
 
 // Sums octaves of a noise, each `lacunarity` times as fine and `gain` times as strong as the

@@ -13,10 +13,10 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 
 }  // namespace
 
-// A loop of octaves, the first of which is the unshifted noise. The alternative, each octave
-// written out, compares as follows (SwiftShader, warps with their normals of 5 octaves of 3D noise,
-// medians of 3 rounds side by side on a busy machine, in milliseconds of the first draw, and of a
-// frame of 14,000 vertices):
+// Returns a loop of octaves, the first of which is the unshifted noise. The alternative, each
+// octave written out, compares as follows (SwiftShader, warps with their normals of 5 octaves of 3D
+// noise, medians of 3 rounds side by side on a busy machine, in milliseconds of the first draw, and
+// of a frame of 14,000 vertices):
 //
 //                                  every octave        a loop
 //   fbm, GLSL 3.00                  1878    55        641   108

@@ -36,20 +36,21 @@ struct Noise {
   bool fades = false;
 };
 
-// A function of a point with that many dimensions and of a hash; for fractals, also of lacunarity
-// and gain. The width of a pixel precedes the hash, and cells are last.
+// Returns a function of a point with that many dimensions and of a hash; for fractals, also of
+// lacunarity and gain. The width of a pixel precedes the hash, and cells are last.
 Definition definitionOf(const Noise& noise, int dimensions);
-// The variant that takes integer cells, each within ±`ops::hashPrime` / 2.
+// Returns the variant that takes integer cells, each within ±`ops::hashPrime` / 2.
 Definition withCells(const Definition& definition);
-// True if there is such a function, and float32 can represent the cells of its finest octave.
+// Returns true if there is such a function, and float32 can represent the cells of its finest
+// octave.
 bool canTakeCells(const Definition& definition, std::optional<double> lacunarity);
-// The period of each coordinate; 0 if it is unknown, or if the definition isn't a noise. Cells have
-// one of `ops::hashPrime` hashes, cyclically.
+// Returns the period of each coordinate; 0 if it is unknown, or if the definition isn't a noise.
+// Cells have one of `ops::hashPrime` hashes, cyclically.
 double noisePeriod(const Definition& definition, std::optional<double> lacunarity);
-// The wavelength in the space of the point; of fractals, that of their octave number `octave`, or
-// of their last one if there are fewer, with a lacunarity of 2.
+// Returns the wavelength in the space of the point; of fractals, that of their octave number
+// `octave`, or of their last one if there are fewer, with a lacunarity of 2.
 double wavelengthOf(const Definition& definition, int octave);
-// The variant that takes the width of a pixel.
+// Returns the variant that takes the width of a pixel.
 Definition withFading(const Definition& definition);
 // Recreates the definition from its settings.
 Definition noiseFrom(std::uint32_t settings);

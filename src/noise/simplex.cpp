@@ -11,8 +11,8 @@ namespace {
 // (reach - d²)⁴ d over a simplex, where d are the distances from its corners.
 constexpr double scales[] = {0, 3.16049, 99.2043, 107.6534, 108.5678};
 
-// The squared radius of a corner's kernel: the squared height of such a simplex, which is the same
-// in all dimensions but the first.
+// Returns the squared radius of a corner's kernel: the squared height of such a simplex, which is
+// the same in all dimensions but the first.
 constexpr double reachOf(int dimensions) { return dimensions == 1 ? 1 : 0.5; }
 
 Expression sum(const Numbers& x) {
@@ -21,8 +21,8 @@ Expression sum(const Numbers& x) {
   return total;
 }
 
-// The number of coordinates that each is at least as large as; of equal ones the first is the
-// largest.
+// Returns the number of coordinates that each is at least as large as; of equal ones the first is
+// the largest.
 Numbers ranks(const Numbers& x) {
   Graph& graph = *x[0].graph;
   Numbers all;

@@ -43,7 +43,7 @@ struct Interval {
 // The relative amount by which an operation widens its result: two roundings of float32.
 inline constexpr double rounding = 0x1p-23;
 
-// The smallest interval that contains both.
+// Returns the smallest interval that contains both.
 Interval join(const Interval& x, const Interval& y);
 
 // Accounts for the range of float32: too large values become infinite, too small ones may become

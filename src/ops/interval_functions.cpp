@@ -8,8 +8,8 @@ using namespace intervals;
 
 namespace {
 
-// True if start + k * period is in x, or within a relative distance of `relativeError`, for some
-// integer k.
+// Returns true if start + k * period is in x, or within a relative distance of `relativeError`, for
+// some integer k.
 bool containsMultiple(const Interval& x, double start, double period, double relativeError) {
   const double from = (x.low - start) / period, to = (x.high - start) / period;
   const double slack = (std::abs(from) + std::abs(to) + 1) * relativeError;

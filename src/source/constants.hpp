@@ -27,12 +27,12 @@ class Constants {
     return isConstant(expression, [](VariableId) { return false; });
   }
 
-  // The numbers of a constant expression; empty if it isn't one, or has no value.
+  // Returns the numbers of a constant expression; empty if it isn't one, or has no value.
   std::vector<double> numbers(ExpressionId expression);
-  // The bits of each component of a constant expression of ints or uints; empty if they are
+  // Returns the bits of each component of a constant expression of ints or uints; empty if they are
   // unknown.
   std::vector<std::int32_t> integers(ExpressionId expression);
-  // The value of a constant int or uint scalar; nullopt if it is unknown.
+  // Returns the value of a constant int or uint scalar; nullopt if it is unknown.
   std::optional<std::int32_t> integer(ExpressionId expression);
 
  private:

@@ -65,7 +65,7 @@ class LoopRun {
     isQueried_.resize(all.size());
   }
 
-  // The value in this step; nullopt if it is unknown or takes too long.
+  // Returns the value in this step; nullopt if it is unknown or takes too long.
   std::optional<double> value(Id id) {
     known_.clear();
     budget_ = maxVisits;

@@ -48,7 +48,7 @@ class Lowering {
   Lowering(const Tree& tree, Problems& problems);
 
   Lowered lower(FunctionId function);
-  // The numbers of a constant expression; empty if it has no value, like 1 / 0.
+  // Returns the numbers of a constant expression; empty if it has no value, like 1 / 0.
   std::vector<double> constant(ExpressionId expression);
 
  private:
@@ -178,10 +178,10 @@ class Lowering {
   LValue elementOf(LValue whole, ExpressionId index);
   Value load(const LValue& from);
   void store(const LValue& to, const Value& value);
-  // The slot of a variable; fails if a warp doesn't have it.
+  // Returns the slot of a variable; fails if a warp doesn't have it.
   Slot slotToRead(const Expression& node);
-  // The slot of a variable, a field or an element with a known index, so that reading one number
-  // doesn't copy an array. Returns nullopt if that requires evaluating side effects.
+  // Returns the slot of a variable, a field or an element with a known index, so that reading one
+  // number doesn't copy an array. Returns nullopt if that requires evaluating side effects.
   std::optional<Slot> knownSlot(const Expression& node);
   bool isPlain(ExpressionId expression) const;
 

@@ -104,7 +104,7 @@ Id Lowering::bit(Way way, Base base, Id x) {
   const auto uint = [&](double value) { return number(Base::Uint, value); };
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const Id bits = recorder_.convert(x, Base::Uint);
-  // All bits below the lowest one that is set.
+  // Returns all bits below the lowest one that is set.
   const auto below = [&] {
     return of(Operator::BitAnd, recorder_.apply(Code::BitNot, Base::Uint, {bits}),
               of(Operator::Subtract, bits, uint(1)));
@@ -221,7 +221,7 @@ Id Lowering::ldexp(Id x, Id exponent) {
                 scalar(Operator::Multiply, Base::Float, x, power(half)), power(rest));
 }
 
-// The exponent of frexp: x is from 0.5 to 1 times a power of two; that of 0 is 0.
+// Returns the exponent of frexp: x is from 0.5 to 1 times a power of two; that of 0 is 0.
 Id Lowering::exponentOf(Id x) {
   const Id bits = recorder_.apply(Code::FloatBits, Base::Int, {x});
   const Id biased = scalar(Operator::BitAnd, Base::Int,

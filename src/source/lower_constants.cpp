@@ -88,7 +88,7 @@ Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x)
   }
 }
 
-// The minor of a square matrix without a column and a row.
+// Returns the minor of a square matrix without a column and a row.
 Id Lowering::minorOf(const Value& matrix, std::size_t column, std::size_t row) {
   const std::size_t size = matrix.size() == 4 ? 2 : matrix.size() == 9 ? 3 : 4;
   Value rest;

@@ -75,7 +75,7 @@ std::vector<Changing> Lowering::changesOf(const Store::Changes& changes) const {
   return all;
 }
 
-// The value of a variable in a step of the loop.
+// Returns the value of a variable in a step of the loop.
 Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t location) {
   const Base base = recorder_.base(each.start);
   const auto apply = [&](Code code, Id x, double y) {
@@ -99,8 +99,8 @@ Id Lowering::fromState(Id state, Base base) {
   return recorder_.convert(state, base);
 }
 
-// True if an int only counts, so that it can be a float: it changes from its previous value, or a
-// constant, by constants.
+// Returns true if an int only counts, so that it can be a float: it changes from its previous
+// value, or a constant, by constants.
 bool Lowering::onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const {
   if (next == before) return true;
   if (depth == 0) return false;
@@ -215,7 +215,7 @@ bool Lowering::confirmGuesses(const Statement& statement, Folding& folding,
   return isRight;
 }
 
-// True if a variable belongs to the loop and doesn't exist after it.
+// Returns true if a variable belongs to the loop and doesn't exist after it.
 bool Lowering::declares(const Statement& loop, Slot slot) const {
   if (loop.children[0] == nothing) return false;
   for (const Statement* each : declarationsOf(loop.children[0])) {
@@ -226,8 +226,8 @@ bool Lowering::declares(const Statement& loop, Slot slot) const {
   return false;
 }
 
-// The number of iterations, if it depends only on known numbers. They are computed in float32, as
-// in the shader.
+// Returns the number of iterations, if it depends only on known numbers. They are computed in
+// float32, as in the shader.
 std::optional<std::uint32_t> Lowering::stepsOf(const Statement& statement,
                                                const Folding& folding) const {
   LoopRun run(recorder_, folding.loop, folding.all);

@@ -25,7 +25,7 @@ void Lowering::loop(const Statement& statement) {
   breakables_.pop_back();
 }
 
-// True if only a break or a return can end the loop.
+// Returns true if only a break or a return can end the loop.
 bool Lowering::hasNoEnd(const Statement& statement) const {
   if (statement.expression == nothing) return true;
   const Expression& test = tree_.expressions[statement.expression];

@@ -48,7 +48,7 @@ void Lowering::execute(StatementId child) {
   --depth_;
 }
 
-// The condition under which the following statements are skipped.
+// Returns the condition under which the following statements are skipped.
 Id Lowering::stopCondition() {
   Id any = frames_.empty() ? number(Base::Bool, 0) : store_.get(frames_.back().returned);
   for (const Breakable& each : breakables_)

@@ -27,7 +27,7 @@ std::string_view lineOf(std::string_view source, std::uint32_t number) {
   return source.substr(start, source.find('\n', start) - start);
 }
 
-// True for a continuation byte of UTF-8.
+// Returns true for a continuation byte of UTF-8.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 }  // namespace

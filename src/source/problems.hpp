@@ -24,7 +24,7 @@ class Problems {
 
   bool any() const { return found_.has_value(); }
 
-  // The message with line and column, then the line itself and a caret under the location.
+  // Returns the message with line and column, then the line itself and a caret under the location.
   std::string text(std::string_view source) const;
 
  private:

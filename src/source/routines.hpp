@@ -33,7 +33,7 @@ inline constexpr std::size_t maxNumbers = 16;
 // respect to each argument would be longer than the body.
 inline constexpr std::size_t minOperationsPerResult = 12;
 
-// The routines that are called from a single place: these are inlined, which is shorter.
+// Returns the routines that are called from a single place: these are inlined, which is shorter.
 std::set<RoutineKey> calledOnce(const Recorder& recorder, const std::vector<Routine>& routines,
                                 const std::vector<Id>& results);
 

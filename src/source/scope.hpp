@@ -33,7 +33,7 @@ class Scope {
     return found->second.back().meaning;
   }
 
-  // True if the name has no meaning yet in the innermost scope.
+  // Returns true if the name has no meaning yet in the innermost scope.
   bool isFree(std::string_view name) const {
     const auto found = meanings_.find(name);
     return found == meanings_.end() || found->second.empty() ||

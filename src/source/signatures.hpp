@@ -17,10 +17,10 @@
 
 namespace warpjet::source {
 
-// The type of the result, or nullopt if the operands don't match.
+// Returns the type of the result, or nullopt if the operands don't match.
 std::optional<Type> matchSignature(std::string_view signature, std::span<const Type> operands);
 
-// True if this parameter is an out parameter.
+// Returns true if this parameter is an out parameter.
 bool isOutParameter(std::string_view signature, std::size_t parameter);
 
 }  // namespace warpjet::source

@@ -74,7 +74,7 @@ class Source {
  public:
   explicit Source(Parsed parsed) : parsed_(std::move(parsed)) {}
 
-  // The message with its location; empty if there is none.
+  // Returns the message with its location; empty if there is none.
   std::string problem() const;
 
   std::vector<FunctionHead> functions() const;

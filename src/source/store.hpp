@@ -43,7 +43,7 @@ class Store {
 
   void open() { marks_.push_back(log_.size()); }
 
-  // The changes since `open`, one per slot, in order.
+  // Returns the changes since `open`, one per slot, in order.
   Changes close() {
     Changes changes;
     for (std::size_t i = log_.size(); i-- > marks_.back();) {

@@ -11,7 +11,7 @@
 
 namespace warpjet::source {
 
-// The type of the result, or nullopt if the operands don't match.
+// Returns the type of the result, or nullopt if the operands don't match.
 std::optional<Type> typeOfBinary(Operator op, Type left, Type right, const Types& types);
 
 // Why a value can't be constructed from these operands; empty if it can.

@@ -40,12 +40,13 @@ struct Sampling {
   Filter filter;
   Wrap wrap;
 
-  // True if it reads the host's settings of the image.
+  // Returns true if it reads the host's settings of the image.
   bool isByHost() const { return filter == Filter::Host || wrap == Wrap::Host; }
 };
 
-// A function of x, y, an image, its width and height and, if they are needed, the host's settings
-// of the image: the wrap modes of both axes, and 1 if it is sampled with the nearest filter.
+// Returns a function of x, y, an image, its width and height and, if they are needed, the host's
+// settings of the image: the wrap modes of both axes, and 1 if it is sampled with the nearest
+// filter.
 Definition definitionOf(const Sampling& sampling);
 // Recreates the definition from its settings.
 Definition samplingFrom(std::uint32_t settings);

@@ -148,7 +148,7 @@ class SignOfPolynomial {
     return {varying, uniform};
   }
 
-  // The number r with x = r y, if there is one. The terms of x and y must be sorted.
+  // Returns the number r with x = r y, if there is one. The terms of x and y must be sorted.
   static std::optional<double> ratioOf(const Polynomial& x, const Polynomial& y) {
     constexpr double share = 1e-9;
     if (x.size() != y.size()) return {};

@@ -44,7 +44,7 @@ Expression plusOne(Expression x) {
   return x + 1.0;
 }
 
-// The max magnitude of the components; infinite near a pole, or if unbounded.
+// Returns the max magnitude of the components; infinite near a pole, or if unbounded.
 double maxMagnitude(const Value& v) {
   double maxValue = 0;
   for (const NodeId node : v.nodes()) {
@@ -62,8 +62,8 @@ Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std
 // float32.
 constexpr double maxSquarable = 1e18, maxCubable = 1e12;
 
-// True if float32 can represent all values for inputs far beyond the magnitude that Graph::range
-// assumes; sums of a few of them are then finite, too.
+// Returns true if float32 can represent all values for inputs far beyond the magnitude that
+// Graph::range assumes; sums of a few of them are then finite, too.
 bool stayFinite(const Graph& graph, std::span<const NodeId> values) {
   constexpr double maxInput = 1e30, maxFinite = 1e37;
   std::vector<Interval> ranges(graph.size());
@@ -123,7 +123,7 @@ std::array<Expression, 5> varying(const WarpInputs& inputs) {
   return {normal[0], normal[1], normal[2], uv[0], uv[1]};
 }
 
-// True for each node of `among` that the values depend on.
+// Returns true for each node of `among` that the values depend on.
 Flags readBy(std::span<const NodeId> values, const Graph& graph, std::span<const NodeId> among) {
   const std::vector<NodeId> nodes = reachable(graph, values);
   Flags isRead(among.size());
@@ -141,7 +141,7 @@ WarpedDirections warpDirections(const Value& m, const WarpInputs& inputs) {
   return {normal, tangent, multiply(m, along), determinant(limitSize(m, maxCubable))};
 }
 
-// The inputs that vary per vertex.
+// Returns the inputs that vary per vertex.
 std::vector<NodeId> vertexInputs(const WarpInputs& inputs) {
   std::vector<NodeId> all;
   const auto add = [&](const Value& v) {

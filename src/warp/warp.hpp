@@ -66,10 +66,10 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
 Value varyInput(Differentiator& differentiator, const Value& m, const Value& offset,
                 Expression input, const Value& gradient);
 
-// The unit normal of the surface whose tangents M transforms. It is zero where M isn't finite, or
-// collapses the surface so that it has no normal. If M's entries are known to be moderate in size,
-// a cof(M) n below 1e-19 counts as collapsed, since float32 can't represent its square; otherwise
-// it is scaled first.
+// Returns the unit normal of the surface whose tangents M transforms. It is zero where M isn't
+// finite, or collapses the surface so that it has no normal. If M's entries are known to be
+// moderate in size, a cof(M) n below 1e-19 counts as collapsed, since float32 can't represent its
+// square; otherwise it is scaled first.
 //
 // Tangents u and v of the surface become M u and M v, and (M u) x (M v) = cof(M) (u x v): the
 // cofactor matrix, with columns m2 x m3, m3 x m1 and m1 x m2, transforms normals. It equals
@@ -79,14 +79,14 @@ Value varyInput(Differentiator& differentiator, const Value& m, const Value& off
 // all of space is mirrored. Where the surface folds, it is continuous without correction.
 Value warpNormal(const Value& m, const Value& normal);
 
-// The orientation of M (orientation.hpp), if all inputs but these two are equal for all vertices;
-// and the normal multiplied by it, if it is known.
+// Returns the orientation of M (orientation.hpp), if all inputs but these two are equal for all
+// vertices; and the normal multiplied by it, if it is known.
 std::optional<Expression> orientationOf(const Value& m, const Value& normal, const Value& position);
 Value outwardNormal(const Value& m, const Value& normal, const Value& position);
 
-// The unit tangent M t, orthogonalized to `normal`, the warped normal; zero where M collapses it.
-// With cof(M) n, the bitangent keeps its sign: if t x b = n, then (M t) x (M b) = cof(M) n for
-// every M. With -cof(M) n, the sign flips.
+// Returns the unit tangent M t, orthogonalized to `normal`, the warped normal; zero where M
+// collapses it. With cof(M) n, the bitangent keeps its sign: if t x b = n, then (M t) x (M b) =
+// cof(M) n for every M. With -cof(M) n, the sign flips.
 Value warpTangent(const Value& m, const Value& tangent, const Value& normal);
 
 }  // namespace warpjet

@@ -54,7 +54,7 @@ class AlgebraTest : public testing::Test {
   Inputs inputs;
   std::mt19937 random{1};
 
-  // A variable with a value per component.
+  // Returns a variable with a value per component.
   Value makeVariable(const std::string& name, Shape shape, const Doubles& components) {
     const Value value = variable(graph, name, shape);
     for (int i = 0; i < shape.size(); ++i) inputs[value[i].id] = components[i];

@@ -89,7 +89,7 @@ TEST_F(AlgebraTest, OperationsApplyPerComponentAndANumberAppliesToEach) {
   expectNear(two - two, Doubles{0});
 }
 
-// A function of two points with terms of all kinds, as plain numbers.
+// Returns a function of two points with terms of all kinds, as plain numbers.
 Doubles sample(const Doubles& p) {
   return {std::sin(p[0]) * p[1], p[0] * p[0] * p[2], std::exp(p[1] - p[2]), p[0] + p[1] * p[2]};
 }

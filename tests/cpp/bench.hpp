@@ -42,7 +42,7 @@ struct Bench {
     return builder.setPartials(ofCall);
   }
 
-  // The code of this value if it is the only result.
+  // Returns the code of this value if it is the only result.
   std::string text(int value) {
     const std::string name = "result" + std::to_string(++texts_);
     if (value < 0) return builder.problem();
@@ -53,7 +53,7 @@ struct Bench {
     return code.substr(start, code.find(";\n", start) - start);
   }
 
-  // All results, with temporaries chosen by depth only.
+  // Returns all results, with temporaries chosen by depth only.
   ShaderTextResult writeResults() const {
     return write(builder.module(), dialect_, {.emit = {8, EmitOptions::maxTrackedReads}});
   }
@@ -61,7 +61,7 @@ struct Bench {
     const ShaderTextResult made = writeResults();
     return made.text ? made.text->emitted.code : made.problem;
   }
-  // The message if there is no shader code.
+  // Returns the message if there is no shader code.
   std::string problemOfText() const { return writeResults().problem; }
 
   int hostFunction(std::string_view name, std::string_view source, int arity) {

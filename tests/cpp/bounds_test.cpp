@@ -118,7 +118,7 @@ void extend(Range& range, double value) {
 
 double extent(const Range& range) { return range.high - range.low; }
 
-// The results of a program on a grid over the first three inputs.
+// Returns the results of a program on a grid over the first three inputs.
 std::array<Range, 3> sampleRange(const Program& program, double size, double time, int n) {
   std::array<Range, 3> found{nothing, nothing, nothing};
   const auto at = [&](int i) { return size * (2.0 * i / n - 1); };
@@ -175,7 +175,7 @@ class BoundsTest : public testing::Test {
     EXPECT_TRUE(made);
     return bounds(made->words, made->instructions, inputs, std::array{0u}, options)[0];
   }
-  // The bounds for positions from -2 to 2 at time 0.
+  // Returns the bounds for positions from -2 to 2 at time 0.
   Range ofBox(Expression f, const BoundsOptions& options = {}) {
     return of(f, {{-2, 2}, {-2, 2}, {-2, 2}, {0, 0}}, options);
   }
@@ -287,7 +287,7 @@ TEST_F(BoundsTest, StopAtTheBudgetInALongProgram) {
   EXPECT_GE(range.high, 0.9);
 }
 
-// All values of a program; if `Number` is float, each operation is rounded to float32.
+// Returns all values of a program; if `Number` is float, each operation is rounded to float32.
 template <class Number>
 double evaluateRounded(const Program& program, std::span<const double> inputs) {
   const Words words(program.words, program.instructions);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double minNormal = std::numeric_limits<float>::min();
 
-// The float32 value that a shader uses, where denormals may be flushed to zero.
+// Returns the float32 value that a shader uses, where denormals may be flushed to zero.
 double asFloat(double x, bool flushes) {
   const double rounded = static_cast<float>(x);
   return flushes && std::abs(rounded) < minNormal ? std::copysign(0.0, rounded) : rounded;

@@ -24,7 +24,7 @@ class FoldTest : public testing::Test {
   Expression derivative(Expression f, Expression by) {
     return {&graph, differentiator.derivative(f.id, by.id)};
   }
-  // The value computed by `evaluate`. Defaults: x is 0.3 and y is 0.7.
+  // Returns the value computed by `evaluate`. Defaults: x is 0.3 and y is 0.7.
   double at(Expression f, double xValue = 0.3, double yValue = 0.7) {
     Library library;
     Graph copy = graph.copy();
@@ -35,7 +35,7 @@ class FoldTest : public testing::Test {
     evaluate(made->words, made->instructions, inputs, {&result, 1});
     return result;
   }
-  // The real part of z after iterating z² + c.
+  // Returns the real part of z after iterating z² + c.
   Expression mandelbrot(std::uint32_t steps) {
     return fold(steps, {x * 0.5, y}, [&](const Numbers& z, Expression) {
       return Numbers{z[0] * z[0] - z[1] * z[1] + x, z[0] * z[1] * 2.0 + y};

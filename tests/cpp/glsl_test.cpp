@@ -30,7 +30,7 @@ Listing lowerToListing(const std::string& text) {
   return listing;
 }
 
-// The value of a function whose only result is a known number.
+// Returns the value of a function whose only result is a known number.
 double evaluateConstant(const std::string& body) {
   const Listing listing = lowerToListing("float f() { " + body + " }");
   EXPECT_EQ(listing.words.size(), 2u) << body;
@@ -49,7 +49,7 @@ TEST(GlslTokens, ReadsNumbersNamesAndSymbols) {
   EXPECT_EQ(tokens[4].location.column, 8u);
 }
 
-// The message without its line, column and caret.
+// Returns the message without its line, column and caret.
 std::string problemOf(const std::string& text) {
   const std::string problem = Source(parse(text)).problem();
   const auto start = problem.find(": ");

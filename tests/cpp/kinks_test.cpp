@@ -22,7 +22,7 @@ class KinksTest : public testing::Test {
     for (std::size_t i = 0; i < at.size(); ++i) inputs[v[static_cast<int>(i)].id] = at[i];
     return evaluateNode(graph, differentiator.derivative(f.id, v[by].id), inputs);
   }
-  // The derivatives of a row with respect to each of its operands.
+  // Returns the derivatives of a row with respect to each of its operands.
   std::vector<double> slopes(std::string_view row, const std::vector<double>& at) {
     const Op op = rowNamed(row);
     const Expression f{&graph, graph.apply(op, {v[0].id, v[1].id, v[2].id})};

@@ -58,8 +58,8 @@ std::size_t rowNamed(std::string_view name) {
 float fromBits(std::uint32_t bits) { return __builtin_bit_cast(float, bits); }
 std::uint32_t bitsOf(float x) { return __builtin_bit_cast(std::uint32_t, x); }
 
-// The error of a float in distances between adjacent floats there. NaN is only correct for NaN;
-// infinity and signed zeros only for numbers that round to them.
+// Returns the error of a float in distances between adjacent floats there. NaN is only correct for
+// NaN; infinity and signed zeros only for numbers that round to them.
 double ulps(float got, double expected) {
   constexpr double wrong = 1e30;
   const auto nearest = static_cast<float>(expected);

@@ -48,7 +48,7 @@ TEST(GltfExtensions, ReadsSparseIndicesOverZeros) {
   EXPECT_EQ(meshOf(file.glb()).indices, (Indices{0, 3, 2}));
 }
 
-// A triangle with one target, which lifts its third vertex by 2 and tilts its normal.
+// Returns a triangle with one target, which lifts its third vertex by 2 and tilts its normal.
 GltfBuilder morphFile(const json& meshWeights, const json& nodeWeights) {
   GltfBuilder file;
   const int normals = file.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
@@ -210,7 +210,7 @@ TEST(GltfExtensions, SkipsOnlyTexturesInUnsupportedFormats) {
   }
 }
 
-// A triangle with positions in a view compressed by meshopt, which is not decoded here.
+// Returns a triangle with positions in a view compressed by meshopt, which is not decoded here.
 GltfBuilder compressedFile(const json& packed = json::object()) {
   GltfBuilder file = triangleFile();
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"EXT_meshopt_compression"};
@@ -283,7 +283,7 @@ TEST(GltfExtensions, RejectsInconsistentCompressedViews) {
             std::string::npos);
 }
 
-// A primitive compressed by Draco; the numbers in `bytes` are not Draco's.
+// Returns a primitive compressed by Draco; the numbers in `bytes` are not Draco's.
 GltfBuilder dracoFile() {
   GltfBuilder file;
   const int view = file.view<std::uint8_t>({1, 2, 3});

@@ -14,7 +14,7 @@
 namespace warpjet {
 namespace {
 
-// The problem, after checking that there is either one message or a valid mesh.
+// Returns the problem, after checking that there is either one message or a valid mesh.
 std::string problemOfFile(const File& file) {
   const File exact(file.begin(), file.end());
   const Loaded loaded = loadMesh(exact);

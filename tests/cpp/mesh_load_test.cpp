@@ -9,7 +9,7 @@
 namespace warpjet {
 namespace {
 
-// A file whose only node has this transform, with a normal and a tangent per corner.
+// Returns a file whose only node has this transform, with a normal and a tangent per corner.
 GltfBuilder transformFile(const json& transform) {
   GltfBuilder file;
   file.mesh({{"POSITION", file.floats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3")},

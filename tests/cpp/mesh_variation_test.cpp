@@ -46,7 +46,7 @@ Point vectorAt(const std::vector<float>& numbers, std::size_t vertex) {
   return {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
 }
 
-// The derivative of the normal, row by row.
+// Returns the derivative of the normal, row by row.
 Matrix shapeAt(const Mesh& mesh, std::size_t vertex) {
   return {vectorAt(mesh.gradients[0], vertex), vectorAt(mesh.gradients[1], vertex),
           vectorAt(mesh.gradients[2], vertex)};
@@ -136,7 +136,7 @@ TEST(SurfaceVariation, ACylinderIsCurvedOnlyAroundItsAxis) {
   }
 }
 
-// The largest error of a torus with that many steps, as a share of the largest curvature.
+// Returns the largest error of a torus with that many steps, as a share of the largest curvature.
 double torusError(int steps) {
   constexpr double big = 1, small = 0.4;
   Mesh mesh = meshOf(

@@ -16,7 +16,7 @@ class MirrorTest : public WholeWarpTest {
     return makeWarp(differentiator, offset, all);
   }
 
-  // The warp that moves positions to `place`.
+  // Returns the warp that moves positions to `place`.
   Warp to(const Value& place) { return warpOf(place - p); }
 
   Inputs at(double uValue = 0.7, double wValue = 0.4) const {

@@ -11,7 +11,7 @@
 namespace warpjet {
 namespace {
 
-// The largest first derivative of a noise's body, which unlike its calls isn't clamped.
+// Returns the largest first derivative of a noise's body, which unlike its calls isn't clamped.
 double steepestFound(Library& library, const Definition& definition, int points) {
   const Function& function = definition.function;
   Body& body = library.withoutCalls(function.name, 1);

@@ -26,7 +26,7 @@ class PacksTest : public testing::Test {
   }
   Expression number(double value) { return {&graph, graph.constant(value)}; }
 
-  // The statements of the block, for one result `y`.
+  // Returns the statements of the block, for one result `y`.
   std::string text(const Value& y, const Dialect& dialect = glsl300) {
     const std::string all = emit(graph, dialect, std::vector{result("y", y)}).code;
     const std::size_t start = all.find("{\n") + 2;

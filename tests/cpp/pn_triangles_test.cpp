@@ -129,7 +129,7 @@ Detail divided(const Prism& prism, bool isCurved) {
   return detail;
 }
 
-// The smallest distance from the axis of the vertices of walls at their rims.
+// Returns the smallest distance from the axis of the vertices of walls at their rims.
 float deepestAtRims(const Detail& detail) {
   const std::vector<float>& p = detail.division().attributes[0].values;
   const std::vector<float>& normals = detail.division().attributes[1].values;

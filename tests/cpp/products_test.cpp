@@ -29,7 +29,7 @@ class ProductsTest : public testing::Test {
   static bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
   }
-  // True if the code has a matrix.
+  // Returns true if the code has a matrix.
   bool isProduct(const Value& v) { return has(unitText(v), "mat3("); }
 };
 

@@ -26,7 +26,7 @@ class ScheduleTest : public testing::Test {
     return static_cast<std::uint32_t>(work.tasks.size() - 1);
   }
 
-  // The max number of values that are alive between two statements.
+  // Returns the max number of values that are alive between two statements.
   std::size_t maxAlive(const Order& order) const {
     std::vector<std::size_t> lastReader(order.size());
     for (std::size_t place = 0; place < order.size(); ++place) {

@@ -18,7 +18,8 @@ inline void append(std::vector<float>& to, std::initializer_list<double> numbers
   for (const double number : numbers) to.push_back(static_cast<float>(number));
 }
 
-// A square from -size/2 to size/2 in x and y, facing z, with 2 steps² triangles; uvs 0 to 1.
+// Returns a square from -size/2 to size/2 in x and y, facing z, with 2 steps² triangles; uvs 0 to
+// 1.
 inline Mesh gridPlane(int steps, double size) {
   Mesh mesh;
   for (int j = 0; j <= steps; ++j) {
@@ -80,8 +81,8 @@ inline Mesh cube(double size) {
   return mesh;
 }
 
-// A sphere of rings and sectors as tools export it: uvs split along one meridian, a row of vertices
-// at each pole.
+// Returns a sphere of rings and sectors as tools export it: uvs split along one meridian, a row of
+// vertices at each pole.
 inline Mesh sphereWithSeam(int sectors, int rings, double radius) {
   const double pi = std::numbers::pi;
   Mesh mesh;
@@ -110,8 +111,8 @@ inline Mesh sphereWithSeam(int sectors, int rings, double radius) {
   return mesh;
 }
 
-// An icosahedron whose triangles are split into four, `levels` times, and projected onto the
-// sphere.
+// Returns an icosahedron whose triangles are split into four, `levels` times, and projected onto
+// the sphere.
 inline Mesh icosphere(int levels, double radius) {
   using Corner = std::array<double, 3>;
   const double g = std::numbers::phi;

@@ -142,7 +142,7 @@ class Judge {
     return Unexplained;
   }
 
-  // The two constants of a sum, in either order of its operands.
+  // Returns the two constants of a sum, in either order of its operands.
   Difference judgeSum(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [a, b, unused] = operands;
     for (const auto& [sum, y] : {std::pair{a, b}, std::pair{b, a}}) {
@@ -211,7 +211,7 @@ Pair randomPair(Chance& chance, std::size_t percentRuled) {
     pair.constant(value);
   const std::size_t inputs = 3, leaves = pair.steps.size();
 
-  // An input, any leaf, or a computed node.
+  // Returns an input, any leaf, or a computed node.
   const auto pick = [&] {
     for (;;) {
       const std::size_t computed = pair.steps.size() - leaves;
@@ -241,7 +241,7 @@ std::array<double, 3> randomPoint(Chance& chance) {
   return point;
 }
 
-// The values of all nodes, by index. The inputs are first.
+// Returns the values of all nodes, by index. The inputs are first.
 std::vector<double> valuesOf(const Graph& graph, const std::array<double, 3>& point) {
   std::vector<double> values(graph.size());
   for (std::uint32_t i = 0; i < graph.size(); ++i) {

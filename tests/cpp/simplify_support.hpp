@@ -18,7 +18,7 @@ inline bool same(double a, double b) {
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
-// The number of doubles from one number to the other.
+// Returns the number of doubles from one number to the other.
 inline std::uint64_t distance(double a, double b) {
   const auto place = [](double x) {
     std::int64_t bits;

@@ -44,8 +44,8 @@ struct Pair {
   const PointWarp& warp;
 };
 
-// All pairs of meshes and warps; with sanitizers every third of them, which still includes each
-// mesh and each warp.
+// Returns all pairs of meshes and warps; with sanitizers every third of them, which still includes
+// each mesh and each warp.
 std::vector<Pair> pairsOf(const std::vector<NamedMesh>& meshes) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < meshes.size(); ++i)

@@ -16,7 +16,7 @@
 
 namespace warpjet {
 
-// An input of any shape.
+// Returns an input of any shape.
 inline Value variable(Graph& graph, const std::string& name, Shape shape) {
   const std::uint32_t input = graph.input(name, shape);
   return fill(graph, shape, [&](int i) { return Expression{&graph, graph.component(input, i)}; });
@@ -34,21 +34,21 @@ inline Output result(const std::string& name, const Value& value) {
   return {name, value.shape(), {value.nodes().begin(), value.nodes().end()}};
 }
 
-// The statements for one scalar result named `y`.
+// Returns the statements for one scalar result named `y`.
 inline std::string code(Expression y, int maxDepth = 8, const Dialect& dialect = glsl300) {
   EmitOptions options;
   options.maxDepth = maxDepth;
   return emit(*y.graph, dialect, std::vector{result("y", y)}, options).code;
 }
 
-// The expression of `y` in those statements.
+// Returns the expression of `y` in those statements.
 inline std::string body(Expression y, const Dialect& dialect = glsl300) {
   const std::string text = code(y, 8, dialect);
   const std::size_t start = text.find("y = ") + 4;
   return text.substr(start, text.find(';', start) - start);
 }
 
-// The number of the row with that name.
+// Returns the number of the row with that name.
 inline Op rowNamed(std::string_view name) {
   std::size_t i = 0;
   while (i < ops::count && ops::declarations[i].name != name) ++i;
@@ -58,7 +58,7 @@ inline Op rowNamed(std::string_view name) {
 // Maps input node → its value.
 using Inputs = std::map<NodeId, double>;
 
-// The values of all nodes that `roots` need, in double.
+// Returns the values of all nodes that `roots` need, in double.
 inline std::map<NodeId, double> evaluateNodes(const Graph& graph, std::span<const NodeId> roots,
                                               const Inputs& inputs) {
   std::map<NodeId, double> values;

@@ -94,7 +94,7 @@ class SurfaceTest : public WarpTest {
     return found;
   }
 
-  // The normal of the moved surface, by differences along its angles.
+  // Returns the normal of the moved surface, by differences along its angles.
   Point movedNormal(const Value& offset, double a, double b) const {
     const double step = 1e-5;
     const auto slope = [&](double da, double db) {

@@ -71,7 +71,8 @@ inline Point genie(const Point& p) {
   return (1 - t) * (1 - t) * p + 2 * t * (1 - t) * above + t * t * spout;
 }
 
-// The normal of the warped surface by central differences along two tangents of the normal's plane.
+// Returns the normal of the warped surface by central differences along two tangents of the
+// normal's plane.
 inline Point warpedNormal(const PointWarp& warp, const Point& p, const Point& n) {
   if (length(n) == 0) return {};
   const Point helper = std::abs(n[0]) < 0.6 * length(n) ? Point{1, 0, 0} : Point{0, 1, 0};
@@ -120,8 +121,8 @@ inline double distanceToTriangle(const Point& p, const Point& a, const Point& b,
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// The largest distance of the warped surface from the warped triangles, at (steps + 1)(steps + 2)/2
-// points of each triangle.
+// Returns the largest distance of the warped surface from the warped triangles, at (steps +
+// 1)(steps + 2)/2 points of each triangle.
 inline double geometricError(const Mesh& mesh, const PointWarp& warp, int steps = 5) {
   double largest = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

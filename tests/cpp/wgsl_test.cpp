@@ -17,7 +17,7 @@ std::vector<std::string> textsOf(std::string_view source) {
   return texts;
 }
 
-// The message without its line, column and caret.
+// Returns the message without its line, column and caret.
 std::string problemOf(const std::string& text) {
   const std::string problem = Source(parse(text)).problem();
   const auto start = problem.find(": ");
@@ -37,7 +37,7 @@ Listing listed(const std::string& text) {
   return listing;
 }
 
-// The value of a function whose only result is a known number.
+// Returns the value of a function whose only result is a known number.
 double known(const std::string& body, const std::string& above = "") {
   const Listing listing = listed(above + " fn f() -> f32 { " + body + " }");
   EXPECT_EQ(listing.words.size(), 2u) << body;

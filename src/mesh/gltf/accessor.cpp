@@ -52,7 +52,8 @@ Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_
   return {bytes.data() + offset, stride, static_cast<std::size_t>(count)};
 }
 
-// The elements in the accessor's own view, of `size` bytes each. Only vectors may have a stride.
+// Returns the elements in the accessor's own view, of `size` bytes each. Only vectors may have a
+// stride.
 Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
   const auto& views = gltf.model.bufferViews;
@@ -61,8 +62,8 @@ Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   return elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, size, stride);
 }
 
-// The size of an element, or less if it isn't a vector: such elements are checked or rejected where
-// they are read.
+// Returns the size of an element, or less if it isn't a vector: such elements are checked or
+// rejected where they are read.
 std::size_t sizeOf(const tinygltf::Accessor& info) {
   // tinygltf's constants for vector types are their lengths.
   const int width = info.type <= TINYGLTF_TYPE_VEC4 ? info.type : 1;

@@ -9,8 +9,9 @@
 
 namespace warpjet {
 
-// The number of elements, without reading them. Throws if the bytes are missing, or, for accessors
-// without bytes, above 2^22, so that nobody allocates memory for a count that is only declared.
+// Returns the number of elements, without reading them. Throws if the bytes are missing, or, for
+// accessors without bytes, above 2^22, so that nobody allocates memory for a count that is only
+// declared.
 std::size_t countOf(const Gltf& gltf, int accessor);
 
 // Appends `width` floats per element; shorter elements are padded with ones (a color without

@@ -11,7 +11,7 @@ namespace warpjet {
 
 namespace {
 
-// True if it has triangles and positions; otherwise warns.
+// Returns true if it has triangles and positions; otherwise warns.
 bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
   if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
     throw FileProblem("a primitive has the unknown mode " + std::to_string(primitive.mode) +

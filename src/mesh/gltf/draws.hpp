@@ -22,16 +22,16 @@ struct Draw {
 
   Primitives kind() const { return Primitives{primitive->mode}; }
   bool isIndexed() const { return primitive->indices != noPlace; }
-  // True if bones place it, and not its node.
+  // Returns true if bones place it, and not its node.
   bool isSkinned() const {
     return placed->skin >= 0 && accessor("JOINTS_0") != noPlace && accessor("WEIGHTS_0") != noPlace;
   }
 
-  // The accessor of an attribute, or noPlace.
+  // Returns the accessor of an attribute, or noPlace.
   int accessor(const char* attribute) const;
 };
 
-// All draws of triangles. Points, lines and primitives without positions are skipped with a
+// Returns all draws of triangles. Points, lines and primitives without positions are skipped with a
 // warning. Throws a FileProblem.
 std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed);
 

@@ -8,8 +8,8 @@
 
 namespace warpjet {
 
-// The MIME type of a PNG or JPEG, by its first bytes; empty for other formats, which glTF doesn't
-// support.
+// Returns the MIME type of a PNG or JPEG, by its first bytes; empty for other formats, which glTF
+// doesn't support.
 const char* pictureType(const std::vector<std::uint8_t>& bytes);
 
 // Requires at least one triangle and consistent arrays. Writes one scene, one node and one

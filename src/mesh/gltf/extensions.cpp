@@ -17,8 +17,8 @@ constexpr std::array<const char*, 2> meshoptExtensions{"EXT_meshopt_compression"
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
-// True for extensions that are read, and for those that move no vertex. Texture extensions disable
-// only textures that have no other source.
+// Returns true for extensions that are read, and for those that move no vertex. Texture extensions
+// disable only textures that have no other source.
 bool isRead(std::string_view extension) {
   constexpr std::array<std::string_view, 9> names{
       "KHR_mesh_quantization",   "EXT_mesh_gpu_instancing", "KHR_node_visibility",

@@ -29,7 +29,7 @@ std::string textOr(const json& object, const char* name) {
   return found == object.end() ? std::string() : found->get<std::string>();
 }
 
-// True if its bytes are only a fallback for readers without one of the two extensions.
+// Returns true if its bytes are only a fallback for readers without one of the two extensions.
 bool isFallback(const json& buffer) {
   const auto extensions = buffer.find("extensions");
   if (extensions == buffer.end()) return false;
@@ -85,7 +85,8 @@ class HiddenIndices {
                     "); export the model again.");
 }
 
-// The bytes at a buffer's URI, or of the chunk if it has none; empty for a missing fallback.
+// Returns the bytes at a buffer's URI, or of the chunk if it has none; empty for a missing
+// fallback.
 Bytes findBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
   const auto& [uri, length, isFallback, bytes] = gltf.buffers[place];
   const std::string name = "buffer " + std::to_string(place);

@@ -53,12 +53,12 @@ Gltf parseDescription(std::string_view json);
 // Finds the bytes of all buffers; the first one may be the binary chunk. Throws a FileProblem.
 void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files);
 
-// The part of a buffer that `what` reads. Throws a FileProblem if it doesn't exist.
+// Returns the part of a buffer that `what` reads. Throws a FileProblem if it doesn't exist.
 Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int buffer, std::uint64_t offset,
                     std::uint64_t length);
 
-// The part of a buffer that a view refers to, or its unpacked bytes. Throws a FileProblem if it
-// doesn't exist.
+// Returns the part of a buffer that a view refers to, or its unpacked bytes. Throws a FileProblem
+// if it doesn't exist.
 Bytes bytesOfView(const Gltf& gltf, int bufferView);
 
 // Returns the index of an element, such as an accessor; `what` is its name in messages. Throws a

@@ -16,7 +16,7 @@ const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
   return materials[checkIndex("material", material, materials.size())];
 }
 
-// The base color and texture of a material, from either of its two surface models.
+// Returns the base color and texture of a material, from either of its two surface models.
 BaseColor paintOf(const Gltf& gltf, int material) {
   const tinygltf::Material& info = materialAt(gltf, material);
   const auto glossiness = gltf.extensions.glossiness.find(material);
@@ -29,7 +29,7 @@ BaseColor paintOf(const Gltf& gltf, int material) {
   return paint;
 }
 
-// The image of a texture, or noPlace if only an extension defines it.
+// Returns the image of a texture, or noPlace if only an extension defines it.
 int pictureOfTexture(const Gltf& gltf, int texture) {
   if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;

@@ -25,10 +25,11 @@ Look lookOf(const Gltf& gltf, int material);
 // Warns if a Mesh doesn't support a material's color or texture.
 void warnOfLook(Gltf& gltf, int material);
 
-// An image as stored in the file, still encoded. A missing image is a warning.
+// Returns an image as stored in the file, still encoded. A missing image is a warning.
 std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files);
 
-// The URIs of the base-color images of all materials; empty strings for images inside of a buffer.
+// Returns the URIs of the base-color images of all materials; empty strings for images inside of a
+// buffer.
 std::vector<std::string> picturesOf(const Gltf& gltf);
 
 }  // namespace warpjet

@@ -26,7 +26,7 @@ void forAccessors(const tinygltf::Primitive& primitive, Function function) {
   if (primitive.indices >= 0) function(primitive.indices);
 }
 
-// The views whose bytes are needed for drawing; those of animations remain packed.
+// Returns the views whose bytes are needed for drawing; those of animations remain packed.
 std::set<int> findNeededViews(const Gltf& gltf) {
   std::set<int> views;
   const auto need = [&](int accessor) {
@@ -105,7 +105,7 @@ std::string extensionOf(const Gltf& gltf, const PackedPlace& part) {
   return part.view < 0 ? dracoExtension : gltf.extensions.meshoptViews.at(part.view).extension;
 }
 
-// The width of a decoded Draco attribute, which must be a vector.
+// Returns the width of a decoded Draco attribute, which must be a vector.
 std::size_t widthOf(const tinygltf::Accessor& info) {
   if (info.type > TINYGLTF_TYPE_VEC4 && info.type != TINYGLTF_TYPE_SCALAR)
     throw FileProblem("the model compresses matrices with Draco; export the model again.");

@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// The compressed parts of a model whose buffers were found. Throws a FileProblem.
+// Returns the compressed parts of a model whose buffers were found. Throws a FileProblem.
 std::vector<PackedPart> findPacked(Gltf& gltf);
 
 // Stores the decoded bytes of a part, identified by its index in that list, in the model. Throws a

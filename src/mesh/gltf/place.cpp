@@ -22,7 +22,7 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return length > 0 ? v / length : glm::dvec3(0);
 }
 
-// The inverse transpose up to a positive factor. It needs no division and exists for flat
+// Returns the inverse transpose up to a positive factor. It needs no division and exists for flat
 // transforms, too: the columns of the cofactor matrix are m2 x m3, m3 x m1, m1 x m2, multiplied by
 // the determinant's sign.
 glm::dmat3 normalMatrix(const glm::dmat3& m) {

@@ -35,7 +35,7 @@ glm::dmat4 transformOf(const tinygltf::Node& node) {
   return transformOf(numbers(node.translation), numbers(node.rotation), numbers(node.scale));
 }
 
-// The transforms of a node's instances, or nullopt if it has none.
+// Returns the transforms of a node's instances, or nullopt if it has none.
 std::vector<glm::dmat4> instancesOf(const Gltf& gltf, const Instancing& instancing) {
   std::optional<std::size_t> count;
   const auto numbersOf = [&](int accessor, int width) {

@@ -28,7 +28,7 @@ class Buckets {
     slots_.assign(size, none);
   }
 
-  // The index of an equal element, or `index`, which is then added.
+  // Returns the index of an equal element, or `index`, which is then added.
   template <typename IsEqual>
   std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t index, IsEqual isEqual) {
     for (auto i = static_cast<std::size_t>(hash);; ++i) {

@@ -31,14 +31,14 @@ std::optional<std::array<float, 3>> colorOn(TextLine& line) {
   return color;
 }
 
-// The max number of words after a texture option; all but the numbers of -o, -s and -t are
+// Returns the max number of words after a texture option; all but the numbers of -o, -s and -t are
 // required.
 std::size_t wordsOf(std::string_view option) {
   if (option == "-o" || option == "-s" || option == "-t") return 3;
   return option == "-mm" ? 2 : 1;
 }
 
-// The file name after the options, which may contain spaces.
+// Returns the file name after the options, which may contain spaces.
 std::string_view pictureNameOn(TextLine& line) {
   while (line.rest().starts_with('-')) {
     const std::string option = toLowerCase(line.word());

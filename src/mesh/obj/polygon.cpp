@@ -92,7 +92,8 @@ class Remainder {
     return turn(corners_[previous_[i]], corners_[i], corners_[next_[i]]);
   }
 
-  // True if no corner is inside of the triangle at this corner. If any is, a reflex corner is.
+  // Returns true if no corner is inside of the triangle at this corner. If any is, a reflex corner
+  // is.
   bool findsEar(std::uint32_t i) const {
     const glm::dvec2 &a = corners_[previous_[i]], &b = corners_[i], &c = corners_[next_[i]];
     if (turn(a, b, c) <= 0) return false;

@@ -53,7 +53,7 @@ float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// The rounding error of a number of that size after the few operations that compute it.
+// Returns the rounding error of a number of that size after the few operations that compute it.
 float rounding(glm::vec3 p) {
   const float size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   return 4 * std::numeric_limits<float>::epsilon() * size;

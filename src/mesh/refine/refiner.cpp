@@ -48,7 +48,7 @@ std::uint32_t sampleCount(double wanted, double min, double max) {
   return static_cast<std::uint32_t>(wanted > min ? std::min(std::ceil(wanted), max) : min);
 }
 
-// The longest side of the bounding box.
+// Returns the longest side of the bounding box.
 float sizeOf(const std::vector<float>& positions) {
   std::array<float, 3> low, high;
   low.fill(std::numeric_limits<float>::infinity());

@@ -45,7 +45,7 @@ class Words {
  public:
   explicit Words(std::string_view text) : lines_(text, "stl"), line_(lines_.next()) {}
 
-  // The next word; empty at the end of the text.
+  // Returns the next word; empty at the end of the text.
   std::string_view next() {
     while (line_) {
       if (const std::string_view word = line_->word(); !word.empty()) return word;

@@ -15,7 +15,7 @@ namespace warpjet {
 
 namespace {
 
-// The number of each vertex's position.
+// Returns the number of each vertex's position.
 std::vector<std::uint32_t> weldVertices(const std::vector<float>& positions) {
   Welder welder;
   std::vector<std::uint32_t> welded;

@@ -24,7 +24,7 @@ std::string_view withoutComment(std::string_view line) {
   return line.substr(0, at);
 }
 
-// True if it ends with the backslash that joins the next line.
+// Returns true if it ends with the backslash that joins the next line.
 bool isContinued(std::string_view line) { return line.ends_with('\\') || line.ends_with("\\\r"); }
 
 }  // namespace

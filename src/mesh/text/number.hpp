@@ -10,7 +10,7 @@ namespace warpjet {
 // digits are read, and powers of ten are multiplied in double. Overflow gives infinity.
 std::optional<float> parseFloat(std::string_view text);
 
-// True for spellings of NaN or infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".
+// Returns true for spellings of NaN or infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".
 bool isPrintedNonNumber(std::string_view text);
 
 }  // namespace warpjet

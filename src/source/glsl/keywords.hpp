@@ -9,10 +9,10 @@ namespace warpjet::source::glsl {
 // Checks the keywords of that version; 0, without #version, means those of both.
 bool isKeyword(std::string_view name, int version);
 
-// True if the word is reserved for future use.
+// Returns true if the word is reserved for future use.
 bool isReserved(std::string_view name, int version);
 
-// The reason why this isn't a valid name; empty if it is valid.
+// Returns the reason why this isn't a valid name; empty if it is valid.
 std::string nameProblem(std::string_view name, int version);
 
 }  // namespace warpjet::source::glsl

@@ -124,7 +124,8 @@ std::vector<Parameter> Parser::parameters() {
   return all;
 }
 
-// True for a built-in function with the same parameters; in 3.00 the name alone is rejected.
+// Returns true for a built-in function with the same parameters; in 3.00 the name alone is
+// rejected.
 bool Parser::redefines(const Function& made) const {
   std::vector<Type> types;
   for (const Parameter& each : made.parameters) types.push_back(each.type);

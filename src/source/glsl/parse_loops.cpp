@@ -87,7 +87,7 @@ StatementId Parser::forStatement() {
                        .children = {first, step, body}});
 }
 
-// True if a condition declares a variable; `vec3(…)` starts an expression.
+// Returns true if a condition declares a variable; `vec3(…)` starts an expression.
 bool Parser::startsDeclaration(std::size_t ahead) const {
   const Token& token = peek(ahead);
   return (startsType(ahead) && peek(ahead + 1).kind == Kind::Name) || token.is("const") ||

@@ -108,8 +108,8 @@ ExpressionId Parser::element(ExpressionId operand) {
                         .operands = {operand, index}});
 }
 
-// True for a uniform or a part of one: in vertex shaders of GLSL ES 1.00, only those allow an index
-// that isn't constant (appendix A.5).
+// Returns true for a uniform or a part of one: in vertex shaders of GLSL ES 1.00, only those allow
+// an index that isn't constant (appendix A.5).
 bool Parser::isUniform(ExpressionId operand) const {
   const Expression* root = &tree_.expressions[operand];
   while (root->kind != Code::Variable && !root->operands.empty())

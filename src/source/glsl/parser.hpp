@@ -49,7 +49,8 @@ class Parser {
   std::string_view takeName(std::string_view what);
   bool goDeeper();
   void global();
-  // True if the source declares the name: a keyword of one language may be a name in the other.
+  // Returns true if the source declares the name: a keyword of one language may be a name in the
+  // other.
   bool isDeclared(const Token& token) const;
   bool startsType(std::size_t ahead = 0) const;
   Type type();

@@ -36,7 +36,7 @@ std::vector<Token> readTokens(std::string_view source, Problems& problems,
 // The reason why a token of the kind Other is invalid.
 std::string problemOf(const Token& other);
 
-// The value of a number token.
+// Returns the value of a number token.
 std::uint32_t intValue(const Token& token, Problems& problems);
 double floatValue(const Token& token);
 

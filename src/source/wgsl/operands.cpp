@@ -88,7 +88,7 @@ Operand Parser::hostVariable(const Operand& operand, Location location) {
                .location = location});
 }
 
-// The value of a reference; other operands remain as they are.
+// Returns the value of a reference; other operands remain as they are.
 Operand Parser::load(Operand operand, Location location) {
   if (problems_.any()) return failOperand(location, "");
   if (operand.isPointer()) return operand;
@@ -100,7 +100,7 @@ Operand Parser::load(Operand operand, Location location) {
   return operand;
 }
 
-// An abstract value in the type that it has if nothing determines another one: i32 or f32.
+// Returns an abstract value in the type that it has if nothing determines another one: i32 or f32.
 Operand Parser::concrete(const Operand& operand, Location location) {
   if (!operand.isAbstract()) return load(operand, location);
   return {.id = convert(operand, operand.type, location), .type = operand.type};
@@ -116,7 +116,7 @@ bool Parser::canConvert(const Operand& operand, Type type) const {
   return type.base == Base::Float || type.base == Base::Int || type.base == Base::Uint;
 }
 
-// A node of that type for an operand that can be converted to it.
+// Returns a node of that type for an operand that can be converted to it.
 ExpressionId Parser::convert(const Operand& operand, Type type, Location location) {
   if (problems_.any()) return failOperand(location, "").id;
   if (!operand.isAbstract()) return load(operand, location).id;
@@ -132,7 +132,7 @@ ExpressionId Parser::convert(const Operand& operand, Type type, Location locatio
   return constantOf(type, operand.known.data(), location);
 }
 
-// The numbers of a scalar, vector, matrix or array of them.
+// Returns the numbers of a scalar, vector, matrix or array of them.
 ExpressionId Parser::constantOf(Type type, const double* numbers, Location location) {
   if (type.isScalar())
     return add({.kind = Code::Constant, .type = type, .value = *numbers, .location = location});
@@ -147,7 +147,7 @@ ExpressionId Parser::constantOf(Type type, const double* numbers, Location locat
       {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});
 }
 
-// The zero value of a type; equal parts are one node.
+// Returns the zero value of a type; equal parts are one node.
 Operand Parser::zero(Type type, Location location) {
   if (problems_.any()) return failOperand(location, "");
   if (type == voidType || type.base == Base::Sampler || type.length == 0)
@@ -179,7 +179,7 @@ Operand Parser::abstractOf(Type type, std::vector<double> numbers, Location loca
   return {.type = type, .known = std::move(numbers)};
 }
 
-// The value of a constant whole number; nullopt if it is unknown.
+// Returns the value of a constant whole number; nullopt if it is unknown.
 std::optional<std::int64_t> Parser::wholeOf(const Operand& operand) {
   if (operand.isAbstract())
     return operand.type == intType ? std::optional(static_cast<std::int64_t>(operand.known[0]))

@@ -45,7 +45,7 @@ Operand Parser::construct(Location location) {
   return constructType(made, std::move(operands), location);
 }
 
-// The type of numbers that all operands have or can get; nullopt if there is none.
+// Returns the type of numbers that all operands have or can get; nullopt if there is none.
 std::optional<Type> Parser::commonType(const Operands& operands) const {
   std::optional<Type> common;
   for (const Operand& each : operands)

@@ -11,7 +11,7 @@ void Parser::declareGlobally(VariableId variable, ExpressionId start) {
                                         .location = tree_.variables[variable].location}));
 }
 
-// The type of a variable by its declaration or its initial value.
+// Returns the type of a variable by its declaration or its initial value.
 Type Parser::initialType(const std::optional<DeclaredType>& declared, const Operand& value,
                          Location location, std::string_view name) {
   if (problems_.any()) return floatType;

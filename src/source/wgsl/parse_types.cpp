@@ -13,7 +13,7 @@ constexpr std::int32_t maxArrayLength = 65536;
 
 int digitOf(char c) { return c >= '2' && c <= '4' ? c - '0' : 0; }
 
-// The columns and rows of vec3 or mat2x3; zeros for other words. A suffix may follow.
+// Returns the columns and rows of vec3 or mat2x3; zeros for other words. A suffix may follow.
 std::array<int, 2> shapeOf(std::string_view word) {
   if (word.starts_with("vec") && word.size() >= 4 && digitOf(word[3])) return {1, digitOf(word[3])};
   if (word.starts_with("mat") && word.size() >= 6 && word[4] == 'x' && digitOf(word[3]) &&
@@ -42,7 +42,7 @@ std::optional<Type> Parser::shorthand(std::string_view word) const {
   return std::nullopt;
 }
 
-// True for a word that a template list may follow: vec3, mat4x4, array, and so on.
+// Returns true for a word that a template list may follow: vec3, mat4x4, array, and so on.
 bool Parser::isGenerator(std::string_view word) const {
   const auto [columns, rows] = shapeOf(word);
   return (columns && word.size() == (columns > 1 ? 6 : 4)) || word == "array" || word == "ptr" ||

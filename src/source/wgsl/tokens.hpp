@@ -22,7 +22,7 @@ struct Token {
   bool is(std::string_view wanted) const {
     return (kind == Kind::Symbol || kind == Kind::Name) && text == wanted;
   }
-  // True if no space is between this token and the next one.
+  // Returns true if no space is between this token and the next one.
   bool touches(const Token& next) const { return text.data() + text.size() == next.text.data(); }
 };
 
@@ -37,7 +37,7 @@ struct Number {
   double value;
 };
 
-// The value of a number token; nullopt, with a problem, if it is invalid.
+// Returns the value of a number token; nullopt, with a problem, if it is invalid.
 std::optional<Number> readNumber(const Token& token, Problems& problems);
 
 }  // namespace warpjet::source::wgsl

@@ -14,8 +14,8 @@ class OwnRow : public testing::Test, protected Bench {
  protected:
   int y = input("y");
 
-  // The program of one scalar result that depends on x or on x and y: the first input number, and
-  // the last.
+  // Returns the program of one scalar result that depends on x or on x and y: the first input
+  // number, and the last.
   Program programOf(int result) {
     builder.output("gen", "result", result);
     EXPECT_TRUE(builder.finish()) << builder.problem();
