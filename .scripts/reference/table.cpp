@@ -140,7 +140,7 @@ std::string meshArrays() {
   std::apply(
       [&](const auto&... each) {
         ((joined += (joined.empty() ? "" : ",\n") +
-                    object({{"name", text(each.name)}, {"kind", text(kindOf(each.of(job)))}})),
+                    object({{"name", text(each.name)}, {"kind", text(kindOf(each.get(job)))}})),
          ...);
       },
       jobArrays);

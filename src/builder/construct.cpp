@@ -20,7 +20,7 @@ std::optional<std::vector<Expression>> Builder::components(const Site& site) {
   std::vector<Expression> all;
   for (std::size_t i = 0; i < operands_.size(); ++i) {
     if (operands_[i].shape().isMatrix()) {
-      reject(site.method, {"expected a vector or a number as ", site.place(i), ", got ",
+      reject(site.method, {"expected a vector or a number as ", site.describeOperand(i), ", got ",
                            shapeName(operands_[i].shape()), "."});
       return std::nullopt;
     }
@@ -72,13 +72,13 @@ std::optional<Value> Builder::takePart(bool isRow, const Site& site) {
   const Value& matrix = operands_[0];
   const Shape shape = matrix.shape();
   if (!shape.isMatrix())
-    return reject(site.method,
-                  {"expected a matrix as ", site.place(0), ", got ", shapeName(shape), "."});
+    return reject(site.method, {"expected a matrix as ", site.describeOperand(0), ", got ",
+                                shapeName(shape), "."});
   const int count = isRow ? shape.rows : shape.columns;
   for (int i = 0; i < count; ++i) {
     if (isConstant(operands_[1], i)) return isRow ? matrix.row(i) : matrix.column(i);
   }
-  return reject(site.method, {site.place(1), " must be a whole number from 0 to ",
+  return reject(site.method, {site.describeOperand(1), " must be a whole number from 0 to ",
                               std::to_string(count - 1), "."});
 }
 

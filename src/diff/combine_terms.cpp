@@ -21,8 +21,8 @@ Term termOf(const Graph& graph, NodeId id, bool isNegative) {
 }
 
 Expression toExpression(Graph& graph, Term term) {
-  const Expression it{&graph, term.id};
-  return term.isNegative ? -it : it;
+  const Expression node{&graph, term.id};
+  return term.isNegative ? -node : node;
 }
 
 // Returns the two terms of a sum, or the only term and zero.
@@ -47,7 +47,7 @@ NodeId factorOf(const Graph& graph, NodeId product, int i) {
   return graph.is(factor, Mult) ? graph.operand(factor, i / 2 - 1) : noNode;
 }
 
-// Returns the product of the other factors, if such a node exists.
+// Returns the product of the factors other than factor i, if such a node exists.
 NodeId restOf(const Graph& graph, NodeId product, int i) {
   const NodeId other = graph.operand(product, 1 - i % 2);
   if (i < 2) return other;

@@ -70,7 +70,7 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
   for (int i = 0; i < graph_.arity(from); ++i) {
     const NodeId operand = graph_.operand(from, i);
     if (components[operand] == 0) continue;
-    // These contain the arguments of a call, each with its own tangent.
+    // Lists and results read all arguments of a call, each of which has its own tangent.
     if (graph_.isList(operand) || graph_.isResult(id)) return {};
     if (components[operand] != components[id]) return {};
     if (base && tangents[operand].base != *base) return {};
@@ -134,7 +134,7 @@ NodeId Differentiator::chainRule(NodeId id, const Direction& direction, Part par
 
 std::uint32_t Differentiator::componentsOf(NodeId id, const Direction& direction) const {
   const Node& node = graph_.node(id);
-  // A state may come to depend on all components.
+  // The components that a state depends on are unknown until its fold is reached.
   if (graph_.isLocal(id)) return graph_.isStep(id) ? 0 : ~std::uint32_t{0};
   const bool isOfInput =
       graph_.isInput(id) && node.operands[0] == graph_.node(direction.input).operands[0];

@@ -15,9 +15,9 @@
 
 namespace warpjet {
 
-// The nodes from `first` up to but excluding `end` were made to differentiate `of`.
+// The nodes from `first` up to but excluding `end` were made to differentiate `origin`.
 struct DerivedNodes {
-  NodeId first, end, of;
+  NodeId first, end, origin;
 };
 
 class Differentiator {
@@ -85,7 +85,7 @@ class Differentiator {
   std::map<std::pair<NodeId, NodeId>, NodeId> tangentStates_;
   std::map<NodeId, Tangents> tangents_;
   std::map<std::uint32_t, Components> components_;  // by input
-  std::size_t bytes_ = 0;                           // of both
+  std::size_t bytes_ = 0;                           // of tangents_ and components_
 };
 
 }  // namespace warpjet

@@ -88,9 +88,9 @@ void Differentiator::visitFold(NodeId id, const Direction& direction) {
   if (!unknown.empty() && !findTangents(unknown, direction)) return;
   for (std::size_t i = 0, count = states.size(); i < count; ++i) {
     const auto [local, start, next] = states[i];
-    const NodeId moving = tangents[local].factor;
-    if (moving != zero)
-      states.push_back({moving, fullTangent(tangents[start]), fullTangent(tangents[next])});
+    const NodeId tangentLocal = tangents[local].factor;
+    if (tangentLocal != zero)
+      states.push_back({tangentLocal, fullTangent(tangents[start]), fullTangent(tangents[next])});
   }
   // Stored in place of a tangent; only outcomes read it.
   tangents.set(id) = {graph_.fold(graph_.loopOf(id), states), direction.one};

@@ -12,18 +12,18 @@ namespace warpjet {
 // Returns the number of values that a function returns with all derivatives up to an order.
 int resultCount(const Function& function, int order);
 
-// Returns the name of the function that returns that many derivatives: warpjetNoise3,
-// warpjetNoise3Gradient.
+// Returns the name of the variant that returns derivatives up to that order: warpjetNoise3 for 0,
+// warpjetNoise3Gradient for 1.
 std::string nameWithDerivatives(const Function& function, int order);
 
 struct Bundle {
   static constexpr int perPart = 4;
 
-  std::string function;  // its name with derivatives
+  std::string function;  // its `nameWithDerivatives`
   int count;
 
-  Bundle(const Function& given, int order)
-      : function(nameWithDerivatives(given, order)), count(resultCount(given, order)) {}
+  Bundle(const Function& called, int order)
+      : function(nameWithDerivatives(called, order)), count(resultCount(called, order)) {}
 
   bool isStruct() const { return count > perPart; }
   int parts() const { return (count + perPart - 1) / perPart; }

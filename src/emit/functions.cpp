@@ -26,7 +26,7 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 }  // namespace
 
 void Declarations::add(const Graph& graph, const EmittedCode& emitted) {
-  for (const Op op : emitted.withHelpers)
+  for (const Op op : emitted.opsWithHelpers)
     define(ops::declaration(op).name, ops::helpers(op, dialect_.language));
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }

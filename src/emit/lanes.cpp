@@ -45,8 +45,9 @@ bool Packs::takesNumber(const Lanes& lanes, int i) const {
   const ops::SomeOperands numbers = spellingOf(lanes).numbers;
   if ((numbers >> i & 1) == 0) return false;
   for (int other = 0; other < graph_.arity(lanes[0]); ++other) {
-    const bool isAsked = other == i || (graph_.arity(lanes[0]) == 3 && (numbers >> other & 1) != 0);
-    if (isAsked && !areEqual(operandsOf(lanes, other))) return false;
+    const bool mustBeNumber =
+        other == i || (graph_.arity(lanes[0]) == 3 && (numbers >> other & 1) != 0);
+    if (mustBeNumber && !areEqual(operandsOf(lanes, other))) return false;
   }
   return true;
 }
@@ -102,9 +103,9 @@ bool Packs::isPart(const Lanes& lanes) const {
 std::optional<Packs::Factors> Packs::dotProductOf(NodeId sum) const {
   Factors factors;
   for (NodeId rest = sum, term = noNode; term != rest;) {
-    const bool isMore = graph_.is(rest, ops::find("add")) && (rest == sum || !isStatement(rest));
-    term = isMore ? graph_.operand(rest, 1) : rest;
-    if (isMore)
+    const bool isSum = graph_.is(rest, ops::find("add")) && (rest == sum || !isStatement(rest));
+    term = isSum ? graph_.operand(rest, 1) : rest;
+    if (isSum)
       rest = graph_.operand(rest, 0);
     else if (rest == sum)
       return std::nullopt;
@@ -146,8 +147,8 @@ std::optional<Packs::Factors> Packs::crossProductOf(const Lanes& lanes) const {
 
 std::optional<Packs::Rotation> Packs::rotationOf(const Lanes& lanes) const {
   if (lanes.count != 2) return std::nullopt;
-  Rotation turn{{}, {noNode, noNode, 0}};
-  Matrix& matrix = turn.matrix;
+  Rotation rotation{{}, {noNode, noNode, 0}};
+  Matrix& matrix = rotation.matrix;
   std::array<NodeId, 4> factors{noNode, noNode, noNode, noNode};
   for (int k = 0; k < 4; ++k) {
     const NodeId lane = lanes[k / 2];
@@ -168,9 +169,9 @@ std::optional<Packs::Rotation> Packs::rotationOf(const Lanes& lanes) const {
   }
   if (factors[0] != factors[1] || factors[2] != factors[3]) return {};
   if (graph_.operand(matrix.cosine, 0) != graph_.operand(matrix.sine, 0)) return {};
-  turn.point.add(factors[0]);
-  turn.point.add(factors[2]);
-  return turn;
+  rotation.point.add(factors[0]);
+  rotation.point.add(factors[2]);
+  return rotation;
 }
 
 const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
@@ -181,7 +182,7 @@ const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
   return found == products_.end() ? nullptr : &*found;
 }
 
-// A sine or cosine with its own variable.
+// Returns true for a sine or cosine with its own variable.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
@@ -213,9 +214,9 @@ Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
   // Matrix products are only recorded if they pay off.
   if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {
-    if (const auto turn = rotationOf(lanes)) {
+    if (const auto rotation = rotationOf(lanes)) {
       const int together =
-          rotationStart + chooseLayout(turn->point, As::Operand, levels - 1).length;
+          rotationStart + chooseLayout(rotation->point, As::Operand, levels - 1).length;
       if (together <= row) return {Form::Operation, together};
     }
   }

@@ -1,4 +1,4 @@
-// Writing several nodes as the components of one vector, and the length of the result.
+// Decides how several nodes are written as the components of one vector, and how long the code is.
 //
 // Lanes are up to four nodes. They are written in the shortest of these forms: one number for all
 // lanes, components of an existing vector, one vector operation (including cross products and
@@ -41,7 +41,7 @@ struct Lanes {
 class Packs {
  public:
   enum class Form : std::uint8_t { Number, Part, Operation, Row };
-  // Distinguishes lanes that are an operand from lanes that a statement computes.
+  // Where lanes are written: as an operand, or as what a statement computes.
   enum class As : std::uint8_t { Operand, Statement };
 
   Packs(const Graph& graph, const Dialect& dialect, std::span<const MatrixProduct> products)
@@ -61,7 +61,7 @@ class Packs {
   static constexpr std::uint32_t never = none - 1;
   std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
   bool isStatement(NodeId id) const { return numberOf(id) != none; }
-  // From now on the node is written inline.
+  // Writes the node inline from now on.
   void removeStatement(NodeId id) {
     numbers_[index(id)] = none;
     lengths_.removeName(id);
@@ -71,7 +71,7 @@ class Packs {
 
   void add(const Lanes& lanes);
   void dissolve(std::uint32_t pack);
-  // With hopes on, lanes that could still be packed are measured as if they were.
+  // If true, lanes that could still be packed are measured as if they were.
   void setOptimistic(bool optimistic) { isOptimistic_ = optimistic; }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::maxCount); }
@@ -90,7 +90,8 @@ class Packs {
     return lengths_.lengthOfOperation(id, Lengths::maxLevels);
   }
 
-  // Returns the characters saved by one statement of this length in place of one per lane.
+  // Returns how many characters are saved by one statement whose expression has this length, in
+  // place of a statement per lane.
   int gainOf(const Lanes& lanes, int length) const;
 
   // Returns the vector and component that a node is read from, as four times the vector's key plus
@@ -100,7 +101,7 @@ class Packs {
   // otherwise.
   int sizeAround(NodeId id) const;
   bool isPart(const Lanes& lanes) const;
-  // Operand i of each lane.
+  // Returns operand i of each lane.
   Lanes operandsOf(const Lanes& lanes, int i) const;
   // Returns true if operand i is the same for all lanes and may be a scalar.
   bool takesNumber(const Lanes& lanes, int i) const;

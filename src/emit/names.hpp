@@ -1,4 +1,4 @@
-// Checks names and expressions from outside: are they safe to write into a shader?
+// Checks whether names and expressions of users can be written into a shader.
 #pragma once
 
 #include <set>
@@ -30,9 +30,10 @@ bool isCalled(std::string_view text, std::string_view word);
 // Returns true for an identifier, optionally with members: `position`, `inputs.uv`.
 bool isPlainVariable(std::string_view text);
 
-// Generates t0, t1, … and skips every name in use.
+// Generates the names t0, t1, … and skips those that are in use.
 class Temporaries {
  public:
+  // Marks the names in this code as used.
   void reserve(std::string_view text);
   std::string next();
 

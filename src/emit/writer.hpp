@@ -20,7 +20,7 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  // From now on the node, or the input, is written as this variable.
+  // Writes the node, or the input, as this variable from now on.
   void name(NodeId id, std::string name);
   void nameInput(std::uint32_t input, std::string name) { inputNames_[input] = std::move(name); }
 
@@ -62,8 +62,8 @@ class Writer {
 
   struct CountedMatrix {
     Packs::Matrix matrix;
-    std::uint32_t before;  // the preceding matrix with the same cosine, or `none`
-    std::uint32_t text;    // its name, if it has one
+    std::uint32_t previous;  // the preceding matrix with the same cosine, or `none`
+    std::uint32_t name;      // an index into texts_; `wanted` if it should get a name; or `none`
   };
   static constexpr std::uint32_t wanted = none - 1;
   // Returns the index of the matrix, or `none`.
@@ -73,7 +73,7 @@ class Writer {
   void open(std::string& text, NodeId id, ops::Precedence loosest);
   void writeLeaf(std::string& text, NodeId id);
   static void writeInt(std::string& text, double value);
-  void finish(std::string& text);
+  void writePending(std::string& text);
   const ops::Spelling& spellingOf(NodeId id) const;
   std::string_view textOf(NodeId id);
   [[gnu::noinline, gnu::cold]] std::string_view callText(NodeId id);
@@ -82,7 +82,7 @@ class Writer {
   void writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as);
   void writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest);
   void writePart(std::string& text, const Lanes& lanes);
-  void writeRotation(std::string& text, const Packs::Rotation& turn, ops::Precedence loosest);
+  void writeRotation(std::string& text, const Packs::Rotation& rotation, ops::Precedence loosest);
   void writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors);
   void writeProduct(std::string& text, const MatrixProduct& product);
 

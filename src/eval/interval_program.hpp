@@ -25,8 +25,8 @@ class IntervalProgram {
   double value(std::span<const double> point);
 
  private:
-  // The result is a sum of these terms and of constants. Terms that cancel, as in p + (q - p), thus
-  // don't widen it.
+  // The result is the sum of these terms, times their factors. Equal terms are combined, so that
+  // terms that cancel, as in p + (q - p), don't widen the interval.
   struct Term {
     std::uint32_t instruction;
     double factor;

@@ -73,7 +73,7 @@ inline Mask signOf(Lanes x) { return {asMask(x).bits & simd::signBit}; }
 // Flips the sign where the bit is set.
 inline Lanes flipSign(Lanes x, Mask signs) { return asLanes({asMask(x).bits ^ signs.bits}); }
 
-// c[0] + c[1] t + c[2] t² …
+// Returns c[0] + c[1] t + c[2] t² …
 template <class Scalar, std::size_t Size>
 Scalar polynomial(Scalar t, const double (&c)[Size]) {
   Scalar sum = c[Size - 1];

@@ -7,8 +7,8 @@
 
 namespace warpjet {
 
-// 2^n e^r for an integer n from -252 to 254 and |r| <= ln(2)/2. 2^n is split into two factors, so
-// that one of them may exceed the range of floats and an underflow is rounded once.
+// Returns 2^n e^r for an integer n from -252 to 254 and |r| <= ln(2)/2. 2^n, which may exceed the
+// range of floats, is the product of two factors that don't, so that an underflow is rounded once.
 inline Lanes expTimesPower(Lanes r, Mask::Bits n) {
   // Minimax: e^r = 1 + r + r² p(r), with a relative error below 2^-27.8.
   const Lanes p =
@@ -26,7 +26,7 @@ inline Mask::Bits integerOf(Lanes shifted) { return asMask(shifted).bits - 0x4b4
 // Clamps x; NaN is preserved.
 inline Lanes clampTo(Lanes x, double low, double high) { return min(max(x, low), high); }
 
-// e^x 2^power, for powers up to about 20.
+// Returns e^x 2^power, for powers up to about 20.
 inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
   const Lanes near = clampTo(x, -104.0, 90.0);  // beyond these limits, the result is 0 or infinite
   const Lanes shifted = near * 0x1.71547652b82fep0 + roundToInt;
@@ -76,8 +76,8 @@ inline Lanes logarithmOf(Lanes x, Lanes finiteValue) {
   return logarithmOf(x, narrow(logOfPositive(WideLanes(x))));
 }
 
-// |x|^y if neither is NaN: 2^(y log2|x|). Results outside the range of floats are represented by an
-// exponent far outside.
+// Returns |x|^y = 2^(y log2|x|) if neither x nor y is NaN. If the result is outside the range of
+// floats, an exponent far outside is used.
 inline Lanes powOfMagnitude(Lanes x, Lanes y) {
   const Lanes magnitude = abs(x), beyond = flipSign(200.0, signOf(y));
   const WideLanes exponent = log2OfPositive(WideLanes(magnitude)) * WideLanes(y);

@@ -8,21 +8,21 @@ namespace warpjet {
 
 NodeId FrameInputs::pass(NodeId id) {
   if (graph_.isLeaf(id)) return id;
-  NodeId given = noNode;
+  NodeId passed = noNode;
   switch (graph_.type(id)) {
     case ops::Type::Float:
-      given = component(id);
+      passed = component(id);
       break;
     case ops::Type::Bool:
-      given = component(graph_.apply(ops::find("float"), {id}));
-      if (given != noNode) given = graph_.apply(ops::find("bool"), {given});
+      passed = component(graph_.apply(ops::find("float"), {id}));
+      if (passed != noNode) passed = graph_.apply(ops::find("bool"), {passed});
       break;
     case ops::Type::Int:
-      given =
+      passed =
           fromHalves(half(ops::find("shiftRight"), id, 16), half(ops::find("bitAnd"), id, 0xffff));
       break;
   }
-  return given == noNode ? id : given;
+  return passed == noNode ? id : passed;
 }
 
 // Returns the component that passes this float, or `noNode` if all frame inputs are used.
@@ -40,7 +40,7 @@ NodeId FrameInputs::half(Op op, NodeId whole, double by) {
   return component(graph_.apply(ops::find("intToFloat"), {bits}));
 }
 
-// Uses a product and a sum, since GLSL ES 1.00 has no bitwise operations.
+// Combines the halves by a product and a sum, since GLSL ES 1.00 has no bitwise operations.
 NodeId FrameInputs::fromHalves(NodeId high, NodeId low) {
   if (high == noNode || low == noNode) return noNode;
   const NodeId upper = graph_.apply(ops::find("intMult"), {high, graph_.intConstant(0x10000)});

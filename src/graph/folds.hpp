@@ -1,7 +1,7 @@
 // Folds: a body that is applied to its own result a fixed number of times.
 //
 // The body consists of nodes of the same graph that read the variables of a loop: its step number
-// and its states. A state defines the initial value of its variable and the value after each step;
+// and its states. A state defines the initial value of its variable and the new value in each step;
 // a fold is a loop with some of its states, and an outcome is the final value of one state's
 // variable. The part of a body that doesn't read the loop's variables is computed once, before the
 // loop. Derivatives are additional states of the same loop, so value and derivatives share its
@@ -29,8 +29,8 @@ class Loops {
   // `nodes` are all nodes that the roots need, in ascending order.
   Loops(const Graph& graph, std::span<const NodeId> nodes);
 
-  // Operands precede their users, and everything that any fold of a loop needs precedes each fold
-  // of it. Nodes that only folds read (states and lists of them) are left out.
+  // Operands precede their users, and every fold of a loop is preceded by all nodes that any fold
+  // of this loop needs. Nodes that only folds read (states and lists of them) are left out.
   const std::vector<NodeId>& order() const { return order_; }
 
   // Returns the innermost loop whose variables the node reads.

@@ -44,7 +44,7 @@ inline constexpr Op stateOp{static_cast<std::uint8_t>(ops::count + 6)};
 inline constexpr Op foldOp{static_cast<std::uint8_t>(ops::count + 7)};
 inline constexpr Op outcomeOp{static_cast<std::uint8_t>(ops::count + 8)};
 
-// Returns the number of operands that are nodes, by operation.
+// By operation: the number of operands that are nodes.
 inline constexpr auto arities = [] {
   std::array<std::uint8_t, ops::count + 9> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
@@ -118,7 +118,7 @@ class Graph {
 
   explicit Graph(std::size_t capacity = maxNodes,
                  Simplification simplification = Simplification::On);
-  // A graph of these nodes. It is full; use `copy` to get one that can grow.
+  // Makes a full graph of these nodes; `copy` returns one that can grow.
   Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions,
         std::vector<Loop> loops);
   Graph copy() const;
@@ -139,7 +139,7 @@ class Graph {
   std::uint32_t addFunction(Function function);
   std::optional<std::uint32_t> findFunction(std::string_view name) const;
   NodeId call(std::uint32_t function, std::span<const NodeId> arguments);
-  // One result of a call of our own functions.
+  // Returns one result of a call of our own functions.
   NodeId result(NodeId call, int number);
   // Sets the derivatives of a host function's call with respect to its arguments, one node each.
   void setPartials(NodeId call, std::span<const NodeId> partials);
@@ -153,8 +153,8 @@ class Graph {
   NodeId stepOf(std::uint32_t loop) { return intern(Node{{loop, 0}, localOp}); }
   // Adds a variable to the loop.
   NodeId addState(std::uint32_t loop);
-  // Returns the loop, restricted to these states. They must include every variable that their
-  // `next` nodes read.
+  // Returns the node of the loop with these states only. They must include every variable that
+  // their `next` nodes read.
   NodeId fold(std::uint32_t loop, std::span<const State> states);
   // Returns the value of a state's variable after the last step.
   NodeId outcome(NodeId fold, NodeId local) {

@@ -8,7 +8,7 @@
 
 namespace warpjet::patterns {
 
-// The nodes that the variables of a pattern are bound to, by letter.
+// Maps the variables of a pattern, by letter, to the nodes that they are bound to.
 class Bindings {
  public:
   void clear() { bound_ = 0; }
@@ -46,7 +46,7 @@ const Rule* findRule(const Graph& graph, Op op, const Operands<NodeId>& operands
 // Returns the value of a known item: a literal, a constant, or a function of known items.
 double valueOf(const Graph& graph, const Item* item, const Bindings& bindings);
 
-// Builds the nodes of a pattern; `apply` builds those of operations.
+// Builds the nodes of a pattern; `apply` makes the node of an operation.
 template <class Apply>
 NodeId build(Graph& graph, const Item* item, const Bindings& bindings, const Apply& apply) {
   if (item->isVariable()) return bindings[item->number];

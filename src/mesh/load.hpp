@@ -28,7 +28,7 @@ class ModelFile {
   explicit ModelFile(Bytes bytes);
   ~ModelFile();
 
-  // See the functions below. Load a file only once.
+  // See the functions of the same names below. `load` may be called only once.
   std::vector<std::string> externalFiles(const Files& files = {});
   Loaded load(const Files& files);
 
@@ -43,7 +43,7 @@ class ModelFile {
 
   Mesh read(const Files& files, std::vector<std::string>& warnings);
   Description& description();
-  Description& readyDescription(const Files& files);
+  Description& descriptionWithBuffers(const Files& files);
 
   Bytes bytes_;
   std::string converted_;  // the UTF-8 text of a file in UTF-16, which bytes_ then refers to

@@ -7,7 +7,7 @@
 
 namespace warpjet {
 
-// Returns the MIME type, by the first bytes.
+// Returns the MIME type of an image, by its first bytes.
 std::string sniffType(Bytes bytes);
 
 }  // namespace warpjet

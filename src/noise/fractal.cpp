@@ -31,9 +31,9 @@ Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
   const NoiseRow& kind = row(noise.kind);
   const double mean = kind.mean(noise, p.size(), 0);
   const double wavelength = kind.wavelength * row(noise.base).wavelength;
-  // The octave fades, not its base: the mean of |n| is not |the mean of n|.
-  const auto octaveAt = [&](const Point& moved, Expression itsSeed, Expression fineness) {
-    const Expression value = shape(callBase(library, noise.base, moved, itsSeed));
+  // Returns an octave. The octave fades, not its base: the mean of |n| is not |the mean of n|.
+  const auto octaveAt = [&](const Point& moved, Expression octaveSeed, Expression fineness) {
+    const Expression value = shape(callBase(library, noise.base, moved, octaveSeed));
     return p.pixel ? fade(value, mean, *p.pixel * fineness, wavelength) : value;
   };
   Graph& graph = *seed.graph;
@@ -46,8 +46,8 @@ Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
     for (std::size_t i = 0; i < p.size(); ++i)
       moved.push_back(p[i] * fineness + octave * shifts[i]);
     for (const Expression cell : p.cells) moved.cells.push_back(cell * fineness);
-    const Expression itsSeed = ifElse(gt(octave, 0.0), hash(seed, octave), seed);
-    const Expression value = octaveAt(moved, itsSeed, fineness);
+    const Expression octaveSeed = ifElse(gt(octave, 0.0), hash(seed, octave), seed);
+    const Expression value = octaveAt(moved, octaveSeed, fineness);
     return Numbers{total + value * strength, strengths + strength, fineness * lacunarity,
                    strength * gain};
   };

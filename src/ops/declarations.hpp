@@ -22,7 +22,7 @@ enum class Trait : std::uint8_t {
   Divides,      // its second operand must not be 0
   Increasing,   // monotonically increasing in its only operand
   Hidden,       // has no public method of its name
-  GlslOnly,     // only the GLSL front end uses it
+  GlslOnly,     // only the front ends for shader source use it
 };
 
 class Traits {

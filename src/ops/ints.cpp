@@ -9,7 +9,7 @@ namespace {
 
 constexpr double bitCount = 4294967296.0;
 
-// A sum or product that may wrap around can be any integer.
+// Returns a range; if it exceeds that of an int, so that the result wraps around, any integer.
 Interval anyIfWrapped(double low, double high) {
   return minInt <= low && high <= maxInt ? Interval(low, high) : anyInt();
 }

@@ -62,7 +62,8 @@ inline double floatBits(double x) {
 }
 inline double floatOfBits(double x) { return __builtin_bit_cast(float, bitsOf(x)); }
 
-// Ranges, where they are useful. Results that may wrap around have the full range.
+// The ranges of those operations for which they are useful. Results that may wrap around have the
+// full range.
 inline Interval anyInt() { return {minInt, maxInt}; }
 Interval intSum(const Interval& x, const Interval& y);
 Interval intRemainder(const Interval& x, const Interval& y);

@@ -31,7 +31,7 @@ constexpr bool isChoice(Op op) {
 // Not constexpr, so that reaching it at compile time is an error.
 void noSuchOperation();
 
-// The operation with that name. An unknown name doesn't compile.
+// Returns the operation with that name. An unknown name doesn't compile.
 consteval Op find(std::string_view name) {
   for (std::size_t i = 0; i < count; ++i) {
     if (declarations[i].name == name) return static_cast<Op>(i);
@@ -40,7 +40,7 @@ consteval Op find(std::string_view name) {
   return {};
 }
 
-// True if these rows have the names of the declarations, in the same order.
+// Returns true if these rows have the names of the declarations, in the same order.
 template <class Rows>
 consteval bool haveDeclaredNames(const Rows& rows) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -53,7 +53,7 @@ const Spelling& spelling(Op op, Language language);
 // Returns the source of the helper functions that the spelling calls; empty if it calls none.
 std::string_view helpers(Op op, Language language);
 
-// Returns true if it has no partials, which means that it is piecewise constant.
+// Returns true if the operation has no partials, which means that it is piecewise constant.
 bool isStep(Op op);
 
 // Returns the value of an operation on numbers; conditions are 1 and 0.

@@ -20,7 +20,8 @@ class Constants {
   Constants(const Tree& tree, int version);
   ~Constants();
 
-  // Also treats variables as constant if `isKnown` holds for them.
+  // Returns true for a constant expression. Variables for which `isKnown` returns true count as
+  // constants.
   template <class IsKnown>
   bool isConstant(ExpressionId expression, const IsKnown& isKnown) const;
   bool isConstant(ExpressionId expression) const {
@@ -36,7 +37,7 @@ class Constants {
   std::optional<std::int32_t> integer(ExpressionId expression);
 
  private:
-  // False if the expression isn't constant whatever its operands are.
+  // Returns false if the expression isn't constant even if its operands are.
   bool mayBeConstant(const Expression& node) const;
 
   const Tree& tree_;

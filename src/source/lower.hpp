@@ -3,8 +3,9 @@
 // every variable becomes a choice between its two values. An early end of a loop or function is a
 // condition on everything that follows.
 //
-// `loop` in lower_loops.cpp is the only place that repeats statements. A loop that remains one has
-// its body recorded once, in terms of the variables that it changes; see lower_folds.cpp.
+// `loop` in lower_loops.cpp is the only place that repeats statements. If a loop remains a loop in
+// the shader, its body is recorded once, in terms of the variables that it changes; see
+// lower_folds.cpp.
 #pragma once
 
 #include <map>
@@ -39,12 +40,12 @@ struct Lowered {
 
 class Lowering {
  public:
-  // A loop whose end is unknown runs `maxIterations` times, or is rejected if that is 0. Calls of
-  // the functions in `inlined` are always inlined.
+  // A loop whose end is unknown gets `maxIterations` iterations, or is rejected if that is 0. Calls
+  // of the functions in `inlined` are always inlined.
   Lowering(const Tree& tree, Problems& problems, int maxIterations,
            std::set<RoutineKey> inlined = {});
 
-  // For constant expressions of a tree that is still growing.
+  // Makes a lowering for constant expressions of a tree that is still growing.
   Lowering(const Tree& tree, Problems& problems);
 
   Lowered lower(FunctionId function);
@@ -55,8 +56,9 @@ class Lowering {
   using Value = std::vector<Id>;
   using Slot = Store::Slot;
 
-  // The target of an assignment: consecutive slots from the first slot of each choice, with one
-  // choice per possible index; for a swizzle, only some of them.
+  // The target of an assignment. It has one choice per possible value of an unknown index:
+  // consecutive slots, from `first` on. For a swizzle, `picked` has the offsets of those slots that
+  // are assigned.
   struct LValue {
     struct Choice {
       Id condition;

@@ -66,7 +66,7 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
   }
 }
 
-// Functions of four bytes in a uint.
+// Lowers a function of the four bytes of a uint.
 Lowering::Value Lowering::bytes(const BuiltIn& row, const std::vector<Value>& x,
                                 const Expression& node) {
   const auto byte = [&](Id bits, Base base, int i) { return partOfBits(bits, base, 8, i); };
@@ -99,7 +99,7 @@ Lowering::Value Lowering::bytes(const BuiltIn& row, const std::vector<Value>& x,
   return {all};
 }
 
-// Counts and places of bits in an int or uint.
+// Lowers a function that counts or finds bits in an int or uint.
 Id Lowering::bit(Way way, Base base, Id x) {
   const auto uint = [&](double value) { return number(Base::Uint, value); };
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
@@ -148,7 +148,7 @@ Id Lowering::smear(Id bits) {
   return bits;
 }
 
-// Adds neighboring bits, then pairs, and so on.
+// Counts the bits that are set: adds neighboring bits, then neighboring pairs, and so on.
 Id Lowering::countOnes(Id bits) {
   constexpr double masks[]{1431655765, 858993459, 252645135, 16711935, 65535};
   int by = 1;
@@ -162,7 +162,7 @@ Id Lowering::countOnes(Id bits) {
   return bits;
 }
 
-// Swaps neighboring bits, then pairs, and so on.
+// Reverses the bits: swaps neighboring bits, then neighboring pairs, and so on.
 Id Lowering::reverse(Id bits) {
   constexpr double masks[]{1431655765, 858993459, 252645135, 16711935, 65535};
   int by = 1;
@@ -178,7 +178,8 @@ Id Lowering::reverse(Id bits) {
   return bits;
 }
 
-// `count` bits from `offset` on; those of an int have the sign of the highest of them.
+// Returns `count` bits from `offset` on, as a number; for an int, the highest of these bits is the
+// sign.
 Id Lowering::extract(Base base, Id x, Id offset, Id count) {
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const auto least = [&](Id a, Id b) { return recorder_.choose(of(Operator::Less, b, a), b, a); };
@@ -191,7 +192,7 @@ Id Lowering::extract(Base base, Id x, Id offset, Id count) {
   return recorder_.choose(isEmpty, number(base, 0), scalar(Operator::ShiftRight, base, up, unused));
 }
 
-// Replaces `count` bits from `offset` on.
+// Replaces `count` bits of x from `offset` on by the lowest bits of `bits`.
 Id Lowering::insert(Id x, Id bits, Id offset, Id count) {
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const auto least = [&](Id a, Id b) { return recorder_.choose(of(Operator::Less, b, a), b, a); };
@@ -207,7 +208,7 @@ Id Lowering::insert(Id x, Id bits, Id offset, Id count) {
   return recorder_.choose(isEmpty, x, of(Operator::BitOr, kept, placed));
 }
 
-// x times a power of two, in two steps, since the power alone may be too large for a float.
+// Multiplies x by a power of two, in two steps, since the power alone may be too large for a float.
 Id Lowering::ldexp(Id x, Id exponent) {
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Int, a, b); };
   const auto power = [&](Id by) {
@@ -221,7 +222,8 @@ Id Lowering::ldexp(Id x, Id exponent) {
                 scalar(Operator::Multiply, Base::Float, x, power(half)), power(rest));
 }
 
-// Returns the exponent of frexp: x is from 0.5 to 1 times a power of two; that of 0 is 0.
+// Returns the exponent of frexp: |x| is 2 to that exponent times a number from 0.5 to 1. For 0 it
+// is 0.
 Id Lowering::exponentOf(Id x) {
   const Id bits = recorder_.apply(Code::FloatBits, Base::Int, {x});
   const Id biased = scalar(Operator::BitAnd, Base::Int,

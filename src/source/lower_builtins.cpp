@@ -96,8 +96,8 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
       return forEach([&](std::size_t i) { return x[0][(i % rows) * columns + i / rows]; });
     }
     case Compare: {
-      const Base of = recorder_.base(x[0][0]);
-      return forEach([&](std::size_t i) { return compare(row.code, of, x[0][i], x[1][i]); });
+      const Base compared = recorder_.base(x[0][0]);
+      return forEach([&](std::size_t i) { return compare(row.code, compared, x[0][i], x[1][i]); });
     }
     case Any:
     case All: {
@@ -197,7 +197,7 @@ Lowering::Value Lowering::applyToVectors(const BuiltIn& row, const std::vector<V
   const Type first = tree_.expressions[node.operands[0]].type;
   if (recorder_.foldsAll()) return expandFunction(row.code, x);
   if (first.isScalar()) {
-    // These are simpler for scalars.
+    // The formulas are simpler for scalars.
     const auto minus = [&](Id a, Id b) { return scalar(Operator::Subtract, Base::Float, a, b); };
     const auto times = [&](Id a, Id b) { return scalar(Operator::Multiply, Base::Float, a, b); };
     const Id two = number(Base::Float, 2), zero = number(Base::Float, 0);
@@ -232,7 +232,8 @@ Lowering::Value Lowering::applyToVectors(const BuiltIn& row, const std::vector<V
   return unpackGroup(recorder_.group(row.code, operands), node.type);
 }
 
-// Reads a texel at a vec2 or ivec2, or at a vector divided by its last component, plus the offset.
+// Reads an image at a vec2 or ivec2, or, in projections, at a vector divided by its last component;
+// adds the offset, if there is one.
 Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x) {
   const bool isFetched = row.way == Way::TexelFetch;
   Value at(x[1].begin(), x[1].begin() + 2);

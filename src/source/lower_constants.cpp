@@ -7,7 +7,7 @@ namespace warpjet::source {
 Lowering::Lowering(const Tree& tree, Problems& problems)
     : tree_(tree), problems_(problems), maxIterations_(0), recorder_(true) {}
 
-// Constants that were declared since the last call become known.
+// Evaluates a constant expression, after the constants that were declared since the last call.
 std::vector<double> Lowering::constant(ExpressionId expression) {
   steps_ = 0;
   while (slots_.size() < tree_.variables.size()) {
@@ -26,7 +26,7 @@ std::vector<double> Lowering::constant(ExpressionId expression) {
   return numbers;
 }
 
-// Functions of vectors and matrices, by the formulas of section 8 of GLSL ES 3.00.
+// Expands a function of vectors or matrices by its formula in section 8 of GLSL ES 3.00.
 Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x) {
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
   const auto constant = [&](double value) { return number(Base::Float, value); };
@@ -97,7 +97,7 @@ Id Lowering::minorOf(const Value& matrix, std::size_t column, std::size_t row) {
   return determinant(rest);
 }
 
-// Expands along the first column.
+// Returns the determinant by expansion along the first column.
 Id Lowering::determinant(const Value& matrix) {
   if (matrix.size() == 1) return matrix[0];
   const std::size_t size = matrix.size() == 4 ? 2 : matrix.size() == 9 ? 3 : 4;

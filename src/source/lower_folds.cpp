@@ -21,9 +21,9 @@ bool isSmall(double x) { return x == std::trunc(x) && std::abs(x) <= large; }
 
 }  // namespace
 
-// Runs condition, body and step once, unless something has stopped; the condition of a `do` comes
-// last. Returns the condition, which is assumed to hold unless `evaluatesTest` is set. `end` is
-// called at the start of the next iteration.
+// Runs condition, body and step once, in branches that end at a break, continue or return; the
+// condition of a `do` comes last. Returns the condition, which is assumed to hold unless
+// `evaluatesTest` is set. Calls `end` where the next iteration would start.
 template <class End>
 Id Lowering::iterate(const Statement& statement, bool evaluatesTest, const End& end) {
   const Breakable here = breakables_.back();
@@ -92,15 +92,15 @@ Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t l
   return fromState(recorder_.state(loop, location), base);
 }
 
-// A condition is a state of 0 or 1.
+// Converts a state to the type of its variable. A condition is stored as 0 or 1.
 Id Lowering::fromState(Id state, Base base) {
   if (base == Base::Bool)
     return recorder_.apply(Code::Gt, Base::Bool, {state, number(Base::Float, 0.5)});
   return recorder_.convert(state, base);
 }
 
-// Returns true if an int only counts, so that it can be a float: it changes from its previous
-// value, or a constant, by constants.
+// Returns true if an int only counts, so that a float can represent it: its next value is a
+// constant, or its previous value plus constants.
 bool Lowering::onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const {
   if (next == before) return true;
   if (depth == 0) return false;
@@ -159,7 +159,7 @@ bool Lowering::foldLoop(const Statement& statement) {
   return close(statement, folding);
 }
 
-// Repeats until the guesses about constant variables and counters hold.
+// Records the body, and repeats that until the guesses about constant variables and counters hold.
 bool Lowering::record(const Statement& statement, Folding& folding) {
   std::vector<Changing>& all = folding.all;
   for (int attempt = 0; attempt < 8; ++attempt) {
@@ -189,7 +189,7 @@ bool Lowering::record(const Statement& statement, Folding& folding) {
 bool Lowering::confirmGuesses(const Statement& statement, Folding& folding,
                               const Store::Changes& changes) {
   using enum Changing::Kind;
-  bool isRight = true;
+  bool areRight = true;
   for (Changing& each : folding.all) {
     const auto isNext = [&](Operator op, double by) {
       const Base base = recorder_.base(each.now);
@@ -199,20 +199,20 @@ bool Lowering::confirmGuesses(const Statement& statement, Folding& folding,
     const bool isKnownAfter = each.next == each.atEnd || declares(statement, each.slot);
     if (each.kind == Fixed && each.next != each.start) {
       each.kind = State;
-      isRight = false;
+      areRight = false;
     } else if (each.kind == Counter && !(isKnownAfter && (isNext(Operator::Add, each.by) ||
                                                           isNext(Operator::Subtract, -each.by)))) {
       each.kind = State;
-      isRight = false;
+      areRight = false;
     }
   }
   for (const auto& [slot, value] : changes) {
-    const auto isThis = [&, at = slot](const Changing& each) { return each.slot == at; };
-    if (std::any_of(folding.all.begin(), folding.all.end(), isThis)) continue;
+    const auto hasSlot = [&, wanted = slot](const Changing& each) { return each.slot == wanted; };
+    if (std::any_of(folding.all.begin(), folding.all.end(), hasSlot)) continue;
     folding.all.push_back({slot, store_.get(slot)});
-    isRight = false;
+    areRight = false;
   }
-  return isRight;
+  return areRight;
 }
 
 // Returns true if a variable belongs to the loop and doesn't exist after it.

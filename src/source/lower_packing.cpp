@@ -5,7 +5,7 @@ namespace warpjet::source {
 
 namespace {
 
-// Returns the largest number with that number of bits.
+// Returns the number whose lowest `bits` bits are ones.
 double ones(double bits) {
   return static_cast<double>((std::uint64_t{1} << static_cast<int>(bits)) - 1);
 }
@@ -48,7 +48,8 @@ Lowering::Value Lowering::unpack(Id bits, bool isSigned, int count) {
   return value;
 }
 
-// Part number `i` of the bits. Shifts to the upper end and back, which extends the sign of an int.
+// Returns part number `i` of the bits. Shifts it to the upper end and back, which extends the sign
+// of an int.
 Id Lowering::partOfBits(Id bits, Base base, double width, int i) {
   const Id up = scalar(Operator::ShiftLeft, base, recorder_.convert(bits, base),
                        number(Base::Int, 32 - width - width * i));
@@ -68,7 +69,7 @@ Id Lowering::packHalf(Id x) {
   const Id normal =
       of(ShiftRight, of(Subtract, of(Add, size, of(Add, odd, uint(0xfff))), uint(0x38000000)),
          number(Base::Int, 13));
-  // Below 2^-14, they are spaced as at 2^-14.
+  // Below 2^-14, half floats have the same spacing as at 2^-14.
   const Id scaled = scalar(Multiply, Base::Float, recorder_.apply(Code::Abs, Base::Float, {x}),
                            number(Base::Float, 16777216));
   const Id bounded = recorder_.apply(Code::Min, Base::Float, {scaled, number(Base::Float, 1024)});

@@ -1,6 +1,6 @@
-// Records the computations of a source as operations on single numbers: interned, and folded if all
-// operands are known, so that loops and indices are known, too. Floats are folded in float32, as
-// the language requires.
+// Records the computations of a source as operations on single numbers. Equal operations are
+// recorded once. If all operands are known, an operation is folded, so that the lengths of loops
+// and indices are known, too. Floats are folded in float32, as the language requires.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,8 @@ class Recorder {
   Id constant(Base base, double value);
   // Returns an uninitialized value: it may be anything.
   Id undefined(Base base);
-  // A leaf: component number `part` of an argument or a uniform of that layout, or an image.
+  // Records a leaf: component number `part` of an argument or a uniform of that layout, or an
+  // image.
   Id leaf(Code code, int number, int part = 0, int layout = 0);
   // Returns the leaf as a number of that type. An integer consists of two leaves of 16 bits each,
   // since a leaf is a float.
@@ -59,16 +60,18 @@ class Recorder {
   // A flag added to the layout if the leaf is the upper half, which has the sign.
   static constexpr int highHalf = 128;
 
-  // An operation, folded if all operands are known. Results of int or uint wrap around.
+  // Records an operation, or folds it if all operands are known. Results of int or uint wrap
+  // around.
   Id apply(Code code, Base base, std::initializer_list<Id> operands);
-  // Returns a group of numbers, for an operation on vectors; its results are read one by one.
+  // Records an operation on vectors, whose result is a group of numbers; `component` reads one of
+  // them.
   Id group(Code code, std::span<const Id> operands);
   // `layout` holds the numbers of columns and rows, four bits each.
   Id component(Id group, int part, int layout) {
     return component(Code::Component, group, part, layout);
   }
 
-  // Returns a number that a function of the source is called with.
+  // Returns the argument number `i` of a function of the source, in the function's body.
   Id parameter(std::uint32_t routine, std::size_t i) {
     return leaf(Code::Parameter, static_cast<int>(routine), static_cast<int>(i));
   }

@@ -11,7 +11,8 @@ namespace warpjet::source {
 
 struct Meaning {
   enum class Kind : std::uint8_t { None, Variable, Structure, Function, Block } kind = Kind::None;
-  // The index of a variable or structure; functions have several.
+  // The index of a variable or structure. A function has none, since a name may have several
+  // overloads.
   std::int32_t index = nothing;
 };
 

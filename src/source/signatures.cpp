@@ -4,7 +4,8 @@ namespace warpjet::source {
 
 namespace {
 
-// Matches operands with letters. The first operand determines what a generic letter stands for.
+// Matches operands with the letters of a signature. The first operand of a generic letter
+// determines its size.
 struct Match {
   int size = 0;
   Type matrix;
@@ -100,7 +101,7 @@ std::optional<Type> matchSignature(std::string_view signature, std::span<const T
   for (const char letter : signature.substr(1)) {
     if (letter == '>') continue;
     if (i >= operands.size()) return std::nullopt;
-    // The sizes of its operands are independent.
+    // The sizes of the operands of an outer product are independent.
     if (signature[0] == 'O') {
       if (!operands[i].isVector() || operands[i].base != Base::Float) return std::nullopt;
       (i == 0 ? match.rows : match.columns) = operands[i].rows;

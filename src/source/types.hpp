@@ -13,7 +13,7 @@ enum class Base : std::uint8_t { Void, Bool, Int, Uint, Float, Sampler, Struct }
 
 struct Type {
   Base base = Base::Void;
-  // A vector has rows; a matrix has columns of rows.
+  // A vector has one column, whose rows are its components.
   std::uint8_t columns = 1, rows = 1;
   std::uint16_t structure = 0;
   // The length of an array; 0 if its initializer determines the length.
@@ -34,7 +34,7 @@ struct Type {
   bool isStruct() const { return !isArray() && base == Base::Struct; }
   // Returns the number of components of a scalar, vector or matrix.
   int components() const { return columns * rows; }
-  // Columns and rows, four bits each.
+  // Returns columns and rows, four bits each.
   int layout() const { return columns << 4 | rows; }
 
   Type element() const {
@@ -113,11 +113,12 @@ class Types {
   std::vector<Structure> structures_;
 };
 
-// The type with that keyword, or null. `void` is one.
+// A keyword that is the name of a type; `void` is one, too.
 struct NamedType {
   std::string_view word;
   Type type;
 };
+// Returns the type with that keyword, or null.
 const NamedType* findType(std::string_view word);
 
 }  // namespace warpjet::source

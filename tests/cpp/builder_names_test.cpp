@@ -21,8 +21,9 @@ TEST_F(BuilderErrors, RejectsInputsThatNoShaderCanRead) {
       input("a\nb"),
       "glsl: \"a b\" cannot be read in a shader: only ASCII characters are allowed in it.");
   EXPECT_GE(input("p.x"), 0);
-  expectRejected(input("p", vectorOf(3)),
-                 "glsl: \"p.x\" was read before \"p\", whose part it is; read the vector first.");
+  expectRejected(
+      input("p", vectorOf(3)),
+      "glsl: \"p.x\" was read before \"p\", of which it is a part; read the vector first.");
   expectRejected(input(""), "glsl: \"\" cannot be read in a shader: it is empty.");
 }
 

@@ -58,7 +58,7 @@ class Instance {
   double valueOf(const Item* item) const {
     if (item->isVariable()) return graph_.value(*nodes_[item->number]);
     if (item->kind == Kind::Literal) return item->value;
-    if (item->kind == Kind::Function) return item->function->of(valueOf(item + 1));
+    if (item->kind == Kind::Function) return item->function->valueOf(valueOf(item + 1));
     Operands<double> x{};
     const Item* operand = item + 1;
     for (int i = 0; i < ops::declaration(item->op()).arity; ++i, operand += operand->size)

@@ -66,7 +66,7 @@ class Evaluation {
   double visit(const Item* item) {
     if (item->isVariable()) return at_[item->number];
     if (item->kind == Kind::Literal) return item->value;
-    if (item->kind == Kind::Function) return item->function->of(visit(item + 1));
+    if (item->kind == Kind::Function) return item->function->valueOf(visit(item + 1));
     Operands<double> x{};
     const ops::Declaration& declaration = ops::declaration(item->op());
     bool isFinite = true, hasZero = false;

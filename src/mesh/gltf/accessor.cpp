@@ -38,7 +38,7 @@ struct Elements {
   }
 };
 
-// A stride of 0 means that elements of `size` bytes are contiguous.
+// Returns elements of `size` bytes in a view. A stride of 0 means that they are contiguous.
 Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_t offset,
                     std::uint64_t count, std::size_t size, std::size_t stride) {
   const Bytes bytes = bytesOfView(gltf, bufferView);
@@ -93,7 +93,8 @@ void withType(int accessor, int componentType, Function function) {
   }
 }
 
-// glTF 2.0, section 3.6.2.2: f = c / 127, and max(c / 127, -1) for signed types, for example.
+// Converts a component as in glTF 2.0, section 3.6.2.2: for example, normalized signed bytes become
+// max(c / 127, -1).
 template <typename T>
 float toFloat(T value, bool isNormalized) {
   if constexpr (std::is_same_v<T, float>) return value;

@@ -19,7 +19,7 @@ bool contains(std::string_view text, std::string_view part) { return text.find(p
 
 // Returns true for extensions that are read, and for those that move no vertex. Texture extensions
 // disable only textures that have no other source.
-bool isRead(std::string_view extension) {
+bool isAccepted(std::string_view extension) {
   constexpr std::array<std::string_view, 9> names{
       "KHR_mesh_quantization",   "EXT_mesh_gpu_instancing", "KHR_node_visibility",
       "EXT_meshopt_compression", "KHR_meshopt_compression", dracoExtension,
@@ -98,7 +98,7 @@ void rejectExtensions(const json& tree) {
   if (required == tree.end()) return;
   for (const json& entry : *required) {
     const std::string name = entry;
-    if (!isRead(name))
+    if (!isAccepted(name))
       throw FileProblem("the model requires the extension " + quoteText(name) +
                         ", which is not supported; export the model " + adviceFor(name) + '.');
   }

@@ -29,7 +29,8 @@ std::string textOr(const json& object, const char* name) {
   return found == object.end() ? std::string() : found->get<std::string>();
 }
 
-// Returns true if its bytes are only a fallback for readers without one of the two extensions.
+// Returns true if the buffer's bytes are only a fallback for readers without the extensions for
+// meshopt compression.
 bool isFallback(const json& buffer) {
   const auto extensions = buffer.find("extensions");
   if (extensions == buffer.end()) return false;
@@ -37,8 +38,8 @@ bool isFallback(const json& buffer) {
                      [](const json& extension) { return extension.value("fallback", false); });
 }
 
-// Hides everything that tinygltf would load and decode by itself.
-void keepBuffersAndImages(Gltf& gltf, json& tree) {
+// Moves buffers and images out of the tree, since tinygltf would load and decode them by itself.
+void takeBuffersAndImages(Gltf& gltf, json& tree) {
   for (const json& buffer : takeMember(tree, "buffers"))
     gltf.buffers.push_back(
         {textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), isFallback(buffer), {}});
@@ -79,14 +80,14 @@ class HiddenIndices {
   std::vector<int> indices_;
 };
 
-// tinygltf reports several lines; the first one has the cause.
+// Throws with the first line of tinygltf's message, which has the cause.
 [[noreturn]] void failInvalid(const std::string& error) {
   throw FileProblem("the file is not valid glTF (" + quoteText(error.substr(0, error.find('\n'))) +
                     "); export the model again.");
 }
 
-// Returns the bytes at a buffer's URI, or of the chunk if it has none; empty for a missing
-// fallback.
+// Returns the bytes at a buffer's URI, or of the binary chunk if the buffer has no URI; empty for a
+// missing fallback.
 Bytes findBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
   const auto& [uri, length, isFallback, bytes] = gltf.buffers[place];
   const std::string name = "buffer " + std::to_string(place);
@@ -131,7 +132,7 @@ Gltf parseDescription(std::string_view text) {
                       ", but only version 2 is supported; export the model as glTF 2.0.");
   rejectExtensions(tree);
   warnOfMotion(gltf, tree);
-  keepBuffersAndImages(gltf, tree);
+  takeBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);
 
   gltf.extensions = takeExtensions(tree);

@@ -18,7 +18,7 @@ namespace warpjet {
 struct Buffer {
   std::string uri;
   std::uint64_t length = 0;
-  bool isFallback = false;  // for readers without the compression: its bytes may be missing
+  bool isFallback = false;  // for readers that can't decompress; its bytes may be missing
   Bytes bytes;
 };
 
@@ -30,7 +30,7 @@ struct PackedPlace {
   bool isUnpacked = false;
 };
 
-// The model has no buffers, and its images have no bytes. Its indices have not been checked yet.
+// `model` has no buffers, its images have no bytes, and its indices have not been checked yet.
 struct Gltf {
   tinygltf::Model model;
   Extensions extensions;
@@ -41,8 +41,8 @@ struct Gltf {
   std::vector<std::vector<std::uint8_t>> decodedUris;
   std::vector<std::string> warnings;
 
-  // Adds a warning once. It must not contain numbers of the file: a file could then cause any
-  // number of warnings, each compared with all others.
+  // Adds a warning, once. The message must not contain numbers of the file: otherwise a file could
+  // cause any number of warnings, each of which is compared with all others.
   void warn(const std::string& message);
 };
 

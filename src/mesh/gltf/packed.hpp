@@ -12,8 +12,8 @@ namespace warpjet {
 // Returns the compressed parts of a model whose buffers were found. Throws a FileProblem.
 std::vector<PackedPart> findPacked(Gltf& gltf);
 
-// Stores the decoded bytes of a part, identified by its index in that list, in the model. Throws a
-// FileProblem if they don't have the declared size.
+// Stores the decoded bytes of a part in the model; `place` is its index in the list of
+// `findPacked`. Throws a FileProblem if they don't have the declared size.
 void unpack(Gltf& gltf, std::size_t place, Pieces pieces);
 
 // Throws a FileProblem if a required part has not been unpacked.

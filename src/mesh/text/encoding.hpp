@@ -1,4 +1,4 @@
-// Text files in other encodings than UTF-8.
+// Converts text files in other encodings to UTF-8.
 #pragma once
 
 #include <optional>

@@ -26,10 +26,10 @@ class TextLine {
   // Returns the next word on the line; empty at its end.
   std::string_view word();
 
-  // Returns the rest of the line, without spaces around it, which is how names are written.
+  // Returns the rest of the line without spaces around it: a name, which may contain spaces.
   std::string_view rest() const;
 
-  // Returns a number; NaN for infinity and for the NaN spellings of other programs. Throws a
+  // Parses a number; returns NaN for infinity and for the NaN spellings of other programs. Throws a
   // FileProblem for anything else.
   float number(std::string_view word);
 
@@ -45,11 +45,11 @@ class TextLine {
     return numbers;
   }
 
-  // Returns a message with the line and its problem.
+  // Returns a message with the number of the line and this problem.
   std::string problem(const std::string& what) const;
   // Returns the message about the first number that was read as NaN.
   std::string problemOfNumber() const;
-  // Throws a FileProblem with that message.
+  // Throws a FileProblem with the message of `problem`.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

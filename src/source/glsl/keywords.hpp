@@ -6,7 +6,8 @@
 
 namespace warpjet::source::glsl {
 
-// Checks the keywords of that version; 0, without #version, means those of both.
+// Returns true for the keywords of that version; 0, which means that there is no #version, for
+// those of either version.
 bool isKeyword(std::string_view name, int version);
 
 // Returns true if the word is reserved for future use.

@@ -21,10 +21,11 @@ std::string_view wordOf(const Parameter& parameter) {
 // Describes how the parameters of two declarations of a function differ; empty if they don't.
 std::string differenceOf(const Function& before, const Function& now) {
   for (std::size_t i = 0; i < now.parameters.size(); ++i) {
-    const std::string_view was = wordOf(before.parameters[i]), is = wordOf(now.parameters[i]);
-    if (was != is)
+    const std::string_view oldWord = wordOf(before.parameters[i]);
+    const std::string_view newWord = wordOf(now.parameters[i]);
+    if (oldWord != newWord)
       return "parameter " + std::to_string(i + 1) + " of " + quote(now.name) + " was declared " +
-             std::string(was) + " before, and is " + std::string(is) +
+             std::string(oldWord) + " before, and is " + std::string(newWord) +
              " here; make both declarations equal";
   }
   return {};

@@ -24,7 +24,7 @@ inline constexpr auto table = std::tuple_cat(
         row(
             "cbrt", call("warpjetCbrt($0)").missingIn(Glsl100), everywhere,
             [](double x) { return std::cbrt(x); }, [](auto, auto v) { return 1.0 / (3.0 * v * v); })
-            .withHelpers(cbrtHelpers)
+            .opsWithHelpers(cbrtHelpers)
             .lowersTo([](auto x) { return sign(x) * pow(abs(x), 1.0 / 3); }),
         // Written for any scalar.
         row(
