@@ -1,5 +1,5 @@
-// Shared by the tests of several modules: a graph with inputs, and an evaluator of whole graphs in
-// double. It takes each operation's value from the table, which ops_test checks separately.
+// Shared by the tests of several modules: functions that make inputs of a graph, and that evaluate
+// graphs in double. They take each operation's value from the table, which ops_test checks.
 #pragma once
 
 #include <cmath>
@@ -41,7 +41,7 @@ inline std::string code(Expression y, int maxDepth = 8, const Dialect& dialect =
   return emit(*y.graph, dialect, std::vector{result("y", y)}, options).code;
 }
 
-// Returns the expression of `y` in those statements.
+// Returns the expression that is assigned to `y` in the statements of `code`.
 inline std::string body(Expression y, const Dialect& dialect = glsl300) {
   const std::string text = code(y, 8, dialect);
   const std::size_t start = text.find("y = ") + 4;
@@ -55,7 +55,7 @@ inline Op rowNamed(std::string_view name) {
   return Op{static_cast<std::uint8_t>(i)};
 }
 
-// Maps input node → its value.
+// Maps each input node to its value.
 using Inputs = std::map<NodeId, double>;
 
 // Returns the values of all nodes that `roots` need, in double.
