@@ -107,7 +107,7 @@ std::string composition(const Composition& each) {
 }
 
 std::string alias(const detail::Alias& each) {
-  return object({{"name", text(each.name)}, {"of", text(each.of)}});
+  return object({{"name", text(each.name)}, {"of", text(each.original)}});
 }
 
 std::string heading(const Heading& each) {

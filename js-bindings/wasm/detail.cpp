@@ -49,8 +49,8 @@ bool update(Detail& detail, const std::vector<float>& numbers, float tolerance) 
   return detail.update(numbers, tolerance);
 }
 
-// For compute passes: the base mesh, the numbers of pieces of its edges, and the numbers of the
-// criterion.
+// The following functions return what compute passes read: the base mesh, the numbers of pieces of
+// its edges, and the numbers of the criterion.
 Words topology(const Detail& detail) { return topologyOf(detail.base()); }
 Words pieces(const Detail& detail) { return {detail.pieces().begin(), detail.pieces().end()}; }
 std::uint32_t vertexCount(const Detail& detail) {

@@ -15,9 +15,10 @@ Value inverse(const Value& m);
 // Returns a square matrix with `value` on the diagonal and zero elsewhere.
 Value diagonal(int size, Expression value);
 
-// Right-handed rotations: counterclockwise when the axis points at the viewer. Angles in radians.
+// Returns the matrix of a right-handed rotation: counterclockwise when the axis points at the
+// viewer. The angle is in radians.
 Value rotationAbout(int axis, Expression angle);
-// Rotates about any axis of any length, by Rodrigues' formula.
+// Returns that matrix for an axis of any direction and length, by Rodrigues' formula.
 Value rotationAbout(const Value& axis, Expression angle);
 
 }  // namespace warpjet

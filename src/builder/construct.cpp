@@ -8,7 +8,7 @@ namespace warpjet {
 
 namespace {
 
-// Adding 0 converts a condition to 0 or 1.
+// Converts a condition to 0 or 1, by adding 0.
 NodeId toFloat(Graph& graph, NodeId id) {
   return graph.apply(ops::find("add"), {id, graph.constant(0)});
 }
@@ -32,11 +32,11 @@ std::optional<std::vector<Expression>> Builder::components(const Site& site) {
 std::optional<Value> Builder::makeVector(int size, const Site& site) {
   const auto parts = components(site);
   if (!parts) return std::nullopt;
-  const int given = static_cast<int>(parts->size());
-  if (given != size && given != 1)
+  const int count = static_cast<int>(parts->size());
+  if (count != size && count != 1)
     return reject(site.method, {"expected ", std::to_string(size), " components, got ",
-                                std::to_string(given), "."});
-  return fill(graph_, vectorOf(size), [&](int i) { return (*parts)[given == 1 ? 0 : i]; });
+                                std::to_string(count), "."});
+  return fill(graph_, vectorOf(size), [&](int i) { return (*parts)[count == 1 ? 0 : i]; });
 }
 
 std::optional<Value> Builder::makeMatrix(int size, bool ofRows, const Site& site) {

@@ -5,7 +5,8 @@
 
 namespace warpjet {
 
-// a / y + b / y becomes (a + b) / y: the derivative of a quotient remains one quotient.
+// Returns x + y. a / y + b / y becomes (a + b) / y: the derivative of a quotient remains one
+// quotient.
 //
 // a * k + b * k becomes (a + b) * k if the graph contains a + b already: the derivative of a
 // rotated point is the rotated point times the derivative of the angle. Likewise, c + a * k + (d +

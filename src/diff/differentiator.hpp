@@ -24,9 +24,9 @@ class Differentiator {
  public:
   explicit Differentiator(Graph& graph) : graph_(graph) {}
 
-  // d root / d input, where `input` is a component of an input. Other inputs are constant. Calls of
-  // host functions that `root` depends on must have their partials, and `root` must not read the
-  // variable of a loop outside of its fold.
+  // Returns d root / d input, where `input` is a component of an input. Treats other inputs as
+  // constant. Calls of host functions that `root` depends on must have their partials, and `root`
+  // must not read the variable of a loop outside of its fold.
   NodeId derivative(NodeId root, NodeId input);
 
   // From now on, new nodes are recorded in `log`.

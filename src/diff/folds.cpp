@@ -22,9 +22,9 @@ NodeId Differentiator::tangentState(NodeId local, NodeId input) {
   return known->second;
 }
 
-// A state varies if its initial value has a nonzero derivative, or if it reads a state that varies.
-// Each pass over the body may find more such states; it repeats until it finds no more. Returns
-// false if the body reads a state of an enclosing loop, whose fold comes later.
+// Finds the states that vary: their initial value has a nonzero derivative, or they read a state
+// that varies. Repeats passes over the body until a pass finds no more such states. Returns false
+// if the body reads a state of an enclosing loop, whose fold comes later.
 bool Differentiator::findTangents(std::span<const State> states, const Direction& direction) {
   const auto& [input, zero, one, tangents, components] = direction;
   std::vector<NodeId> nexts;

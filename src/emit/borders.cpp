@@ -35,7 +35,8 @@ constexpr double minDistance = 1.0 / 16;
 
 class Borders : public Rewriter {
  public:
-  // The operations of all results count: the normal of log(x) contains only its derivative 1 / x.
+  // Considers the operations of all results: the normal of log(x) contains only its derivative 1 /
+  // x.
   Borders(Graph& graph, Library& library, Comments& comments)
       : Rewriter(graph, comments), library_(library), isInLoop_(graph.size()) {
     const auto size = static_cast<std::uint32_t>(graph.size());
@@ -48,7 +49,8 @@ class Borders : public Rewriter {
   }
 
  private:
-  // A loop's derivatives on the screen are undefined after pixels have left it at different steps.
+  // Returns true for values within a loop: their derivatives on the screen are undefined after
+  // pixels have left the loop at different steps.
   bool dependsOnStep(NodeId id) const {
     if (graph_.isLocal(id)) return true;
     for (int i = 0; i < graph_.arity(id); ++i) {

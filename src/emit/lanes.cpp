@@ -40,7 +40,8 @@ Lanes Packs::operandsOf(const Lanes& lanes, int i) const {
   return operands;
 }
 
-// If an operation has three operands, either all that may be scalars are scalars, or none is.
+// Returns true if operand `i` is the same in all lanes and may be a number beside vectors. Of three
+// operands, either all that may be numbers are numbers, or none is.
 bool Packs::takesNumber(const Lanes& lanes, int i) const {
   const ops::SomeOperands numbers = spellingOf(lanes).numbers;
   if ((numbers >> i & 1) == 0) return false;
@@ -123,7 +124,8 @@ std::optional<Packs::Factors> Packs::dotProductOf(NodeId sum) const {
   return factors;
 }
 
-// Component i is a[i + 1] * b[i + 2] - a[i + 2] * b[i + 1], with either factor first.
+// Returns the factors of a cross product, if the lanes are one: component i is a[i + 1] * b[i + 2]
+// - a[i + 2] * b[i + 1], with either factor first.
 std::optional<Packs::Factors> Packs::crossProductOf(const Lanes& lanes) const {
   Factors factors;
   if (lanes.count != 3) return std::nullopt;

@@ -71,9 +71,10 @@ class Maker {
     }
   }
 
-  // ANGLE, which translates GLSL in browsers, compiles `c ? a : b` to a branch unless a and b are
-  // names or literals. A few branches do no harm; but SwiftShader takes 3 s to compile 4D noise
-  // with 48 of them, and 0.08 s without. GPUs compute both sides anyway, as does WGSL's select.
+  // Gives both sides of a choice names. ANGLE, which translates GLSL in browsers, compiles `c ? a :
+  // b` to a branch unless a and b are names or literals. A few branches do no harm; but SwiftShader
+  // takes 3 s to compile 4D noise with 48 of them, and 0.08 s without. GPUs compute both sides
+  // anyway, as does WGSL's select.
   void nameBranches(NodeId choice) {
     for (const int i : {1, 2}) {
       const NodeId id = graph_.operand(choice, i);

@@ -80,7 +80,7 @@ class ShaderTextWriter {
                        [&](const Naming& naming) { return isNewName(naming.number); });
   }
 
-  // The host's new name must not be the name of another input.
+  // Checks that the host's new name for an input is not the name of another input.
   bool isNewName(std::uint32_t input) {
     if (inputs_[input] == graph_.input(input).label) return true;
     const Label label = readLabel(inputs_[input]);

@@ -24,8 +24,8 @@ class Writer {
   void name(NodeId id, std::string name);
   void nameInput(std::uint32_t input, std::string name) { inputNames_[input] = std::move(name); }
 
-  // Rotation matrices. They form a stack, since names defined in a loop's body are visible only
-  // there; those of the body being written start at `first`.
+  // The following functions handle rotation matrices. These form a stack, since names defined in a
+  // loop's body are visible only there; those of the body being written start at `first`.
   void countMatrix(const Packs::Matrix& matrix, std::size_t first);
   // Returns true if the matrix is used more than once and has no name yet.
   bool wantsName(const Packs::Matrix& matrix) const;

@@ -38,7 +38,7 @@ class Search {
     if (isNeeded()) sampleCorners();
   }
 
-  // False if the result has no value, or if splitting gains nothing.
+  // Returns false if the result has no value, or if splitting gains nothing.
   bool isNeeded() const { return !plain_.isEmpty() && dimensions() > 0; }
   Interval plain() const { return plain_; }
 
@@ -167,8 +167,8 @@ double Search::findUpperBound(double sign, std::uint64_t reserve) {
       const Interval side = box(worst.box)[i];
       boxes_.push_back(side);
     }
-    const double centre = middle(box(half)[axis]);
-    box(half)[axis].low = box(worst.box)[axis].high = centre;
+    const double center = middle(box(half)[axis]);
+    box(half)[axis].low = box(worst.box)[axis].high = center;
     for (const std::uint32_t child : {worst.box, half}) {
       const double childBound = std::min(worst.bound, bound(sign, box(child)));
       sampleBox(box(child));

@@ -41,9 +41,9 @@ Staged routineFormula(Op op, Staged x, Staged y) {
 std::uint32_t CodeModule::constant(std::uint32_t bits) {
   const auto first = shared.begin() + static_cast<std::ptrdiff_t>(firstConstant);
   const auto found = std::find(first, shared.end(), bits);
-  const auto place = static_cast<std::uint32_t>(found - shared.begin());
+  const auto index = static_cast<std::uint32_t>(found - shared.begin());
   if (found == shared.end()) shared.push_back(bits);
-  return place;
+  return index;
 }
 
 Staged CodeWriter::number(double x) {
@@ -105,8 +105,8 @@ Staged CodeWriter::load(std::uint32_t offset, std::uint32_t size, std::uint32_t 
   computeAddress(size);
   for (std::uint32_t lane = 0; lane < lanesCount; ++lane) get(address_);
   for (std::uint32_t lane = 0; lane < lanesCount; ++lane) {
-    const auto place = static_cast<int>(offset + floatBytes * (lane * size + component));
-    simd(lane == 0 ? wasm::LoadFirst : wasm::LoadLane, place);
+    const auto address = static_cast<int>(offset + floatBytes * (lane * size + component));
+    simd(lane == 0 ? wasm::LoadFirst : wasm::LoadLane, address);
     if (lane > 0) code_.byte(static_cast<std::uint8_t>(lane));
   }
   return pop();

@@ -55,7 +55,8 @@ class Allocator {
   }
 
  private:
-  // A float can't represent all known integers, so `int(constant)` is stored as its bits.
+  // Returns true for `int(constant)`, which is stored as its bits: a float can't represent all
+  // integers.
   bool isKnownInt(std::uint32_t i) const {
     return program_.op(i) == ops::find("int") && program_.op(program_.operands(i)[0]) == constantOp;
   }
@@ -105,9 +106,8 @@ class Allocator {
     instruction.op = program_.op(i);
     instruction.result = allocations_[i].result = result;
     if (instruction.op == inputOp) instruction.input = program_.input(i);
-    auto place = instruction.operands.begin();
-    for (const std::uint32_t operand : program_.operands(i))
-      *place++ = allocations_[operand].result;
+    auto next = instruction.operands.begin();
+    for (const std::uint32_t operand : program_.operands(i)) *next++ = allocations_[operand].result;
     return instruction;
   }
 

@@ -27,16 +27,18 @@ NodeId FrameInputs::pass(NodeId id) {
 
 // Returns the component that passes this float, or `noNode` if all frame inputs are used.
 NodeId FrameInputs::component(NodeId value) {
-  std::size_t place = 0;
-  while (place < values_.size() && values_[place] != value) ++place;
-  if (place == maxFrameValues) return noNode;
-  if (place == values_.size()) values_.push_back(value);
-  const std::string label = frameLabel + std::to_string(place / 4);
-  return graph_.component(graph_.input(label, vectorOf(4)), static_cast<int>(place % 4));
+  std::size_t i = 0;
+  while (i < values_.size() && values_[i] != value) ++i;
+  if (i == maxFrameValues) return noNode;
+  if (i == values_.size()) values_.push_back(value);
+  const std::string label = frameLabel + std::to_string(i / 4);
+  return graph_.component(graph_.input(label, vectorOf(4)), static_cast<int>(i % 4));
 }
 
-NodeId FrameInputs::half(Op op, NodeId whole, double by) {
-  const NodeId bits = graph_.apply(op, {whole, graph_.intConstant(by)});
+// Returns the component that passes half of an integer's bits: those that are left by an operation
+// with `operand`, a shift or a mask.
+NodeId FrameInputs::half(Op op, NodeId whole, double operand) {
+  const NodeId bits = graph_.apply(op, {whole, graph_.intConstant(operand)});
   return component(graph_.apply(ops::find("intToFloat"), {bits}));
 }
 

@@ -22,7 +22,7 @@ class FrameInputs {
 
  private:
   NodeId component(NodeId value);
-  NodeId half(Op op, NodeId whole, double by);
+  NodeId half(Op op, NodeId whole, double operand);
   NodeId fromHalves(NodeId high, NodeId low);
 
   Graph& graph_;

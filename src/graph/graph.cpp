@@ -42,7 +42,7 @@ std::size_t hash(const Node& node) {
   return static_cast<std::size_t>(h ^ (h >> 31));
 }
 
-// std::bit_cast, which Emscripten 3.1.6 lacks.
+// Does what std::bit_cast does, which Emscripten 3.1.6 lacks.
 template <class To, class From>
 To bitCast(From from) {
   static_assert(sizeof(To) == sizeof(From));

@@ -19,8 +19,8 @@ void MultiIndices::extend(int order) {
 
 int MultiIndices::derivative(int number, int variable) {
   extend(all_[number].order + 1);
-  const auto child = [&](int parent, int by) {
-    return all_[parent].firstChild + by - all_[parent].last;
+  const auto child = [&](int parent, int added) {
+    return all_[parent].firstChild + added - all_[parent].last;
   };
   const int last = lastVariable(number);
   if (last <= variable) return child(number, variable);

@@ -55,13 +55,13 @@ struct Pattern {
   constexpr Pattern(bool value)
       : items{Item{.type = ops::Type::Bool, .value = value ? 1.0 : 0.0}} {}
 
-  // A variable, named by a letter.
+  // Makes a variable, named by a letter.
   constexpr Pattern(Kind kind, char letter)
       : items{Item{.kind = kind,
                    .number = static_cast<std::uint8_t>(letter - 'a'),
                    .isKnown = kind == Kind::Constant}} {}
 
-  // An operation or a function.
+  // Makes an operation or a function.
   template <class... Operands>
   constexpr Pattern(Item root, const Operands&... operands) : items{root} {
     (append(operands), ...);

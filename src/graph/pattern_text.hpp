@@ -10,8 +10,8 @@ namespace warpjet::patterns {
 
 namespace detail {
 
-// In shader code, a minus may move out of a product. The text of a pattern shows where the minus
-// is, so a minus gets parentheses of its own.
+// Returns true for a minus, which gets its own parentheses: in shader code, a minus may move out of
+// a product, but the text of a pattern shows where it is.
 inline bool isMinus(const Item& item) { return item.is(ops::find("neg")); }
 
 inline ops::Precedence precedence(const Item& item) {

@@ -113,9 +113,9 @@ class RotationMatcher {
       add(rest, term);
       return bind(factor, {missing, false});
     }
-    const int place = choose();
-    const Term found{graph_.operand(term.node, place), false};
-    const Term other{graph_.operand(term.node, 1 - place), term.isNegative};
+    const int operand = choose();
+    const Term found{graph_.operand(term.node, operand), false};
+    const Term other{graph_.operand(term.node, 1 - operand), term.isNegative};
     const bool isOpposite = !bind(factor, found);
     add(rest, {other.node, other.isNegative != isOpposite});
     return !isOpposite || isSame(bindings_[factor->number], {found.node, true});
@@ -129,12 +129,12 @@ class RotationMatcher {
              bind(wave + 1, {graph_.operand(term.node, 0), false});
     }
     if (!graph_.is(term.node, Mult)) return false;
-    int place = isWave(wave, graph_.operand(term.node, 0)) ? 0 : 1;
+    int operand = isWave(wave, graph_.operand(term.node, 0)) ? 0 : 1;
     const NodeId second = graph_.operand(term.node, 1);
-    if (place == 0 && isWave(wave, second) && choose()) place = 1;
-    const NodeId node = graph_.operand(term.node, place);
+    if (operand == 0 && isWave(wave, second) && choose()) operand = 1;
+    const NodeId node = graph_.operand(term.node, operand);
     if (!isWave(wave, node)) return false;
-    add(other, {graph_.operand(term.node, 1 - place), term.isNegative});
+    add(other, {graph_.operand(term.node, 1 - operand), term.isNegative});
     return bind(wave + 1, {graph_.operand(node, 0), false});
   }
 

@@ -144,13 +144,13 @@ static std::optional<std::vector<int>> partOfSelection(const Label& whole, const
       part.selectors[last].name.empty();
   if (!differsOnlyInLast) return {};
   const std::vector<int>& selected = whole.selectors[last].indices;
-  std::vector<int> places;
+  std::vector<int> positions;
   for (const int index : part.selectors[last].indices) {
-    const auto place = std::find(selected.begin(), selected.end(), index);
-    if (place == selected.end()) return {};
-    places.push_back(static_cast<int>(place - selected.begin()));
+    const auto found = std::find(selected.begin(), selected.end(), index);
+    if (found == selected.end()) return {};
+    positions.push_back(static_cast<int>(found - selected.begin()));
   }
-  return places;
+  return positions;
 }
 
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part) {

@@ -34,10 +34,10 @@ class Search {
     if (axis == inside_.size()) return addPoint(cellHash, before);
     const Numbers fixed = steps_;
     return fold(cells, before, [&](const Numbers& nearest, Expression step) {
-      const Expression place = step - cells / 2.0;
+      const Expression offset = step - cells / 2.0;
       steps_ = fixed;
-      steps_.push_back(place);
-      return search(hash(cellHash, corner_[axis] + place), nearest);
+      steps_.push_back(offset);
+      return search(hash(cellHash, corner_[axis] + offset), nearest);
     });
   }
 

@@ -20,7 +20,7 @@ Interval intSum(const Interval& x, const Interval& y) {
   return anyIfWrapped(x.low + y.low, x.high + y.high);
 }
 
-// The remainder is smaller than the divisor and has the sign of the dividend.
+// Bounds a remainder, which is smaller than the divisor and has the sign of the dividend.
 Interval intRemainder(const Interval& x, const Interval& y) {
   const double largest = std::max({-y.low, y.high, 1.0}) - 1;
   return {x.low < 0 ? std::max(x.low, -largest) : 0.0,

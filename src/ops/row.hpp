@@ -49,7 +49,7 @@ struct Row {
   Lowered lowered;
   Helpers helpers = {};
 
-  constexpr Row opsWithHelpers(const Helpers& texts) const {
+  constexpr Row withHelpers(const Helpers& texts) const {
     Row row = *this;
     row.helpers = texts;
     return row;

@@ -241,7 +241,7 @@ inline constexpr std::tuple floatRows{
     // noise
     row("hash", call("warpjetHash($0, $1)"), {positive, anywhere, {}},
         [](auto h, auto i) { return hash(h, i); })
-        .opsWithHelpers(hashHelpers),
+        .withHelpers(hashHelpers),
 
     // conversions, inserted where a condition is used as a number or vice versa
     row("float", call("float($0)").with(Wgsl, "f32($0)"), everywhere,

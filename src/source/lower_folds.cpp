@@ -104,8 +104,8 @@ Id Lowering::fromState(Id state, Base base) {
 bool Lowering::onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const {
   if (next == before) return true;
   if (depth == 0) return false;
-  const auto isWithin = [&](Id id, double most) {
-    return recorder_.isConstant(id) && std::abs(recorder_.value(id)) <= most;
+  const auto isWithin = [&](Id id, double max) {
+    return recorder_.isConstant(id) && std::abs(recorder_.value(id)) <= max;
   };
   if (isWithin(next, large)) return true;
   const auto operands = recorder_.operands(next);
@@ -191,9 +191,9 @@ bool Lowering::confirmGuesses(const Statement& statement, Folding& folding,
   using enum Changing::Kind;
   bool areRight = true;
   for (Changing& each : folding.all) {
-    const auto isNext = [&](Operator op, double by) {
+    const auto isNext = [&](Operator op, double step) {
       const Base base = recorder_.base(each.now);
-      return each.atEnd == scalar(op, base, each.now, number(base, by));
+      return each.atEnd == scalar(op, base, each.now, number(base, step));
     };
     // After an early end, the value doesn't follow from the number of steps.
     const bool isKnownAfter = each.next == each.atEnd || declares(statement, each.slot);

@@ -11,8 +11,9 @@ struct Match {
   Type matrix;
   int columns = 0, rows = 0;
 
-  bool generic(Base base, Type type, int least) {
-    if (type.isArray() || type.base != base || type.columns != 1 || type.rows < least) return false;
+  bool generic(Base base, Type type, int minSize) {
+    if (type.isArray() || type.base != base || type.columns != 1 || type.rows < minSize)
+      return false;
     if (size == 0) size = type.rows;
     return size == type.rows;
   }

@@ -127,8 +127,8 @@ class SignOfPolynomial {
       else
         common.push_back(factor);
       for (Monomial& each : terms) {
-        const auto place = std::find(each.factors.begin(), each.factors.end(), factor);
-        std::copy(place + 1, each.factors.end(), place);
+        const auto found = std::find(each.factors.begin(), each.factors.end(), factor);
+        std::copy(found + 1, each.factors.end(), found);
         each.factors.back() = Monomial::none;
       }
     }

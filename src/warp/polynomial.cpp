@@ -128,10 +128,10 @@ bool Expansion::replaceSquaredSine(Polynomial& terms, std::size_t i) {
 }
 
 std::optional<Polynomial> Expansion::atom(Atom wanted) {
-  const auto place = std::find(atoms_.begin(), atoms_.end(), wanted);
-  const auto number = static_cast<std::size_t>(place - atoms_.begin());
+  const auto found = std::find(atoms_.begin(), atoms_.end(), wanted);
+  const auto number = static_cast<std::size_t>(found - atoms_.begin());
   if (number >= Monomial::none) return {};
-  if (place == atoms_.end()) atoms_.push_back(wanted);
+  if (found == atoms_.end()) atoms_.push_back(wanted);
   Monomial term;
   term.factors[0] = static_cast<std::uint8_t>(number);
   return Polynomial{term};

@@ -117,16 +117,16 @@ void forSparse(const Gltf& gltf, int accessor, std::size_t components, Replace r
                                      static_cast<std::uint64_t>(info.sparse.values.byteOffset),
                                      count, components * sizeof(T), 0);
   const auto replaceAll = [&]<typename Index>(Index) {
-    const Elements places = elementsIn(gltf, accessor, info.sparse.indices.bufferView,
-                                       static_cast<std::uint64_t>(info.sparse.indices.byteOffset),
-                                       count, sizeof(Index), 0);
-    for (std::size_t i = 0; i < places.count; ++i) {
-      const Index place = places.at<Index>(i);
+    const Elements indices = elementsIn(gltf, accessor, info.sparse.indices.bufferView,
+                                        static_cast<std::uint64_t>(info.sparse.indices.byteOffset),
+                                        count, sizeof(Index), 0);
+    for (std::size_t i = 0; i < indices.count; ++i) {
+      const Index index = indices.at<Index>(i);
       if constexpr (std::is_unsigned_v<Index>) {
-        if (place >= info.count)
-          fail(accessor, "replaces its element " + groupDigits(place) + ", but has only " +
+        if (index >= info.count)
+          fail(accessor, "replaces its element " + groupDigits(index) + ", but has only " +
                              groupDigits(info.count));
-        replace(static_cast<std::size_t>(place), values, i);
+        replace(static_cast<std::size_t>(index), values, i);
       } else {
         fail(accessor, "has sparse indices that are not unsigned integers");
       }

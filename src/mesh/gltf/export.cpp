@@ -142,12 +142,12 @@ json material(const Material& material) {
   return result;
 }
 
-// Adds a texture, if there is one that glTF supports, as the property `name` of `owner`.
-void addTexture(File& file, json& owner, const char* name, const std::optional<Image>& picture,
+// Adds an image, if there is one whose type glTF supports, as the texture `name` of `owner`.
+void addTexture(File& file, json& owner, const char* name, const std::optional<Image>& image,
                 const json& sampling = json::object()) {
-  const char* type = picture ? pictureType(picture->bytes) : nullptr;
+  const char* type = image ? pictureType(image->bytes) : nullptr;
   if (!type) return;
-  const int view = file.addView<std::uint8_t>(picture->bytes);
+  const int view = file.addView<std::uint8_t>(image->bytes);
   json& images = file.document["images"];
   json texture = sampling;
   texture["source"] = images.size();

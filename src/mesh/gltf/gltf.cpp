@@ -88,11 +88,11 @@ class HiddenIndices {
 
 // Returns the bytes at a buffer's URI, or of the binary chunk if the buffer has no URI; empty for a
 // missing fallback.
-Bytes findBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
-  const auto& [uri, length, isFallback, bytes] = gltf.buffers[place];
-  const std::string name = "buffer " + std::to_string(place);
+Bytes findBytes(Gltf& gltf, std::size_t index, std::optional<Bytes> binary, const Files& files) {
+  const auto& [uri, length, isFallback, bytes] = gltf.buffers[index];
+  const std::string name = "buffer " + std::to_string(index);
   if (uri.empty()) {
-    if (place == 0 && binary) return *binary;
+    if (index == 0 && binary) return *binary;
     if (isFallback) return {};
     throw FileProblem(name + " has neither a uri nor a binary chunk; export the model as .glb.");
   }
@@ -161,13 +161,13 @@ void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
   }
 }
 
-Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int place, std::uint64_t offset,
+Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int index, std::uint64_t offset,
                     std::uint64_t length) {
-  const Buffer& buffer = gltf.buffers[checkIndex("buffer", place, gltf.buffers.size())];
+  const Buffer& buffer = gltf.buffers[checkIndex("buffer", index, gltf.buffers.size())];
   // Offset and length are below 2^32 each, but their sum may overflow a 32-bit size_t.
   if (offset + length > buffer.bytes.size())
     throw FileProblem(what + " reads up to byte " + groupDigits(offset + length) + " of buffer " +
-                      std::to_string(place) + ", which has only " +
+                      std::to_string(index) + ", which has only " +
                       groupDigits(buffer.bytes.size()) + "; export the model again.");
   return buffer.bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }

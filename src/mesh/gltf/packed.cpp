@@ -211,8 +211,8 @@ std::vector<PackedPart> findPacked(Gltf& gltf) {
   return parts;
 }
 
-void unpack(Gltf& gltf, std::size_t place, Pieces pieces) {
-  PackedPlace& part = gltf.packed.at(place);
+void unpack(Gltf& gltf, std::size_t index, Pieces pieces) {
+  PackedPlace& part = gltf.packed.at(index);
   for (const auto& piece : pieces) gltf.unpackedBytes += piece.size();
   if (gltf.unpackedBytes > maxMeshBytes)
     throw FileProblem("the model is larger than " + groupDigits(maxMeshBytes) +

@@ -9,12 +9,12 @@ namespace warpjet {
 
 namespace {
 
-glm::dvec3 at(const std::vector<float>& numbers, std::size_t place) {
-  return {numbers[place], numbers[place + 1], numbers[place + 2]};
+glm::dvec3 at(const std::vector<float>& numbers, std::size_t first) {
+  return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-void set(std::vector<float>& numbers, std::size_t place, const glm::dvec3& value) {
-  for (int i = 0; i < 3; ++i) numbers[place + i] = static_cast<float>(value[i]);
+void set(std::vector<float>& numbers, std::size_t first, const glm::dvec3& value) {
+  for (int i = 0; i < 3; ++i) numbers[first + i] = static_cast<float>(value[i]);
 }
 
 glm::dvec3 unit(const glm::dvec3& v) {

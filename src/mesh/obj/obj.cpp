@@ -53,8 +53,8 @@ std::vector<float> linearColors(const std::vector<float>& colors,
   return linear;
 }
 
-// If a number is invalid, sets the first number to NaN and keeps the message about the first such
-// line.
+// Sets the first number of a line to NaN if any of its numbers is invalid, and keeps the message
+// about the first such line.
 template <std::size_t maxCount>
 void markInvalid(const TextLine& line, LineNumbers<maxCount>& numbers, Lists& lists) {
   if (numbers.isFinite) return;

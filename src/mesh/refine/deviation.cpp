@@ -91,8 +91,8 @@ Patch patchOf(const Piece& piece, const std::vector<float>& corners,
   return patch;
 }
 
-void put(std::vector<float>& numbers, std::size_t place, glm::vec3 value) {
-  for (int i = 0; i < 3; ++i) numbers[3 * place + i] = value[i];
+void put(std::vector<float>& numbers, std::size_t vertex, glm::vec3 value) {
+  for (int i = 0; i < 3; ++i) numbers[3 * vertex + i] = value[i];
 }
 
 void clear(Mesh& vertices) {

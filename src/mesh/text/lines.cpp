@@ -12,7 +12,7 @@ namespace warpjet {
 
 namespace {
 
-// White space within a line; joined lines contain line breaks.
+// Returns true for white space within a line. That includes line breaks, since lines may be joined.
 bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // Removes a comment, which starts with #. A # inside of a word is part of the word, as in my#1.mtl

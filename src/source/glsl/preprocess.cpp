@@ -162,7 +162,7 @@ class Preprocessor {
     if (numbers.file) macros_.define("__FILE__", *numbers.file);
   }
 
-  // `name : behavior`: GLSL ES 3.00, section 3.5. We don't check whether the extension is
+  // Reads `name : behavior`: GLSL ES 3.00, section 3.5. Doesn't check whether the extension is
   // available: only the host can query that.
   void extension(const Token& word, Line rest) {
     const bool isName = !rest.empty() && rest[0].kind == Kind::Name;

@@ -52,11 +52,11 @@ Operand Parser::callFunction(const Token& name, FunctionId index, const Operands
     return failOperand(name.location, quote(name.text) + " expected (" + expected + "), got (" +
                                           typesOf(operands) + ")");
   }
-  std::vector<ExpressionId> given;
+  std::vector<ExpressionId> arguments;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Operand operand = operands[i];
     if (operand.isPointer()) operand.kind = Operand::Kind::Reference;
-    given.push_back(convert(operand, function.parameters[i].type, name.location));
+    arguments.push_back(convert(operand, function.parameters[i].type, name.location));
   }
   if (current_ == nothing)
     return failOperand(name.location,
@@ -66,7 +66,7 @@ Operand Parser::callFunction(const Token& name, FunctionId index, const Operands
                .type = tree_.functions[index].type,
                .index = index,
                .location = name.location,
-               .operands = std::move(given)});
+               .operands = std::move(arguments)});
 }
 
 // Finds the built-in function for these operands, and sets `types` to their types. Abstract
@@ -125,14 +125,14 @@ Operand Parser::callBuiltIn(const Token& name, Operands operands) {
   if (Operand folded = foldBuiltIn(row, operands, found->result, name.location);
       folded.isAbstract() || folded.id != nothing)
     return folded;
-  std::vector<ExpressionId> given;
+  std::vector<ExpressionId> arguments;
   for (std::size_t i = 0; i < operands.size(); ++i)
-    given.push_back(convert(operands[i], types[i], name.location));
+    arguments.push_back(convert(operands[i], types[i], name.location));
   Operand made = make({.kind = Code::BuiltIn,
                        .type = found->result,
                        .index = found->row,
                        .location = name.location,
-                       .operands = std::move(given)});
+                       .operands = std::move(arguments)});
   if (!problems_.any() && constants_.isConstant(made.id) && constants_.numbers(made.id).empty())
     return failOperand(name.location, noValue);
   return made;

@@ -24,7 +24,7 @@ inline constexpr auto table = std::tuple_cat(
         row(
             "cbrt", call("warpjetCbrt($0)").missingIn(Glsl100), everywhere,
             [](double x) { return std::cbrt(x); }, [](auto, auto v) { return 1.0 / (3.0 * v * v); })
-            .opsWithHelpers(cbrtHelpers)
+            .withHelpers(cbrtHelpers)
             .lowersTo([](auto x) { return sign(x) * pow(abs(x), 1.0 / 3); }),
         // Its value is written for any type of scalar.
         row(
