@@ -77,7 +77,7 @@ std::string row(const ops::Title& title, Op op) {
        {"missingIn", missingIn(op)},
        {"isChained", truth(info.traits.has(ops::Trait::Chained))},
        {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
-       {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::GlslOnly))}});
+       {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::SourceOnly))}});
 }
 
 std::string rows() {

@@ -77,7 +77,7 @@ inline constexpr auto operations = [] {
   for (std::size_t i = 0; i < ops::count; ++i) {
     if (!detail::isHidden(ops::declarations[i]))
       all[n++] = {ops::declarations[i].name, Source::Row, number(i),
-                  ops::declarations[i].traits.has(ops::Trait::GlslOnly)};
+                  ops::declarations[i].traits.has(ops::Trait::SourceOnly)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {
