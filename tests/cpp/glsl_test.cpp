@@ -14,7 +14,7 @@ namespace {
 std::string preprocessToText(std::string_view text) {
   Problems problems;
   const PreprocessedSource read = preprocess(readTokens(text, problems), problems);
-  if (problems.any()) return problems.text(text);
+  if (problems.any()) return problems.message(text);
   std::string all;
   for (const Token& token : read.tokens) {
     if (token.kind != Token::Kind::End) (all += all.empty() ? "" : " ") += token.text;
@@ -95,7 +95,7 @@ std::string describeTokens(std::string_view text) {
   Problems problems;
   const PreprocessedSource read =
       preprocess(readTokens(lines.joined, problems, lines.joins), problems);
-  if (problems.any()) return problems.text(lines.separate);
+  if (problems.any()) return problems.message(lines.lines);
   std::string all;
   for (const Token& token : read.tokens)
     all += std::string(token.text) + '@' + std::to_string(token.location.line) + ':' +
