@@ -41,7 +41,7 @@ struct Lanes {
 class Packs {
  public:
   enum class Form : std::uint8_t { Number, Part, Operation, Row };
-  // Where lanes are written: as an operand, or as what a statement computes.
+  // Lanes are written as an operand, or as the expression that a statement computes.
   enum class As : std::uint8_t { Operand, Statement };
 
   Packs(const Graph& graph, const Dialect& dialect, std::span<const MatrixProduct> products)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// A box is not split further once each side is at most this share of the whole box's side.
+// A box is no longer split if none of its sides is a larger share of the whole box's side.
 constexpr double minShare = 0x1p-24;
 
 // The number of instructions that may still be run.

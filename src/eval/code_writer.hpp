@@ -17,7 +17,7 @@ struct CodeModule {
   // call.
   std::uint32_t sharedAt;
   std::vector<std::uint32_t> shared;
-  // By operation: the number of its function in this module, and of its imported function; or
+  // The number of each operation's function in this module, and of its imported function; or
   // `noFunction`.
   std::array<std::uint32_t, ops::count> routines, kernels;
   std::uint32_t eachLane = noFunction;

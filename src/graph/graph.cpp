@@ -51,8 +51,8 @@ To bitCast(From from) {
   return to;
 }
 
-// By operation: true if `known` may return a value. Most operands are not known, and one byte rules
-// them out.
+// The entry of an operation is true if `known` may return a value for it. Most operands are not
+// known, and reading one byte rules them out.
 constexpr auto mayBeKnown = [] {
   std::array<bool, arities.size()> all{};
   for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;

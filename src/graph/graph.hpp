@@ -44,7 +44,7 @@ inline constexpr Op stateOp{static_cast<std::uint8_t>(ops::count + 6)};
 inline constexpr Op foldOp{static_cast<std::uint8_t>(ops::count + 7)};
 inline constexpr Op outcomeOp{static_cast<std::uint8_t>(ops::count + 8)};
 
-// By operation: the number of operands that are nodes.
+// The number of each operation's operands that are nodes.
 inline constexpr auto arities = [] {
   std::array<std::uint8_t, ops::count + 9> all{};
   for (std::size_t i = 0; i < ops::count; ++i)

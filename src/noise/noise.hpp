@@ -29,8 +29,8 @@ struct Noise {
   NoiseKind kind;
   NoiseKind base = {};  // of fractals and curl
   int octaves = 1;      // of fractals
-  // True if integer cells are passed, too, which are added to the point. The point may then be so
-  // far away that float32 couldn't represent its position within a cell.
+  // True if integer cells are passed, too, which are added to the point. Float32 need not represent
+  // the point's position within a cell, however far away the point is.
   bool hasCells = false;
   // True if the width of a pixel is passed, too, in the space of the point: see `fadeNoise`.
   bool fades = false;

@@ -16,7 +16,7 @@ inline constexpr auto inversesqrtOrZero = [](auto x) {
 
 // A product with a factor below `minFactor`, or a quotient by more than `maxDivisor`, is negligible
 // compared to the ones of I + J. It counts as 0, since the other operand may be infinite. The range
-// of float32 extends so far beyond both limits that values within them stay finite.
+// of float32 extends far enough beyond both limits that values within them stay finite.
 inline constexpr double minFactor = 1e-25, maxDivisor = 1e30;
 
 // Computes x d / (x² + y²), or 0 at zero. Scales x and y, since in float32 x² may overflow or

@@ -25,9 +25,9 @@ inline constexpr const char* sampledTexelName = "warpjetSampledTexel";
 // data. Host is Bilinear, or Nearest if the third number of the host's settings is 1.
 enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline, Nearest, Host };
 
-// What the image is beyond its edges: the texels at the edge, the image repeated, or mirrored. Host
-// takes the mode of each axis from the host's settings: 0 is Clamp, 1 Repeat and 2 Mirror. Sampler
-// leaves the wrapping to the host's sampler; WGSL, which has no such sampler here, clamps.
+// Beyond its edges, the image has the texels at the edge, or is repeated or mirrored. Host takes
+// the mode of each axis from the host's settings: 0 is Clamp, 1 Repeat and 2 Mirror. Sampler leaves
+// the wrapping to the host's sampler; WGSL, which has no such sampler here, clamps.
 enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror, Host, Sampler };
 
 // Public names, by number.

@@ -35,8 +35,8 @@ TEST_F(AlgebraTest, ReflectMirrorsAtTheSurface) {
              sumOf(incident, scaleBy(normal, -2 * normalComponent)));
 }
 
-// By Snell's law, the component along the surface becomes eta times as long, and the direction
-// keeps unit length.
+// Snell's law makes the component along the surface eta times as long; the direction keeps unit
+// length.
 TEST_F(AlgebraTest, RefractFollowsSnell) {
   for (const double eta : {0.6, 1.0, 1.3}) {
     const Doubles normal = unit({1, 2, -2}), tangent = unit({2, 1, 2});

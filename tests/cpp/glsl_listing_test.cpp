@@ -32,7 +32,7 @@ class Interpreter {
   }
 
   Numbers results;
-  // How many functions were defined, calls made and loops run.
+  // The numbers of functions defined, calls made and loops run.
   int defined = 0, called = 0, folds = 0;
   // The numbers of parameters and of variables of each function, as in Define.
   std::vector<std::uint32_t> sizes, variables;

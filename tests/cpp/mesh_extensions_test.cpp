@@ -1,4 +1,4 @@
-// How extensions of glTF, morph targets and sparse accessors affect the merged mesh. The expected
+// Effects of glTF extensions, morph targets and sparse accessors on the merged mesh. The expected
 // numbers are computed by hand.
 #include <gtest/gtest.h>
 
