@@ -91,20 +91,20 @@ export class Job {
 
   /** Adds a file that the model refers to. */
   addFile(name: string, contents: Uint8Array) {
-    this.setBytes('contents', contents)
+    this.setBytes('transfer', contents)
     this.expect(this.mesh.keepFile(name))
   }
 
   /** Returns the bytes of a compressed part of the file, after `findPacked`. */
   packedBytes(part: number): Uint8Array {
     this.expect(this.mesh.openPacked(part))
-    return this.bytes('contents')
+    return this.bytes('transfer')
   }
 
   /** Replaces a compressed part by its decoded bytes. */
   unpack(part: number, pieces: readonly Uint8Array[]) {
     for (const piece of pieces) {
-      this.setBytes('contents', piece)
+      this.setBytes('transfer', piece)
       this.act('keepPiece')
     }
     this.expect(this.mesh.unpack(part))

@@ -116,8 +116,8 @@ function indicesOf(given: unknown, place: Place): ArrayLike<number> {
 
 /** The textures of a material, and their arrays in a job. */
 const textures = [
-  { name: 'baseColorTexture', arrays: { bytes: 'picture', mimeType: 'mimeType' } },
-  { name: 'normalTexture', arrays: { bytes: 'normalPicture', mimeType: 'normalMimeType' } },
+  { name: 'baseColorTexture', arrays: { bytes: 'baseColorImage', mimeType: 'baseColorMimeType' } },
+  { name: 'normalTexture', arrays: { bytes: 'normalImage', mimeType: 'normalMimeType' } },
 ] as const
 
 const materialKind = record<Record<string, unknown>>(

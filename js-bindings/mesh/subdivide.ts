@@ -87,7 +87,7 @@ export function subdivideBy(place: Place, given: MeshOrGeometry, refine: Refine)
     const warnings = refine(job)
     const mesh = warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
     if (!isGeometry(given)) return mesh
-    const [ends, triangles] = [job.indices('ends'), job.indices('triangles')]
+    const [ends, triangles] = [job.indices('originEnds'), job.indices('originTriangles')]
     return finerGeometry(given, mesh, { ends, triangles })
   })
 }

@@ -43,7 +43,8 @@ inline bool logicalNot(bool x) { return !x; }
 
 inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
 
-// A term of a derivative; 0 where the condition is false and the factor may be infinite.
+// Returns a term of a derivative; 0 where the condition is false. (An expression's term is only
+// masked if its factor may be infinite.)
 inline double maskTerm(bool condition, double, double term) { return condition ? term : 0; }
 
 // A pseudorandom integer from 0 to 4090, computed from another such number and any integer.

@@ -178,7 +178,7 @@ describe('labels in different spellings are one variable', () => {
         (glsl) => glsl.param('m[0].x'),
         (glsl) => glsl.mat3Param('m'),
       ),
-      /"m\[0\]\.x" was read before "m", whose part it is; read the matrix first/,
+      /"m\[0\]\.x" was read before "m", of which it is a part; read the matrix first/,
     )
   })
 })

@@ -276,7 +276,7 @@ test('treats two spellings of one variable as the same, or rejects them', () => 
   assert.match(code, /a = p\.z \* 2\.0;\s+b = a;\s+c = p\.zx;/)
   throwsWarpError(
     () => compile((glsl) => ({ r: glsl.param('p.x').mult(glsl.vec3Param('p')) })),
-    /vec3Param: "p\.x" was read before "p", whose part it is; read the vector first/,
+    /vec3Param: "p\.x" was read before "p", of which it is a part; read the vector first/,
   )
 })
 

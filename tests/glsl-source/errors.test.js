@@ -149,7 +149,7 @@ rejects([
   ['#undef A B', 1, '#undef takes one name'],
   ['#extension GL_OES_standard_derivatives', 1, 'write it as #extension NAME : enable'],
   ['#extension GL_OES_standard_derivatives : on', 1, '"on" is not a behavior of an extension'],
-  ['#extension all : enable', 1, 'all extensions can only be disabled or warned of'],
+  ['#extension all : enable', 1, '#extension all allows only warn and disable'],
   ['#extension GL_OWN_thing : require', 1, 'WebGL has no extension "GL_OWN_thing"'],
   [
     '#version 300 es\nfloat x;\n#extension GL_EXT_x : enable',
