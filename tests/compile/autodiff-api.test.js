@@ -145,19 +145,19 @@ describe('settings:', () => {
   })
 
   test('debug writes the line of the user’s code above each statement', () => {
-    const value = (ad) => offset(ad).height.output('z')
-    const text = gen(value, { debug: true, maxDepthPerVariable: 4 })
+    const outputHeight = (ad) => offset(ad).height.output('z')
+    const text = gen(outputHeight, { debug: true, maxDepthPerVariable: 4 })
     const source = readFileSync(new URL(import.meta.url), 'utf8').split('\n')
-    const place = /\/\/ From .*autodiff-api\.test\.js:(\d+):(\d+)/
+    const location = /\/\/ From .*autodiff-api\.test\.js:(\d+):(\d+)/
     const commented = [...text.matchAll(/((?: *\/\/ .*\n)+)(.*)/g)]
     assert.equal(commented.length, linesOf(text).length)
     for (const [, comments, statement] of commented) {
       assert.match(statement, / = /)
       for (const comment of comments.trimEnd().split('\n')) {
-        const [, line, column] = place.exec(comment)
+        const [, line, column] = location.exec(comment)
         assert.match(source[line - 1].slice(column - 1), /^(mult|add|sum|sin)\(/)
       }
     }
-    assert.equal(text.replace(/ *\/\/.*\n/g, ''), gen(value, { maxDepthPerVariable: 4 }))
+    assert.equal(text.replace(/ *\/\/.*\n/g, ''), gen(outputHeight, { maxDepthPerVariable: 4 }))
   })
 })

@@ -78,8 +78,8 @@ describe('bounds', () => {
       glsl.vec3(uv.x(), color.x(), normal.x()),
     )
     const point = { min: [0, 0, 0], max: [0, 0, 0] }
-    const near = (found, expected) =>
-      found.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-3, `${found}`))
+    const near = (actual, expected) =>
+      actual.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-3, `${actual}`))
     near(warp.bounds(point).min, [0, 0, -1])
     near(warp.bounds(point).max, [1, 1, 1])
     const wider = warp.bounds({ ...point, uvs: { min: [-2, 0], max: [5, 0] } })

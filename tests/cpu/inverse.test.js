@@ -11,10 +11,10 @@ const twist = compileWarp(({ glsl, position }) =>
 const along = (offset) =>
   compileWarp(({ glsl, position }) => glsl.vec3(offset(position.x(), glsl), 0, 0))
 
-const isClose = (found, expected, bound) =>
+const assertClose = (actual, expected, bound) =>
   assert.ok(
-    Math.hypot(...found.map((x, i) => x - expected[i])) <= bound,
-    `${found} is not ${expected}`,
+    Math.hypot(...actual.map((x, i) => x - expected[i])) <= bound,
+    `${actual} is not ${expected}`,
   )
 
 test('a twist is undone by the opposite twist, from anywhere', () => {
@@ -28,10 +28,10 @@ test('a twist is undone by the opposite twist, from anywhere', () => {
       Math.abs(moved - (c * x + s * z)) < 1e-5
         ? [c * x + s * z, y, -s * x + c * z]
         : [c * x - s * z, y, s * x + c * z]
-    const found = twist.inverseAt(to, { near: [0, y + 0.01, 0] })
-    isClose(found.position, from, 1e-9)
+    const actual = twist.inverseAt(to, { near: [0, y + 0.01, 0] })
+    assertClose(actual.position, from, 1e-9)
     const alone = twist.inverseAt(to)
-    isClose(alone.position, from, 1e-9)
+    assertClose(alone.position, from, 1e-9)
   }
 })
 
@@ -39,9 +39,9 @@ test('a wave that does not fold has one position, and is not folded', () => {
   const wave = along((x) => x.sin().mult(0.9))
   for (let i = -40; i <= 40; i++) {
     const from = i / 4
-    const found = wave.inverseAt([from + 0.9 * Math.sin(from), 1, -2])
-    isClose(found.position, [from, 1, -2], 1e-9)
-    assert.equal(found.isFolded, false)
+    const actual = wave.inverseAt([from + 0.9 * Math.sin(from), 1, -2])
+    assertClose(actual.position, [from, 1, -2], 1e-9)
+    assert.equal(actual.isFolded, false)
   }
 })
 
@@ -53,7 +53,7 @@ describe('a wave that folds', () => {
     const side = 2.27886266
     for (const near of [0.1, 2.2, -2.2]) {
       const { position, isFolded } = wave.inverseAt([0, 0, 0], { near: [near, 0, 0] })
-      isClose(position, [Math.round(near / 2.2) * side, 0, 0], 1e-7)
+      assertClose(position, [Math.round(near / 2.2) * side, 0, 0], 1e-7)
       assert.equal(isFolded, near === 0.1)
     }
   })
@@ -75,7 +75,7 @@ test('a mirror is inside out everywhere, though it moves only one position to ea
   const mirror = along((x) => x.mult(-2))
   for (const near of [-9, 0, 5]) {
     const { position, isFolded } = mirror.inverseAt([3, 1, 2], { near: [near, 0, 0] })
-    isClose(position, [-3, 1, 2], 1e-12)
+    assertClose(position, [-3, 1, 2], 1e-12)
     assert.equal(isFolded, true)
   }
 })
@@ -83,7 +83,7 @@ test('a mirror is inside out everywhere, though it moves only one position to ea
 test('there is no result for a point that nothing is moved to', () => {
   const parabola = along((x) => x.mult(x))
   assert.equal(parabola.inverseAt([-1, 0, 0]), undefined)
-  isClose(parabola.inverseAt([0.75, 0, 0], { near: [1, 0, 0] }).position, [0.5, 0, 0], 1e-9)
+  assertClose(parabola.inverseAt([0.75, 0, 0], { near: [1, 0, 0] }).position, [0.5, 0, 0], 1e-9)
   const flat = compileWarp(({ glsl, position }) => glsl.vec3(0, position.y().mult(-1), 0))
   assert.equal(flat.inverseAt([1, 1, 1]), undefined)
 })
@@ -95,9 +95,9 @@ test('uniforms can be values or functions, and other inputs can be passed', () =
     { uniforms: { amount: 2 } },
   )
   const { position } = moving.inverseAt([5, 5, 5], { normal: [0, 1, 0], uniforms: { millis: 500 } })
-  isClose(position, [4.5, 3, 5], 1e-12)
+  assertClose(position, [4.5, 3, 5], 1e-12)
   const other = { normal: [0, 1, 0], uniforms: { millis: 0, amount: 1 } }
-  isClose(moving.inverseAt([5, 5, 5], other).position, [5, 4, 5], 1e-12)
+  assertClose(moving.inverseAt([5, 5, 5], other).position, [5, 4, 5], 1e-12)
 })
 
 test('invalid arguments throw', () => {
@@ -140,16 +140,16 @@ function assertReaches(placeOf, position, target, slack = 1) {
 test('a result is moved to the target, also by a warp that leads the search far away', () => {
   const target = [1.3524719, 2.9967473, 2.3314333]
   assertReaches(quadraticOf, quadratic.inverseAt(target).position, target)
-  let found = 0
+  let foundCount = 0
   for (let i = 0; i < 200; i++) {
     const from = [0, 1, 2].map((k) => 3 * Math.sin(1.7 * i * (k + 1) + k))
     const target = quadraticOf(from)
     const inverse = quadratic.inverseAt(target)
     if (!inverse) continue
-    found++
+    foundCount++
     assertReaches(quadraticOf, inverse.position, target)
   }
-  assert.ok(found > 190, `${found} of 200 are found, of which each has a place`)
+  assert.ok(foundCount > 190, `${foundCount} of 200 are found, of which each has a place`)
 })
 
 test('a wrong result is not accepted because the start is far away', () => {
@@ -158,7 +158,7 @@ test('a wrong result is not accepted because the start is far away', () => {
     assert.equal(flat.inverseAt([-1e-3, 0, 0], { near: [near, near, near] }), undefined)
     const target = [4, 5, 6]
     const inverse = flat.inverseAt(target, { near: [near, -near, near] })
-    isClose([Math.abs(inverse.position[0]), ...inverse.position.slice(1)], [2, 5, 6], 1e-8)
+    assertClose([Math.abs(inverse.position[0]), ...inverse.position.slice(1)], [2, 5, 6], 1e-8)
   }
 })
 
@@ -218,7 +218,7 @@ describe('random warps, targets and starts', () => {
         const random = randomOf(7 + Math.round(size))
         const number = (max) => max * (2 * random() - 1)
         const point = (max) => [number(max), number(max), number(max)]
-        let found = 0
+        let foundCount = 0
         for (let i = 0; i < 30; i++) {
           const { offset, placeOf } = make(number, size)
           const warp = compileWarp(offset)
@@ -227,11 +227,11 @@ describe('random warps, targets and starts', () => {
             const near = [undefined, point(2 * size), point(50 * size), point(1e9)][k]
             const inverse = warp.inverseAt(target, { near })
             if (!inverse) continue
-            found++
+            foundCount++
             // Rounding differs from that of the warp.
             assertReaches(placeOf, inverse.position, target, 2)
           }
         }
-        assert.ok(found > 110, `${found} of 120 are found, of which each has a place`)
+        assert.ok(foundCount > 110, `${foundCount} of 120 are found, of which each has a place`)
       })
 })

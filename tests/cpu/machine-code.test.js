@@ -1,5 +1,5 @@
-// Warps compiled to machine code on the CPU return the same bits as the interpreter, which handles the first call; and unused code is freed.
-// NaNs may differ in their bits, which WebAssembly does not define.
+// Warps compiled to machine code on the CPU return the same bits as the interpreter, which handles the first call; and unused code is
+// freed. NaNs may differ in their bits, which WebAssembly does not define.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { setTimeout } from 'node:timers/promises'
@@ -91,8 +91,8 @@ const first = (mesh, vertices) =>
 
 const bits = (floats) => new Uint32Array(floats.buffer, floats.byteOffset, floats.length)
 
-function assertSame(found, expected, message) {
-  for (const [name, floats] of Object.entries(found)) {
+function assertSame(actual, expected, message) {
+  for (const [name, floats] of Object.entries(actual)) {
     const [a, b] = [bits(floats), bits(expected[name])]
     for (let i = 0; i < a.length; i++)
       if (a[i] !== b[i] && !(Number.isNaN(floats[i]) && Number.isNaN(expected[name][i])))

@@ -66,12 +66,12 @@ test(`${count} random long loops have correct values and gradients`, () => {
         const steepest = Math.max(1, ...gradient.map(Math.abs))
         if (Math.abs(value - f(p)) > 1e-6 * steepest)
           problems.push(`${seed} at ${p}: ${value}, not ${f(p)}\n${text}`)
-        gradient.forEach((found, k) => {
+        gradient.forEach((actual, k) => {
           const slope = slopeOf(f, p, k)
           if (slope === undefined) return
           compared.slopes++
-          if (Math.abs(found - slope) > 1e-4 * steepest)
-            problems.push(`${seed}, by ${k} at ${p}: ${found}, not ${slope}\n${text}`)
+          if (Math.abs(actual - slope) > 1e-4 * steepest)
+            problems.push(`${seed}, by ${k} at ${p}: ${actual}, not ${slope}\n${text}`)
         })
       }
     } catch (error) {

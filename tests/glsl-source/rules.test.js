@@ -14,9 +14,12 @@ const offsetAt = (source, position, options = {}, uniforms = {}) => {
   return Array.from(moved, (x, i) => x - position[i])
 }
 
-const near = (found, wanted) =>
+const near = (actual, wanted) =>
   wanted.forEach((x, i) =>
-    assert.ok(Math.abs(found[i] - x) <= 1e-5 * Math.max(1, Math.abs(x)), `${found}, not ${wanted}`),
+    assert.ok(
+      Math.abs(actual[i] - x) <= 1e-5 * Math.max(1, Math.abs(x)),
+      `${actual}, not ${wanted}`,
+    ),
   )
 
 const message = (work) => {

@@ -87,9 +87,9 @@ const valuesThere = (shaders, block) =>
         gl.beginTransformFeedback(gl.POINTS)
         gl.drawArrays(gl.POINTS, 0, points.length)
         gl.endTransformFeedback()
-        const found = new Float32Array(points.length * 3)
-        gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, found)
-        return [...found]
+        const actual = new Float32Array(points.length * 3)
+        gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, actual)
+        return [...actual]
       })
     },
     [shaders, points, block],
@@ -132,8 +132,8 @@ test('blocks of uniforms have the declared layout', async () => {
       `#version 300 es\n${declared}\nin vec3 at; out vec3 value;\nvoid main() {\n${code.replace(/\bvec3 value, /, 'vec3 ')}\ngl_Position = vec4(0.0); }`,
     )
   }
-  const [wanted, found] = [await valuesThere(originals, numbers), await valuesThere(ours, numbers)]
+  const [wanted, actual] = [await valuesThere(originals, numbers), await valuesThere(ours, numbers)]
   Object.keys(blocks).forEach((name, i) =>
-    assert.ok(isNear(found[i], wanted[i]), `${name}: ${found[i]}, not ${wanted[i]}\n${ours[i]}`),
+    assert.ok(isNear(actual[i], wanted[i]), `${name}: ${actual[i]}, not ${wanted[i]}\n${ours[i]}`),
   )
 })

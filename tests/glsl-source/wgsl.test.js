@@ -206,13 +206,13 @@ fn offset(p: vec3f) -> vec3f {
         (sum, i) => sum + lifts[place(i)] * (i + 1) * Math.cos(x * (i + 1)),
         0,
       )
-      const found = warp.evaluate(
+      const actual = warp.evaluate(
         { positions: Float32Array.of(x, y, z), normals: Float32Array.from(normal) },
         { uniforms },
       )
-      assert.ok(Math.abs(found.positions[1] - y - height) < 1e-6, index)
+      assert.ok(Math.abs(actual.positions[1] - y - height) < 1e-6, index)
       const expected = -slope / Math.hypot(1, slope)
-      assert.ok(Math.abs(found.normals[0] - expected) < 1e-5, index)
+      assert.ok(Math.abs(actual.normals[0] - expected) < 1e-5, index)
     }
   }
   assert.match(

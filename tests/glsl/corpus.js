@@ -37,8 +37,8 @@ function read(name, text) {
   const exported = /#pragma glslify:\s*export\((\w+)\)/.exec(text)?.[1]
   const plain = text.replace(/\/\/.*|\/\*[^]*?\*\//g, '')
   const heads = [...plain.matchAll(/^\s*(float|vec[234]|mat[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm)]
-  const found = heads.filter(([, , head]) => !exported || head === exported)
-  const [, type, head, list] = found.at(-1) ?? []
+  const candidates = heads.filter(([, , head]) => !exported || head === exported)
+  const [, type, head, list] = candidates.at(-1) ?? []
   const parameters = list?.split(',').map((each) => {
     const [type, name] = each
       .trim()

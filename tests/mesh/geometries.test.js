@@ -12,10 +12,10 @@ const at = (attribute, i) =>
 
 /** Maps each position → the value of the attribute `name` there. */
 function mapByPosition({ attributes }, name) {
-  const found = new Map()
+  const byPosition = new Map()
   for (let i = 0; i < attributes.position.count; i++)
-    found.set(at(attributes.position, i).join(), at(attributes[name], i))
-  return found
+    byPosition.set(at(attributes.position, i).join(), at(attributes[name], i))
+  return byPosition
 }
 
 /** A square of two triangles with all members that a geometry may have; each attribute is linear in x and y. */

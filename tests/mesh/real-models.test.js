@@ -18,9 +18,9 @@ async function assertValid(bytes) {
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages))
 }
 
-function assertClose(found, expected, tolerance, what) {
-  assert.equal(found.length, expected.length, what)
-  found.forEach((x, i) => {
+function assertClose(actual, expected, tolerance, what) {
+  assert.equal(actual.length, expected.length, what)
+  actual.forEach((x, i) => {
     if (Math.abs(x - expected[i]) > tolerance) assert.fail(`${what}[${i}]: ${x}, ${expected[i]}`)
   })
 }

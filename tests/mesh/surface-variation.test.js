@@ -126,8 +126,8 @@ test('tangents are transformed too', () => {
     tangents,
   })
   uvs.forEach(([u, v], i) => {
-    const found = [...moved.tangents.slice(4 * i, 4 * i + 3)]
-    const angle = angleBetween(found, tangentAt(u, v, offset))
+    const actual = [...moved.tangents.slice(4 * i, 4 * i + 3)]
+    const angle = angleBetween(actual, tangentAt(u, v, offset))
     assert.ok(angle < 0.01, `${angle}° off`)
   })
 })
@@ -189,8 +189,8 @@ describe('the bunny', () => {
         const measures =
           level === 1 ? { median } : { mean, median, most: (list) => quantile(list, 0.95) }
         for (const [name, measure] of Object.entries(measures)) {
-          const [found, bound] = [measure(withIt), measure(without) / 3]
-          assert.ok(found <= bound, `${name}: ${found}°, and ${3 * bound}° without it`)
+          const [actual, bound] = [measure(withIt), measure(without) / 3]
+          assert.ok(actual <= bound, `${name}: ${actual}°, and ${3 * bound}° without it`)
         }
       })
   }
@@ -378,16 +378,16 @@ function unit(v) {
 
 /** Returns, for each vertex, the sum of the area vectors of its triangles, and of their lengths. */
 function areaNormals(points, triangles) {
-  const found = points.map(() => ({ sum: [0, 0, 0], area: 0 }))
+  const sums = points.map(() => ({ sum: [0, 0, 0], area: 0 }))
   for (const corners of triangles) {
     const [p, q, r] = corners.map((i) => points[i])
     const [a, b] = [q, r].map((end) => end.map((x, k) => x - p[k]))
     const across = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     const area = Math.hypot(...across)
     for (const i of corners) {
-      found[i].area += area
-      for (let k = 0; k < 3; k++) found[i].sum[k] += across[k]
+      sums[i].area += area
+      for (let k = 0; k < 3; k++) sums[i].sum[k] += across[k]
     }
   }
-  return found
+  return sums
 }

@@ -37,9 +37,9 @@ export async function brokenConventions(
       const kind = k < value.length ? 'value' : 'derivative'
       const [got, error] = [results[i][k], errorOf(results[i][k], expected, 1)]
       const by = k < value.length ? undefined : Math.floor(k / value.length) - 1
-      const found = { error, at, got, expected, by }
+      const measured = { error, at, got, expected, by }
       if (error <= tolerance[kind]) return []
-      return [`${operation.title}: ${inWords(kind, found, tolerance[kind])}`]
+      return [`${operation.title}: ${inWords(kind, measured, tolerance[kind])}`]
     }),
   )
 }

@@ -80,8 +80,8 @@ export async function measure(operation, run) {
     setImmediate().then(() => expectations(operation)),
   ])
   const worst = { value: { error: 0 }, derivative: { error: 0 } }
-  const raise = (kind, found) => {
-    if (!(found.error <= worst[kind].error)) worst[kind] = found
+  const raise = (kind, measured) => {
+    if (!(measured.error <= worst[kind].error)) worst[kind] = measured
   }
   const size = expected[0].value.length
   const compared = expected[0].slopes.map(() => Array(size).fill(0))
@@ -92,12 +92,12 @@ export async function measure(operation, run) {
       raise('value', { error: errorOf(got, x, sensitivity.value[k]), at: point, got, expected: x })
     })
     slopes.forEach((row, by) =>
-      row.forEach((found, k) => {
-        if (!found) return
+      row.forEach((estimate, k) => {
+        if (!estimate) return
         compared[by][k]++
         const got = results[i][size * (by + 1) + k]
-        const error = errorOf(got, found.slope, sensitivity.derivative[k])
-        raise('derivative', { error, at: point, got, expected: found.slope, by })
+        const error = errorOf(got, estimate.slope, sensitivity.derivative[k])
+        raise('derivative', { error, at: point, got, expected: estimate.slope, by })
       }),
     )
   })

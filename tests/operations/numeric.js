@@ -49,8 +49,8 @@ function slopes(f, point, direction, middle) {
   let best = middle.map(() => ({ error: Infinity }))
   for (const h of steps) {
     if (best.every(({ error }) => error <= good)) break
-    const found = slopesByStep(f, point, direction, h, middle)
-    best = best.map((known, i) => (found[i].error < known.error ? found[i] : known))
+    const results = slopesByStep(f, point, direction, h, middle)
+    best = best.map((known, i) => (results[i].error < known.error ? results[i] : known))
   }
   return best.map((known) => (known.error <= roughest ? known : null))
 }

@@ -59,9 +59,9 @@ export async function shrink(test, failure, check) {
         const key = JSON.stringify(root)
         if (weight(root) >= weight(best.test.root) || tried.has(key)) continue
         tried.add(key)
-        const found = await attempt(check, { ...best.test, root })
-        if (!isSame(found, failure)) continue
-        best = { test: { ...best.test, root }, failure: found }
+        const newFailure = await attempt(check, { ...best.test, root })
+        if (!isSame(newFailure, failure)) continue
+        best = { test: { ...best.test, root }, failure: newFailure }
         isSmaller = true
         break search
       }

@@ -71,11 +71,11 @@ describe('npm run bench -- --quick', () => {
 
   test('has exactly the figures that each method can have', () => {
     for (const record of records) {
-      const found = Object.entries(record).filter(([, value]) => typeof value === 'number')
-      const names = found.map(([name]) => name)
+      const numbers = Object.entries(record).filter(([, value]) => typeof value === 'number')
+      const names = numbers.map(([name]) => name)
       const about = `${record.row}, ${record.method}`
       assert.deepEqual(names.sort(), expectedFigures(record).sort(), about)
-      for (const [name, value] of found)
+      for (const [name, value] of numbers)
         assert.ok(Number.isFinite(value) && value > 0, `${about}: ${name} is ${value}`)
     }
   })

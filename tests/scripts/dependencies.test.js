@@ -28,8 +28,8 @@ function violations(severities = ['error', 'warn']) {
     maxBuffer: 2 ** 26,
   })
   assert.equal(stderr, '')
-  const found = JSON.parse(stdout).summary.violations.map(({ rule }) => rule)
-  return found.filter(({ severity }) => severities.includes(severity)).map(({ name }) => name)
+  const violations = JSON.parse(stdout).summary.violations.map(({ rule }) => rule)
+  return violations.filter(({ severity }) => severities.includes(severity)).map(({ name }) => name)
 }
 
 test('js-bindings violates no rule', () => assert.deepEqual(violations(['error']), []))

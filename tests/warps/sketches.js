@@ -25,8 +25,8 @@ export async function sketchWarps() {
   const folders = readdirSync(examples)
     .filter((folder) => !folder.startsWith('three-'))
     .sort()
-  const found = await Promise.all(folders.map(warpsOf))
-  return found.flat()
+  const warps = await Promise.all(folders.map(warpsOf))
+  return warps.flat()
 }
 
 async function warpsOf(folder) {
@@ -34,9 +34,9 @@ async function warpsOf(folder) {
   const variables = [...source.matchAll(/(\w+) = (?:createWarp|warpjet\.gen)\(/g)].map(
     (match) => match[1],
   )
-  const found = []
+  const warps = []
   const name = () =>
-    variables.length > 1 ? `${folder}-${variables[found.length].toLowerCase()}` : folder
+    variables.length > 1 ? `${folder}-${variables[warps.length].toLowerCase()}` : folder
   let loads = false
   const known = {
     ...numbers,
@@ -49,8 +49,8 @@ async function warpsOf(folder) {
       if (loads) return pretended
       // The warp does not depend on the shader that it is added to, nor on where normals are computed.
       const { shader, normals, detail, ...others } = options
-      const isKnown = (shader || normals || detail) && found.some((each) => each.warp === warp)
-      if (!isKnown) found.push({ name: name(), warp, options: others })
+      const isKnown = (shader || normals || detail) && warps.some((each) => each.warp === warp)
+      if (!isKnown) warps.push({ name: name(), warp, options: others })
       return pretended
     },
     warpjet: {
@@ -59,7 +59,7 @@ async function warpsOf(folder) {
       ...shaderText,
       gen(...args) {
         const text = warpjet.gen(...args)
-        found.push({ name: name(), text })
+        warps.push({ name: name(), text })
         return text
       },
     },
@@ -74,5 +74,5 @@ async function warpsOf(folder) {
   await new Function('surroundings', `with (surroundings) { ${source}; return setup() }`)(
     surroundings,
   )
-  return found
+  return warps
 }

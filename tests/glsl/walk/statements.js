@@ -68,8 +68,8 @@ export class Statements extends Calls {
     const [by] = numbersOf(this.value(expression))
     const isMeant = ({ type, test }) =>
       type === 'switch_case' && numbersOf(this.value(test))[0] === by
-    const found = cases.findIndex(isMeant)
-    const first = found >= 0 ? found : cases.findIndex(({ type }) => type === 'default_case')
+    const matching = cases.findIndex(isMeant)
+    const first = matching >= 0 ? matching : cases.findIndex(({ type }) => type === 'default_case')
     if (first < 0) return undefined
     const end = this.within(() =>
       this.sequence(cases.slice(first).flatMap(({ statements }) => statements)),
