@@ -9,16 +9,16 @@ test('the interpreter in glsl/run.js rejects invalid GLSL', () => {
   const code = 'float y; bool b = x > 1.0; { y = b ? -x : p.yx.x * 2.0; } // done'
   assert.deepEqual(runGlsl(code, { x: 3, p: [5, 7] }), { x: 3, p: [5, 7], b: true, y: -3 })
   for (const [text, message] of [
-    ['float y = 1;', /y is float, its value int/],
+    ['float y = 1;', /y: expected float, got int/],
     ['y = 1.0;', /y is not declared/],
     ['float y = t;', /t is not declared/],
     ['float t; float y = t;', /t is not set/],
     ['float x = 1.0;', /x is declared twice/],
-    ['float y = p;', /y is float, its value vec2/],
+    ['float y = p;', /y: expected float, got vec2/],
     ['vec3 y = p + vec3(1.0);', /different sizes/],
-    ['float y = x ? 1.0 : 2.0;', /float where bool belongs/],
-    ['float y = p.z;', /\.z of vec2/],
-    ['float y = sine(x);', /sine is no function/],
+    ['float y = x ? 1.0 : 2.0;', /expected bool before \?, got float/],
+    ['float y = p.z;', /a vec2 has no \.z/],
+    ['float y = sine(x);', /there is no function sine/],
     ['float y = 1.0', /Expected .*";"/],
   ])
     assert.throws(() => runGlsl(text, { x: 3, p: [5, 7] }), message)

@@ -1,4 +1,4 @@
-// inverseAt: finds positions that a warp moves to a point, against inverses derived by hand.
+// Tests inverseAt, which finds a position that a warp moves to a given point, against inverses derived by hand.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -8,7 +8,7 @@ const twist = compileWarp(({ glsl, position }) =>
 )
 
 /** Makes a warp that moves x by an offset that depends on x alone. */
-const along = (offset) =>
+const warpOfX = (offset) =>
   compileWarp(({ glsl, position }) => glsl.vec3(offset(position.x(), glsl), 0, 0))
 
 const assertClose = (actual, expected, bound) =>
@@ -22,7 +22,7 @@ test('a twist is undone by the opposite twist, from anywhere', () => {
     const from = [Math.sin(i), Math.cos(2.1 * i), Math.sin(3.7 * i + 1)].map((x) => 3 * x)
     const [x, y, z] = from
     const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
-    // Rotates about y in the direction that evaluateAt shows.
+    // evaluateAt shows in which direction the warp rotates about y.
     const [moved] = twist.evaluateAt(from).position
     const to =
       Math.abs(moved - (c * x + s * z)) < 1e-5
@@ -30,13 +30,13 @@ test('a twist is undone by the opposite twist, from anywhere', () => {
         : [c * x - s * z, y, s * x + c * z]
     const actual = twist.inverseAt(to, { near: [0, y + 0.01, 0] })
     assertClose(actual.position, from, 1e-9)
-    const alone = twist.inverseAt(to)
-    assertClose(alone.position, from, 1e-9)
+    const withoutNear = twist.inverseAt(to)
+    assertClose(withoutNear.position, from, 1e-9)
   }
 })
 
 test('a wave that does not fold has one position, and is not folded', () => {
-  const wave = along((x) => x.sin().mult(0.9))
+  const wave = warpOfX((x) => x.sin().mult(0.9))
   for (let i = -40; i <= 40; i++) {
     const from = i / 4
     const actual = wave.inverseAt([from + 0.9 * Math.sin(from), 1, -2])
@@ -46,7 +46,7 @@ test('a wave that does not fold has one position, and is not folded', () => {
 })
 
 describe('a wave that folds', () => {
-  const wave = along((x) => x.sin().mult(-3))
+  const wave = warpOfX((x) => x.sin().mult(-3))
 
   test('has several inverse positions, of which the option near selects one', () => {
     // x - 3 sin x is 0 at x = 0, where space is inside out, and at one position on each side.
@@ -72,7 +72,7 @@ describe('a wave that folds', () => {
 })
 
 test('a mirror is inside out everywhere, though it moves only one position to each point', () => {
-  const mirror = along((x) => x.mult(-2))
+  const mirror = warpOfX((x) => x.mult(-2))
   for (const near of [-9, 0, 5]) {
     const { position, isFolded } = mirror.inverseAt([3, 1, 2], { near: [near, 0, 0] })
     assertClose(position, [-3, 1, 2], 1e-12)
@@ -81,7 +81,7 @@ test('a mirror is inside out everywhere, though it moves only one position to ea
 })
 
 test('there is no result for a point that nothing is moved to', () => {
-  const parabola = along((x) => x.mult(x))
+  const parabola = warpOfX((x) => x.mult(x))
   assert.equal(parabola.inverseAt([-1, 0, 0]), undefined)
   assertClose(parabola.inverseAt([0.75, 0, 0], { near: [1, 0, 0] }).position, [0.5, 0, 0], 1e-9)
   const flat = compileWarp(({ glsl, position }) => glsl.vec3(0, position.y().mult(-1), 0))
@@ -130,11 +130,11 @@ const quadraticOf = ([x, y, z]) => [x + y * y, y + x * z, z + x * x]
 
 const sizeOf = (numbers) => Math.hypot(...numbers)
 
-/** The documented properties of a result, computed from the warp in double precision. */
+/** Checks that a warp moves a position to the target, within the documented bound. `placeOf` evaluates the warp in double precision. */
 function assertReaches(placeOf, position, target, slack = 1) {
-  const left = sizeOf(placeOf(position).map((x, i) => x - target[i]))
+  const error = sizeOf(placeOf(position).map((x, i) => x - target[i]))
   const bound = 1e-9 * sizeOf(target) + 1e-14 * Math.min(sizeOf(position), 1e4)
-  assert.ok(left <= slack * bound, `${position} comes to ${placeOf(position)}, not ${target}`)
+  assert.ok(error <= slack * bound, `${position} is moved to ${placeOf(position)}, not ${target}`)
 }
 
 test('a result is moved to the target, also by a warp that leads the search far away', () => {
@@ -149,11 +149,14 @@ test('a result is moved to the target, also by a warp that leads the search far 
     foundCount++
     assertReaches(quadraticOf, inverse.position, target)
   }
-  assert.ok(foundCount > 190, `${foundCount} of 200 are found, of which each has a place`)
+  assert.ok(
+    foundCount > 190,
+    `${foundCount} of 200 targets have a result, though all have an inverse`,
+  )
 })
 
 test('a wrong result is not accepted because the start is far away', () => {
-  const flat = along((x) => x.mult(x).sub(x))
+  const flat = warpOfX((x) => x.mult(x).sub(x))
   for (const near of [1, 1e3, 1e6, 1e9, 1e12, 1e20, -1e30]) {
     assert.equal(flat.inverseAt([-1e-3, 0, 0], { near: [near, near, near] }), undefined)
     const target = [4, 5, 6]
@@ -164,7 +167,7 @@ test('a wrong result is not accepted because the start is far away', () => {
 
 describe('random warps, targets and starts', () => {
   const randomOf = (seed) => () => ((seed = (seed * 1664525 + 1013904223) >>> 0), seed / 2 ** 32)
-  /** Makes a warp of the coordinates x, y and z and, independently, its warped position in double precision. */
+  /** Each kind makes an offset and, independently, `placeOf`, which returns the warped position in double precision. */
   const kinds = {
     quadratic(number, size) {
       const rows = [0, 1, 2].map(() => Array.from({ length: 6 }, () => number(0.7)))
@@ -228,10 +231,13 @@ describe('random warps, targets and starts', () => {
             const inverse = warp.inverseAt(target, { near })
             if (!inverse) continue
             foundCount++
-            // Rounding differs from that of the warp.
+            // `placeOf` rounds differently from the warp.
             assertReaches(placeOf, inverse.position, target, 2)
           }
         }
-        assert.ok(foundCount > 110, `${foundCount} of 120 are found, of which each has a place`)
+        assert.ok(
+          foundCount > 110,
+          `${foundCount} of 120 targets have a result, though all have an inverse`,
+        )
       })
 })

@@ -48,7 +48,7 @@ for (const [name, make] of Object.entries(models))
       assertClose(cornersOf(loaded), cornersOf(model), 6e-4, 'corner')
     })
 
-    test('is a valid file after warping, too', async () => {
+    test('is a valid file after warping and subdividing, too', async () => {
       const baked = bakeWarp(model, twist, { uniforms })
       await assertValid(exportGLB(baked))
       const radius = (mesh, i) => Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 2])

@@ -3,22 +3,24 @@ import { builtIns } from '../built-ins.js'
 import { Expressions } from './expressions.js'
 import { convert, fresh, layoutOf, matrixType, numbersOf, vary, write } from './values.js'
 
-/** `f(void)` has no parameters. */
+/** Returns whether a parameter has a name; the `void` of `f(void)` does not. */
 const isNamed = ({ identifier }) => identifier
 
 export class Calls extends Expressions {
   value_function_call({ identifier, args }) {
-    const given = args.filter(({ type, token }) => type !== 'literal' && token !== 'void')
+    const operandNodes = args.filter(({ type, token }) => type !== 'literal' && token !== 'void')
     if (identifier.type === 'postfix') return fresh('int', [this.lengthOf(identifier)])
     const word =
       identifier.specifier?.identifier ?? identifier.identifier ?? identifier.specifier.token
-    const own = this.functions.filter(({ prototype }) => prototype.header.name.identifier === word)
-    const operands = given.map((node) => this.value(node))
+    const candidates = this.functions.filter(
+      ({ prototype }) => prototype.header.name.identifier === word,
+    )
+    const operands = operandNodes.map((node) => this.value(node))
     const types = operands.map(({ type }) => type)
-    const fits = ({ prototype }) =>
-      `${(prototype.parameters ?? []).filter(isNamed).map((each) => this.typeOf(each))}` ===
+    const accepts = ({ prototype }) =>
+      `${(prototype.parameters ?? []).filter(isNamed).map((parameter) => this.typeOf(parameter))}` ===
       `${types}`
-    const f = own.find(fits)
+    const f = candidates.find(accepts)
     if (f) return this.enter(f, operands)
     if (builtIns[word] || word === 'transpose' || word === 'modf')
       return this.builtIn(word, operands)
@@ -32,20 +34,20 @@ export class Calls extends Expressions {
     const parameters = (prototype.parameters ?? []).filter(isNamed)
     const outer = this.scopes
     this.scopes = [outer[0], new Map()]
-    parameters.forEach((each, i) =>
+    parameters.forEach((parameter, i) =>
       this.declare(
-        each.identifier.identifier,
-        this.typeOf(each),
+        parameter.identifier.identifier,
+        this.typeOf(parameter),
         numbersOf(operands[i]),
         vary(operands[i]),
       ),
     )
-    const held = this.scopes
+    const calleeScopes = this.scopes
     const end = this.sequence(body.statements)
-    this.scopes = held
-    parameters.forEach((each, i) => {
-      if ((each.qualifier ?? []).some(({ token }) => /out/.test(token))) {
-        const value = this.find(each.identifier.identifier)
+    this.scopes = calleeScopes
+    parameters.forEach((parameter, i) => {
+      if ((parameter.qualifier ?? []).some(({ token }) => /out/.test(token))) {
+        const value = this.find(parameter.identifier.identifier)
         write(operands[i], numbersOf(value), vary(value))
       }
     })
@@ -58,11 +60,11 @@ export class Calls extends Expressions {
     const isVarying = vary(...operands)
     if (name === 'transpose') {
       const { columns, rows } = layoutOf(types[0])
-      const turned = Array.from(
+      const transposed = Array.from(
         lists[0],
         (_, i) => lists[0][(i % columns) * rows + Math.floor(i / columns)],
       )
-      return fresh(matrixType(rows, columns), turned, isVarying)
+      return fresh(matrixType(rows, columns), transposed, isVarying)
     }
     if (name === 'modf') {
       write(operands[1], lists[0].map(Math.trunc), isVarying)

@@ -15,7 +15,7 @@ import {
   write,
 } from './values.js'
 
-/** Maps the type of a node to the name of its method, since long loops look up many. */
+/** Caches the name of the method of each type of node, since long loops look up many. */
 const methods = {}
 
 export class Expressions extends Names {
@@ -27,7 +27,9 @@ export class Expressions extends Names {
   }
   value(node) {
     const method = (methods[node.type] ??= `value_${node.type}`)
-    return this[method] ? this[method](node) : fail(`no ${node.type} is known`)
+    return this[method]
+      ? this[method](node)
+      : fail(`an expression of type ${node.type} is not supported`)
   }
   value_group({ expression }) {
     return this.value(expression)
@@ -35,7 +37,7 @@ export class Expressions extends Names {
   value_identifier({ identifier }) {
     return this.find(identifier)
   }
-  /** Memoized, since nothing writes to a literal. */
+  /** Memoizes the value in the node, since nothing writes to a literal. */
   value_float_constant(node) {
     return (node.value ??= fresh('float', [parseFloat(node.token)]))
   }
@@ -57,15 +59,15 @@ export class Expressions extends Names {
   value_unary({ operator, expression }) {
     const op = operator.literal
     if (op === '++' || op === '--') return this.step(this.value(expression), op)
-    const of = this.value(expression)
-    const { kind } = layoutOf(of.type)
+    const operand = this.value(expression)
+    const { kind } = layoutOf(operand.type)
     const f = {
       '-': (x) => wrap[kind](-x),
       '+': (x) => x,
       '!': (x) => !x,
       '~': (x) => wrap[kind](~x),
     }
-    return fresh(of.type, numbersOf(of).map(f[op]), vary(of))
+    return fresh(operand.type, numbersOf(operand).map(f[op]), vary(operand))
   }
   step(place, op) {
     const { kind } = layoutOf(place.type)
@@ -98,9 +100,9 @@ export class Expressions extends Names {
         Math.max(...['xyzw', 'rgba', 'stpq'].map((letters) => letters.indexOf(letter))),
       )
       const { kind } = layoutOf(type)
-      const chosen = places.length === 1 ? kind : ofKind(kind, `vec${places.length}`)
+      const selectedType = places.length === 1 ? kind : ofKind(kind, `vec${places.length}`)
       return part(
-        chosen,
+        selectedType,
         of,
         places.map((place) => at[place]),
       )
@@ -124,8 +126,8 @@ export class Expressions extends Names {
   value_assignment({ left, operator, right }) {
     const place = this.value(left)
     const op = operator.literal.slice(0, -1)
-    const given = this.value(right)
-    const value = op ? this.operate(op, place, given) : given
+    const operand = this.value(right)
+    const value = op ? this.operate(op, place, operand) : operand
     write(place, numbersOf(value), vary(value))
     return place
   }

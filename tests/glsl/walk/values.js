@@ -1,12 +1,12 @@
-// Values: numbers with their types, and the results of operators on them.
+// Values, which are numbers with a type, and the results of operators on them.
 
 export const fail = (message) => {
-  throw new SyntaxError(`the walk: ${message}`)
+  throw new SyntaxError(`the interpreter: ${message}`)
 }
 
 const layouts = new Map()
 
-/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. Memoized, since long loops ask for it often. */
+/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. Memoized, since long loops need it often. */
 export function layoutOf(type) {
   if (!layouts.has(type)) layouts.set(type, readLayout(type))
   return layouts.get(type)
@@ -51,19 +51,19 @@ export const comparisons = {
   '>=': (x, y) => x >= y,
 }
 
-/** Numbers of a variable or of their own: those of `of` at the indices `at`. */
+/** Makes a value that refers to numbers, its own or those of a variable: those of the array `of` at the indices `at`. */
 export const part = (type, of, at) => ({ type, of, at })
 export const numbersOf = ({ of, at }) =>
   at.length === 1 ? [of[at[0]]] : at.map((place) => of[place])
 
-/** Values that depend on the arguments vary; all others are known to a shader's compiler, and rounded to float32. */
+/** Returns whether one of the values depends on the arguments. All others are constants, which a shader compiler rounds to float32. */
 export function vary(...values) {
   for (const { of } of values) if (of[varies]) return true
   return false
 }
 const varies = Symbol('varies')
 
-/** The indices of all numbers of a value, by their number. Memoized like layouts; nothing writes to them. */
+/** Maps the size of a value → the indices of all its numbers. Shared by all values, since nothing writes to them. */
 const allIndices = Array.from({ length: 17 }, (_, size) =>
   Array.from({ length: size }, (_, i) => i),
 )
@@ -80,7 +80,7 @@ export function write({ of, at }, numbers, isVarying) {
   else if (at.length === of.length) of[varies] = false
 }
 
-/** A vector to the left of a matrix is a row, one to its right a column. */
+/** Multiplies matrices and vectors. A vector to the left of a matrix is a row, one to its right a column. */
 export function multiply(a, x, b, y, isVarying) {
   const [rows, inner] = a.columns > 1 ? [a.rows, a.columns] : [1, a.rows]
   const columns = b.columns > 1 ? b.columns : 1
