@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
-import { madeOf, sameAs } from '../operations/aliases.js'
+import { compositions, operationOfAlias } from '../operations/aliases.js'
 
 const textOf = (make) =>
   compile((glsl) => ({ result: make(glsl, glsl.vec3Param('a'), glsl.param('x')) })).code
@@ -75,7 +75,7 @@ const operands = {
 const withoutOperands = ['neg', 'inversesqrt', 'length', 'normalize', 'fract', 'noise']
 
 test('aliases are the same operation, as methods and as functions', () => {
-  for (const [alias, name] of Object.entries(sameAs)) {
+  for (const [alias, name] of Object.entries(operationOfAlias)) {
     const others = withoutOperands.includes(name) ? [] : (operands[name] ?? [2])
     const isOfVectors = ['length', 'normalize'].includes(name)
     const operandOf = (a, x) => (isOfVectors ? a : x)
@@ -94,7 +94,7 @@ test('aliases are the same operation, as methods and as functions', () => {
 })
 
 test('compositions have the values of their operations', () => {
-  for (const [name, expected] of Object.entries(madeOf)) {
+  for (const [name, expected] of Object.entries(compositions)) {
     const isOfVectors = expected.length === 3
     const program = compile((glsl) => {
       const x = isOfVectors ? glsl.vec3Param('a') : glsl.param('x')

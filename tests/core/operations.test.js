@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
+import { compositions, operationOfAlias, vectorMethods } from '../operations/aliases.js'
 import { brokenConventions, inDouble, problemsOf } from '../operations/check.js'
 import { conventions } from '../operations/conventions.js'
 import { noises } from '../operations/noise.js'
@@ -23,7 +23,7 @@ const coveredElsewhere = ['source', 'repeat', 'texture', ...noises]
 const warpMethods = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
 
 /** Aliases and compositions, which tests/core/front-door.test.js and vectors.test.js cover. */
-const aliases = [...Object.keys(sameAs), ...Object.keys(madeOf), ...ofVectors]
+const aliases = [...Object.keys(operationOfAlias), ...Object.keys(compositions), ...vectorMethods]
 
 /** Returns the names of the operations that users can call: functions of the builder, and methods of expressions. */
 function callableNames() {

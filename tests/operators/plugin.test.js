@@ -1,4 +1,4 @@
-// The plugin that translates operators when a project is built: modules, the loader of webpack, and source maps.
+// Tests the plugin that translates operators when a project is built: modules, the loader of webpack, and source maps.
 import assert from 'node:assert/strict'
 import { SourceMap } from 'node:module'
 import { test } from 'node:test'
@@ -27,9 +27,9 @@ test("a module's own imports stay intact, and its directive stays first", () => 
 
 test('the loader of webpack generates the same code as the plugin, with a map', () => {
   const load = (code) => {
-    let given
-    loader.call({ resourcePath: 'sketch.js', callback: (...all) => (given = all) }, code)
-    return given
+    let result
+    loader.call({ resourcePath: 'sketch.js', callback: (...args) => (result = args) }, code)
+    return result
   }
   const code = 'createWarp(({ position }) => position * 2)'
   const [error, translated, map] = load(code)
