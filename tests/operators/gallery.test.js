@@ -6,7 +6,7 @@ import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 import { sketchWarps } from '../warps/sketches.js'
 import { threeWarps } from '../warps/three-sketches.js'
-import { texts } from '../warps/with-operators.js'
+import { offsetSources } from '../warps/with-operators.js'
 
 /** Returns whether the offset function is in the sketch, unlike those of deformers, compositions and GLSL source. */
 const hasOffsetFunction = ({ name, warp }) => warp && !/^(deformer|composition|glsl)-/.test(name)
@@ -14,7 +14,7 @@ const hasOffsetFunction = ({ name, warp }) => warp && !/^(deformer|composition|g
 const sketches = [...(await sketchWarps()).filter(hasOffsetFunction), ...threeWarps()]
 
 test('each warp has a version with operators, and there are no others', () => {
-  assert.deepEqual(sketches.map(({ name }) => name).sort(), Object.keys(texts).sort())
+  assert.deepEqual(sketches.map(({ name }) => name).sort(), Object.keys(offsetSources).sort())
 })
 
 for (const { name, warp, options } of sketches)
@@ -25,6 +25,6 @@ for (const { name, warp, options } of sketches)
       return `${declarations}${code}`
     }
     // Loads the source file itself, as in a page.
-    const withOperators = operators((0, eval)(texts[name]))
+    const withOperators = operators((0, eval)(offsetSources[name]))
     assert.ok(codeOf(withOperators) === codeOf(warp), 'the code differs')
   })
