@@ -20,8 +20,8 @@ const anyPoint = (size) => [0, 1, 2].map(() => between(-size, size))
 
 function assertClose(actual, expected, tolerance) {
   for (const [i, value] of [actual].flat().entries()) {
-    const wanted = [expected].flat()[i]
-    assert.ok(Math.abs(value - wanted) <= tolerance, `${actual} is not ${expected}`)
+    const expectedValue = [expected].flat()[i]
+    assert.ok(Math.abs(value - expectedValue) <= tolerance, `${actual} is not ${expected}`)
   }
 }
 

@@ -162,9 +162,9 @@ describe('on the CPU', () => {
     const value = [1, 2, 3]
     const warp = compileWarp(({ uniforms }) => uniforms.value, { uniforms: { value } })
     value[0] = 100
-    const given = Object.freeze({ value: Object.freeze([4, 5, 6]) })
+    const constants = Object.freeze({ value: Object.freeze([4, 5, 6]) })
     assert.deepEqual(warp.evaluateAt(origin).position, [1, 2, 3])
-    assert.deepEqual(warp.evaluateAt(origin, { uniforms: given }).position, [4, 5, 6])
+    assert.deepEqual(warp.evaluateAt(origin, { uniforms: constants }).position, [4, 5, 6])
     assert.deepEqual(value, [100, 2, 3])
   })
 
@@ -177,10 +177,10 @@ describe('on the CPU', () => {
     const fine = subdivide(plane, { warp: compileWarp(offset, options), tolerance: 0.01 })
     assert.ok(fine.positions.length > 30)
     assert.equal(calls, 2)
-    const given = { value: 2 }
+    const constants = { value: 2 }
     const same = subdivide(plane, {
       warp: compileWarp(offset, options),
-      uniforms: given,
+      uniforms: constants,
       tolerance: 0.01,
     })
     assert.deepEqual(same.positions, fine.positions)

@@ -48,18 +48,18 @@ describe('derivatives up to order 3 equal differences:', () => {
       const axes = [noise.dimensions - 1, 0, noise.dimensions - 1]
       const h = 1e-5
       for (const point of noisePoints(noise.dimensions, 12)) {
-        const here = all(point)
+        const center = all(point)
         axes.forEach((axis, order) => {
           const before = all(moveBy(point, axis, -h)),
             after = all(moveBy(point, axis, h))
           for (const value of range(size)) {
             const indexOf = (i) => (i === 0 ? value : size + 3 * value + i - 1)
             const difference = (after[indexOf(order)] - before[indexOf(order)]) / (2 * h)
-            const error = Math.abs(difference - here[indexOf(order + 1)])
+            const error = Math.abs(difference - center[indexOf(order + 1)])
             const bound = 1e-4 * (1 + Math.abs(difference)) * (isFractal(noise.kind) ? 10 : 1)
             assert.ok(
               error <= bound,
-              `order ${order + 1} at ${point}: ${here[indexOf(order + 1)]}, not ${difference}`,
+              `order ${order + 1} at ${point}: ${center[indexOf(order + 1)]}, not ${difference}`,
             )
           }
         })

@@ -63,14 +63,15 @@ function judge(folds, points, results) {
   const judgement = { wrong: [], compared: 0, total: 0 }
   for (const [p, point] of points.entries())
     for (const [f, fold] of folds.entries()) {
-      const got = Array.from(results[p].slice(4 * f, 4 * f + 4))
+      const actual = Array.from(results[p].slice(4 * f, 4 * f + 4))
       const expected = expectedOf(fold, point)
       judgement.total += 4
       judgement.compared += expected.filter(Boolean).length
-      const isWrong = (each, i) => each && !(Math.abs(got[i] - each.value) <= each.tolerance)
+      const isWrong = (number, i) =>
+        number && !(Math.abs(actual[i] - number.value) <= number.tolerance)
       if (expected.some(isWrong))
         judgement.wrong.push(
-          `seed ${fold.seed} at ${point}: ${got}, not ${expected.map((each) => each?.value)}`,
+          `seed ${fold.seed} at ${point}: ${actual}, not ${expected.map((number) => number?.value)}`,
         )
     }
   return judgement

@@ -66,12 +66,13 @@ function derivatives([u, v], options) {
   }
 }
 
-const maxDifference = (got, wanted) => Math.max(...got.map((x, i) => Math.abs(x - wanted[i])))
+const maxDifference = (actual, expected) =>
+  Math.max(...actual.map((x, i) => Math.abs(x - expected[i])))
 
-function assertClose(got, wanted, tolerance, what) {
-  assert.equal(got.length, wanted.length)
-  const error = maxDifference(got, wanted)
-  assert.ok(error <= tolerance, `${what}: ${got}, not ${wanted}, off by ${error}`)
+function assertClose(actual, expected, tolerance, what) {
+  assert.equal(actual.length, expected.length)
+  const error = maxDifference(actual, expected)
+  assert.ok(error <= tolerance, `${what}: ${actual}, not ${expected}, off by ${error}`)
 }
 
 for (const target of targets)
@@ -93,9 +94,9 @@ for (const target of targets)
           results.forEach(({ color, gradient, hessian }, i) => {
             const where = `at ${points[i]}`
             assertClose(color, sample(image, ...points[i], options), 1e-5, `value ${where}`)
-            const wanted = derivatives(points[i], options)
-            assertClose(gradient, wanted.gradient, 2e-4, `gradient ${where}`)
-            assertClose(hessian, wanted.hessian, 5e-3, `second derivatives ${where}`)
+            const expected = derivatives(points[i], options)
+            assertClose(gradient, expected.gradient, 2e-4, `gradient ${where}`)
+            assertClose(hessian, expected.hessian, 5e-3, `second derivatives ${where}`)
           })
         })
 
@@ -124,9 +125,9 @@ for (const target of targets)
         inside,
       )
       results.forEach(({ nearest, fetched, slope }, i) => {
-        const wanted = sample(image, ...inside[i], { filter: 'nearest' })
-        assertClose(nearest, wanted, 1e-6, `nearest at ${inside[i]}`)
-        assertClose(fetched, wanted, 1e-6, `fetched at ${inside[i]}`)
+        const expected = sample(image, ...inside[i], { filter: 'nearest' })
+        assertClose(nearest, expected, 1e-6, `nearest at ${inside[i]}`)
+        assertClose(fetched, expected, 1e-6, `fetched at ${inside[i]}`)
         assertClose(slope, [0, 0], 0, 'slope')
       })
     })
@@ -148,9 +149,9 @@ for (const target of targets)
       )
       results.forEach(({ color, gradient, hessian }, i) => {
         assertClose(color, sample(image, ...points[i]), 1e-5, `value at ${points[i]}`)
-        const wanted = derivatives(points[i], {})
-        assertClose(gradient, wanted.gradient, 2e-4, `gradient at ${points[i]}`)
-        assertClose(hessian, wanted.hessian, 5e-3, `second derivatives at ${points[i]}`)
+        const expected = derivatives(points[i], {})
+        assertClose(gradient, expected.gradient, 2e-4, `gradient at ${points[i]}`)
+        assertClose(hessian, expected.hessian, 5e-3, `second derivatives at ${points[i]}`)
       })
     })
 
@@ -253,11 +254,11 @@ for (const target of targets)
         const [u, v] = points[i]
         assertClose(color, at([u, v]), 3e-5, `at ${points[i]}`)
         const along = [-2, -1, 1, 2].map((k) => at([u, v + k * 1e-5])[1])
-        const wanted = (8 * (along[2] - along[1]) - (along[3] - along[0])) / 12e-5
+        const expected = (8 * (along[2] - along[1]) - (along[3] - along[0])) / 12e-5
         const coarse = (along[2] - along[1]) / 2e-5
         // The difference does not approximate the derivative if it crosses a line through centers of texels.
-        if (Math.abs(coarse - wanted) > 1e-4) return
-        assertClose([slope], [wanted], 1e-3, `slope at ${points[i]}`)
+        if (Math.abs(coarse - expected) > 1e-4) return
+        assertClose([slope], [expected], 1e-3, `slope at ${points[i]}`)
         compared++
       })
       assert.ok(compared > 0.9 * points.length, `${compared} slopes compared`)

@@ -56,9 +56,9 @@ test('value and gradient are one call, and a value alone computes no gradient', 
       const all = { red, slope: glsl.gradient(red, uv) }
       return Object.fromEntries(results.map((name) => [name, all[name]]))
     })
-  const both = textOf('red', 'slope')
-  assert.equal(count(both.code, 'warpjetBsplineRepeatGradient('), 1)
-  assert.equal(count(both.declarations, 'warpjetTexel('), 17)
+  const valueAndSlope = textOf('red', 'slope')
+  assert.equal(count(valueAndSlope.code, 'warpjetBsplineRepeatGradient('), 1)
+  assert.equal(count(valueAndSlope.declarations, 'warpjetTexel('), 17)
   assert.doesNotMatch(textOf('red').declarations, /Gradient/)
 })
 
@@ -113,7 +113,7 @@ test('rejects invalid arguments', () => {
 })
 
 test('a name cannot be an image and a number', () => {
-  const both = (first, second) => () =>
+  const readAs = (first, second) => () =>
     compile((glsl) => {
       const reads = {
         image: () => glsl.texture('map', glsl.vec2(0, 0)).r(),
@@ -122,8 +122,8 @@ test('a name cannot be an image and a number', () => {
       return { r: reads[first]().add(reads[second]()) }
     })
   throwWarpErrors([
-    [both('image', 'number'), /"map" was read as an image before, and now as a single number/],
-    [both('number', 'image'), /"map" was read as a single number before, and now as an image/],
+    [readAs('image', 'number'), /"map" was read as an image before, and now as a single number/],
+    [readAs('number', 'image'), /"map" was read as a single number before, and now as an image/],
     [
       () => compile((glsl) => ({ map: glsl.texture('map', glsl.vec2(0, 0)).r() })),
       /The result "map" has the name of a variable/,

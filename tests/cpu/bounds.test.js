@@ -102,8 +102,8 @@ describe('bounds of a warp that is NaN somewhere', () => {
     )
     assertAround([root.min[0], root.max[0]], [-1, 2])
     assertAround([root.min[1], root.max[1]], [-1, 1])
-    const far = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(3).asin(), 0))
-    assertAround([far.min[1], far.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
+    const arcSineBounds = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(3).asin(), 0))
+    assertAround([arcSineBounds.min[1], arcSineBounds.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
   })
 
   test('are infinite if the values are, and empty if there are none', () => {

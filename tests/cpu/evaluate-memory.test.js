@@ -173,7 +173,7 @@ test('arrays of the caller are not retained', async () => {
     collect()
   }
   assert.deepEqual(
-    references.map((each) => each.deref()?.length),
+    references.map((reference) => reference.deref()?.length),
     references.map(() => undefined),
   )
   assert.ok(warp.evaluate(arrays(3), { uniforms: { millis: 5 } }))

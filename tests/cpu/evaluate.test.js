@@ -62,9 +62,9 @@ describe('evaluate', () => {
       const OriginalArray = Float32Array
       const lengths = []
       const construct = (target, from) => {
-        const made = Reflect.construct(target, from)
-        if (typeof from[0] === 'number') lengths.push(made.length)
-        return made
+        const allocated = Reflect.construct(target, from)
+        if (typeof from[0] === 'number') lengths.push(allocated.length)
+        return allocated
       }
       globalThis.Float32Array = new Proxy(OriginalArray, { construct })
       try {

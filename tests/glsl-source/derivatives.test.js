@@ -39,16 +39,16 @@ for (const { name, text } of corpus)
     let [slopes, kinks] = [0, 0]
     for (const p of points) {
       const { value, jacobian } = compiled.evaluate({ p })
-      const wanted = f(p)
+      const expected = f(p)
       const steepest = Math.max(1, ...Array.from(jacobian, Math.abs).filter(isDefined))
-      wanted.forEach((x, i) => {
+      expected.forEach((x, i) => {
         if (!isDefined(x)) return
         const isNear = Math.abs(value[i] - x) <= 2e-5 * steepest * Math.max(1, Math.abs(x))
         assert.ok(isNear, `value ${i} at ${p}: ${value[i]}, not ${x}`)
       })
       for (let k = 0; k < 3; k++) {
         const by = [{ name: 'p', index: k }]
-        derivative((point) => f(point.p), { p }, by, wanted).forEach(({ value, error }, i) => {
+        derivative((point) => f(point.p), { p }, by, expected).forEach(({ value, error }, i) => {
           const ours = jacobian[3 * k + i]
           if (isStairs.has(name)) return assert.equal(ours, 0)
           const size = Math.max(1, Math.abs(value))

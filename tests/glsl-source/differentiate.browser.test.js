@@ -137,12 +137,12 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
         let compared = 0
         points.forEach((p, i) => {
           const { value, columns } = expectedAt(text, by, operands, p)
-          const wanted = [
+          const expected = [
             ...(isGradient ? value.map((number) => ({ value: number, error: 0 })) : []),
             ...columns.flat(),
           ]
-          assert.equal(values[i].length, wanted.length)
-          wanted.forEach(({ value, error }, k) => {
+          assert.equal(values[i].length, expected.length)
+          expected.forEach(({ value, error }, k) => {
             if (!(error <= 1e-4)) return
             compared++
             const isNear = Math.abs(values[i][k] - value) <= 2e-3 * Math.max(1, Math.abs(value))

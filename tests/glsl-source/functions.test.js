@@ -48,9 +48,9 @@ function normalOf(move, [x, y, z], normal) {
   return transformed.map((n) => n / Math.hypot(...transformed))
 }
 
-const assertNear = (got, wanted, tolerance) =>
+const assertNear = (actual, wanted, tolerance) =>
   wanted.forEach((value, i) =>
-    assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
+    assert.ok(Math.abs(actual[i] - value) <= tolerance, `${Array.from(actual)} is not ${wanted}`),
   )
 
 function assertMoves(source, move, options = {}) {
@@ -61,9 +61,9 @@ function assertMoves(source, move, options = {}) {
     [-2.1, 0.9, 1.6],
   ]) {
     const normal = [0.48, 0.6, 0.64]
-    const got = warp.evaluateAt(p, { normal })
-    assertNear(got.position, move(p), 2e-5)
-    assertNear(got.normal, normalOf(move, p, normal), 2e-4)
+    const actual = warp.evaluateAt(p, { normal })
+    assertNear(actual.position, move(p), 2e-5)
+    assertNear(actual.normal, normalOf(move, p, normal), 2e-4)
   }
 }
 

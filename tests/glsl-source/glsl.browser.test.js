@@ -61,10 +61,10 @@ const bitOperations =
   /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
 
 /** Counts the numbers that differ significantly; ignores undefined values such as 0/0. */
-function countDiffering(values, wanted, compared = { count: 0 }) {
+function countDiffering(values, expected, compared = { count: 0 }) {
   let wrong = 0
   values.forEach((numbers, i) =>
-    wanted[i].forEach((value, k) => {
+    expected[i].forEach((value, k) => {
       if (!Number.isFinite(value) || Math.abs(value) > 1e6) return
       compared.count++
       if (!(Math.abs(numbers[k] - value) <= tolerance(value))) wrong++
@@ -83,10 +83,10 @@ test('every function of the corpus equals the original, in each language and on 
     try {
       const { compiled, original, ...first } = await valuesOf(source, 'glsl300')
       const cpu = points.map((p) => compiled.evaluate({ p }))
-      const check = (name, ours, wanted = original) => {
-        const wrong = countDiffering(ours, wanted, compared)
+      const check = (name, ours, expected = original) => {
+        const wrong = countDiffering(ours, expected, compared)
         // A point may be on the edge between two branches.
-        if (wrong > wanted[0].length) problems.push(`${source.name}, ${name}: ${wrong} differ`)
+        if (wrong > expected[0].length) problems.push(`${source.name}, ${name}: ${wrong} differ`)
       }
       // We compare derivatives only at points where the float32 and double values agree: elsewhere, as in a hash, they are on different
       // sides of a jump.
@@ -224,7 +224,7 @@ test('differentiate makes a function that returns the value and the gradient of 
     const at = (step) => map(p.map((x, i) => (i === k ? x + step : x)))
     return (at(1e-5) - at(-1e-5)) / 2e-5
   }
-  const wanted = points.map((p) => [map(p), ...[0, 1, 2].map((k) => slope(p, k))])
+  const expected = points.map((p) => [map(p), ...[0, 1, 2].map((k) => slope(p, k))])
   for (const target of targetsInThisRun) {
     const text = differentiate(field, { by: 'p', target })
     const values = await pipelines.run(
@@ -238,6 +238,6 @@ test('differentiate makes a function that returns the value and the gradient of 
       points,
     )
     // A point may be at the start of a blend.
-    assert.ok(countDiffering(values, wanted) <= 2, target)
+    assert.ok(countDiffering(values, expected) <= 2, target)
   }
 })

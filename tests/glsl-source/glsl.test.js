@@ -12,9 +12,9 @@ const evaluateAt = (source, position, options = {}, others = {}) =>
     { normal: [0, 1, 0], ...others.given },
   )
 
-const assertNear = (got, wanted, tolerance = 1e-5) =>
-  Array.from(wanted).forEach((value, i) =>
-    assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)}, not ${wanted}`),
+const assertNear = (actual, expected, tolerance = 1e-5) =>
+  Array.from(expected).forEach((value, i) =>
+    assert.ok(Math.abs(actual[i] - value) <= tolerance, `${Array.from(actual)}, not ${expected}`),
   )
 
 /** Returns the offset of this function body at a point. */

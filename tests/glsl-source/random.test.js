@@ -43,15 +43,15 @@ test(`${count} random functions have correct values and Jacobians`, () => {
       })
       for (const p of points) {
         const { value, jacobian } = compiled.evaluate({ p })
-        const wanted = js(p)
+        const expected = js(p)
         const isNear = (a, b, tolerance) => Math.abs(a - b) <= tolerance * Math.max(1, Math.abs(b))
         // Constants of the source are rounded to float32, as in GLSL. Some functions amplify this rounding, for instance by a sine of a sum
         // of squares in every step of a loop.
         const steepest = Math.max(1, ...Array.from(jacobian, Math.abs))
-        const isRight = wanted.every((x, i) => isNear(value[i], x, 2e-5 * steepest))
+        const isRight = expected.every((x, i) => isNear(value[i], x, 2e-5 * steepest))
         compared.values += 3
         if (!isRight) {
-          problems.push(`${seed} at ${p}: ${value}, not ${wanted}\n${text}`)
+          problems.push(`${seed} at ${p}: ${value}, not ${expected}\n${text}`)
           break
         }
         for (let k = 0; k < 3; k++)

@@ -132,11 +132,14 @@ test('blocks of uniforms have the declared layout', async () => {
       `#version 300 es\n${declaration}\nin vec3 at; out vec3 value;\nvoid main() {\n${code.replace(/\bvec3 value, /, 'vec3 ')}\ngl_Position = vec4(0.0); }`,
     )
   }
-  const [wanted, actual] = [
+  const [expected, actual] = [
     await browserValues(originals, numbers),
     await browserValues(ours, numbers),
   ]
   Object.keys(blocks).forEach((name, i) =>
-    assert.ok(isNear(actual[i], wanted[i]), `${name}: ${actual[i]}, not ${wanted[i]}\n${ours[i]}`),
+    assert.ok(
+      isNear(actual[i], expected[i]),
+      `${name}: ${actual[i]}, not ${expected[i]}\n${ours[i]}`,
+    ),
   )
 })

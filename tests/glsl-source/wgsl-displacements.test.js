@@ -24,18 +24,20 @@ for (const [name, { text, uniforms, offset }] of Object.entries(displacements))
     let [slopes, kinks, valueError, slopeError] = [0, 0, 0, 0]
     for (const p of points) {
       const { value, jacobian } = compiled.evaluate({ p, ...uniforms })
-      const wanted = offset(p)
-      wanted.forEach((x, i) => {
+      const expected = offset(p)
+      expected.forEach((x, i) => {
         valueError = Math.max(valueError, Math.abs(value[i] - x))
       })
       for (let k = 0; k < 3; k++) {
         const by = [{ name: 'p', index: k }]
-        derivative((point) => offset(point.p), { p }, by, wanted).forEach(({ value, error }, i) => {
-          const size = Math.max(1, Math.abs(value))
-          if (!(error <= maxError * size)) return kinks++
-          slopes++
-          slopeError = Math.max(slopeError, Math.abs(jacobian[3 * k + i] - value) / size)
-        })
+        derivative((point) => offset(point.p), { p }, by, expected).forEach(
+          ({ value, error }, i) => {
+            const size = Math.max(1, Math.abs(value))
+            if (!(error <= maxError * size)) return kinks++
+            slopes++
+            slopeError = Math.max(slopeError, Math.abs(jacobian[3 * k + i] - value) / size)
+          },
+        )
       }
     }
     t.diagnostic(
