@@ -80,8 +80,8 @@ describe('the program', () => {
 })
 
 describe('how it exits', () => {
-  /** Runs the program, which must exit within 20 s by itself. Returns its exit status and what it writes to stderr. */
-  async function exitsBySelf(args, prepare = () => {}) {
+  /** Runs the program, which must exit within 20 s by itself. Returns its exit status and its stderr. */
+  async function runUntilExit(args, prepare = () => {}) {
     const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
     let stderr = ''
     child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
@@ -95,7 +95,7 @@ describe('how it exits', () => {
 
   test('exits if the reader closes its output', async () => {
     const leave = ({ stdout }) => stdout.destroy()
-    assert.deepEqual(await exitsBySelf([program, 'emit', 'named.js'], leave), {
+    assert.deepEqual(await runUntilExit([program, 'emit', 'named.js'], leave), {
       code: 0,
       stderr: '',
     })
@@ -103,7 +103,7 @@ describe('how it exits', () => {
 
   test('does not wait for a timer of warp.js', async () => {
     write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
-    const { code } = await exitsBySelf([program, 'emit', 'timer.js'], ({ stdout }) =>
+    const { code } = await runUntilExit([program, 'emit', 'timer.js'], ({ stdout }) =>
       stdout.resume(),
     )
     assert.equal(code, 0)
@@ -130,7 +130,7 @@ describe('how it exits', () => {
 
   test('clears the progress line before an error', async () => {
     const terminal = 'data:text/javascript,process.stderr.isTTY = true'
-    const { code, stderr } = await exitsBySelf([
+    const { code, stderr } = await runUntilExit([
       ...['--import', terminal, program, 'bake', 'model.glb', 'named.js'],
       ...['-o', 'o.glb', '--subdivide', '0.1', '--set', 'speed=1'],
     ])

@@ -84,7 +84,7 @@ test('all CPU methods are accurate after a week', () => {
     const place = [0.3, 0.5, 0.7]
     const expected = waveAt(place, millis, 0.01)
     const { position, normal } = warp.evaluateAt(place, { uniforms, normal: [0, 1, 0] })
-    assertNear(position, right)
+    assertNear(position, expected)
     const slope = 3 * Math.cos(0.9 + millis * 0.01)
     assertNear(normal, [-slope / Math.hypot(slope, 1), 1 / Math.hypot(slope, 1), 0])
     assertNear(
@@ -123,7 +123,7 @@ test('a message names a missing input on the CPU', () => {
   assert.throws(() => warp.evaluateAt([0, 0, 0], { uniforms: { milis: 1 } }), /no uniform "milis"/)
 })
 
-test('noise far from the origin is as accurate as assertNear it: cells and positions in cells are separate', () => {
+test('noise far from the origin is as accurate as near it: cells and positions in cells are separate', () => {
   const kinds = {
     noise: ({ glsl, at }) => glsl.noise(at),
     valueNoise: ({ glsl, at }) => glsl.valueNoise(at),
@@ -144,7 +144,7 @@ test('noise far from the origin is as accurate as assertNear it: cells and posit
     const warp = compileWarp(offset, options)
     assert.match(warp.declarations, /Cells/, name)
     const place = [0.3, 0.55, 0.7]
-    // The same noise in double precision. It repeats every 4,091 cells, so that smaller shifts have the same values.
+    // This noise is evaluated in double precision. It repeats every 4,091 cells, so the remainder of a shift has the same values.
     const reference = compile((glsl) => {
       const position = glsl.vec3Param('position')
       return { y: offset({ glsl, position, uniforms: { cells: glsl.param('cells') } }).y() }

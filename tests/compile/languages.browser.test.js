@@ -1,4 +1,4 @@
-// Every warp has the same positions and normals in vertexStep language, each on its own pipeline.
+// Tests that every warp has the same positions and normals in every language, each on its own pipeline.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { denseMesh, layout, stride } from '../support/browser/dense-mesh.js'
@@ -13,7 +13,7 @@ const drawInputs = { millis: 1234, mouse: [120, 250], size: [640, 480], pixelDen
 const outputs = ['warpedPosition', 'warpedNormal'].map((name) => ({ name, shape: 3 }))
 const vertexStep = 7
 
-/** Returns vertexStep seventh vertex of the dense mesh, each followed by the uniforms. */
+/** Returns every seventh vertex of the dense mesh, each followed by the uniforms. */
 function pointsOf(size, params) {
   const mesh = denseMesh(size)
   const rest = [...Object.values(drawInputs), ...Object.values(params)].flat()

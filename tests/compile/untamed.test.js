@@ -9,8 +9,8 @@ import { randomCase, randomOf } from '../random/generate.js'
 
 const count = 2000
 const pointsPerCase = 32
-// The compiler assumes that inputs are no larger than the last of these (`assumedMagnitude` in src/graph/graph.hpp).
-const usualSizes = [0, 1e-30, 1e-19, 1, 1e4]
+// The compiler assumes that inputs are no larger than the last of `assumedSizes` (`assumedMagnitude` in src/graph/graph.hpp).
+const assumedSizes = [0, 1e-30, 1e-19, 1, 1e4]
 const hugeSizes = [1e19, 1e20, 2.5e20, 1e30]
 
 /** The inputs of the expressions, computed from the position. */
@@ -100,12 +100,12 @@ function failuresOf(sizes, t, maxZeroShare = 0.1) {
 test('few expressions are rejected', () => assert.ok(cases.length > 0.9 * count, `${cases.length}`))
 
 test('normals have length 1, or are zero', (t) => {
-  assert.deepEqual(failuresOf(usualSizes, t), [])
+  assert.deepEqual(failuresOf(assumedSizes, t), [])
 })
 
 // Normals are zero where products of slopes overflow float32: scaling each product would cost every warp a dozen operations per vertex.
 for (const sizes of [
-  [...usualSizes, ...hugeSizes],
+  [...assumedSizes, ...hugeSizes],
   [1e20, 1.5e20, 1],
 ])
   test(`at positions of the sizes ${sizes} too`, (t) => {

@@ -7,14 +7,14 @@ import { warp } from '../../dist/three.js'
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
-const displaced = ({ glsl, position }) =>
+const displace = ({ glsl, position }) =>
   glsl.vec3(0, 0, glsl.texture('heightMap', position.xy().add(0.5)).r())
 
 const count = (text, word) => text.split(word).length - 1
 
 test('the image is listed as a uniform, and so is its size if the language cannot query it', () => {
   for (const target of targets) {
-    const { uniforms, attributes } = compileWarp(displaced, { target })
+    const { uniforms, attributes } = compileWarp(displace, { target })
     const image = { name: 'heightMap', type: 'sampler2D' }
     const size = { name: 'heightMapSize', type: 'vec2' }
     assert.deepEqual(uniforms, target === 'glsl100' ? [image, size] : [image], target)
@@ -136,7 +136,7 @@ test('the CPU cannot read images yet', () => {
     () => compile((glsl) => ({ r: glsl.texture('map', glsl.vec2(0, 0)).r() })).evaluate({ map: 1 }),
     /evaluate: only the GPU can .* read an image by glsl\.texture/,
   )
-  const warp = compileWarp(displaced)
+  const warp = compileWarp(displace)
   throwsWarpError(() => warp.evaluate({ positions: [0, 0, 0] }), /reads an image by glsl\.texture/)
   throwsWarpError(
     () => warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),

@@ -222,7 +222,8 @@ void GraphCalls::closeRepeat() {
   if (repeats_.empty()) return;
   const auto [first, count] = repeats_.back();
   repeats_.pop_back();
-  // A sketch may return anything from the body; usually we pass states of the right shapes.
+  // A sketch may return anything from the body. We pass states of the right shapes unless the byte
+  // is above 240.
   const bool isOdd = reader_.byte() > 240;
   for (int i = 0; i < count; ++i) builder_.push(isOdd ? pickValue() : pickValueLike(first + i));
   const int outcome = builder_.closeRepeat();

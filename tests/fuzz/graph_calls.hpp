@@ -38,7 +38,7 @@ class GraphCalls {
  public:
   GraphCalls(Builder& builder, Reader& reader) : builder_(builder), reader_(reader) {}
 
-  // Calls the builder until the bytes end, or so many calls that a run could exceed its time limit.
+  // Calls the builder until the bytes end, or the graph is at the limit that keeps a run short.
   void run();
 
   // The handles of the results of all calls.

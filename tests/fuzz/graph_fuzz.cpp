@@ -1,5 +1,5 @@
 // Fuzz target of the graph, the emitter and the evaluators: interprets bytes as calls on a builder,
-// then queries allResults. The first byte chooses the language, the second the inputs' values; see
+// then queries everything. The first byte chooses the language, the second the inputs' values; see
 // graph_calls.hpp for the others.
 #include <algorithm>
 #include <cmath>

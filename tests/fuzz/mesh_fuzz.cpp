@@ -81,7 +81,7 @@ void checkSubdivision(const Mesh& mesh, unsigned which) {
   require(uniform.triangleCount() <= maxTriangles, "there are not more triangles than allowed");
 }
 
-// Stands in for a decoder, which may return anything: fills `size` bytes by repeating the packed
+// Replaces a decoder, which may return anything: fills `size` bytes by repeating the packed
 // ones.
 std::vector<std::uint8_t> guess(Bytes packed, std::size_t size) {
   std::vector<std::uint8_t> bytes(size);
@@ -95,8 +95,8 @@ Pieces guessPieces(const PackedPart& part) {
   if (plan["codec"] == "meshopt")
     return {guess(part.bytes,
                   plan["count"].get<std::size_t>() * plan["byteStride"].get<std::size_t>())};
-  // As indices, sometimes those of three vertices, otherwise any bytes. Then `count` vertices of
-  // four floats per attribute.
+  // The indices are those of three vertices if `count` is odd, otherwise any bytes. `count`
+  // vertices of four floats follow for each attribute.
   Pieces pieces{count % 2 ? std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}
                           : guess(part.bytes, count)};
   for (std::size_t i = 0; i < plan["attributes"].size(); ++i)

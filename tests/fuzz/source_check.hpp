@@ -89,7 +89,7 @@ class ListingCheck {
         require(!isInRoutine_ && isDefined_.empty(), "functions come first");
         const std::uint32_t arguments = next();
         routines_.push_back({arguments, 0});
-        require(next() <= arguments, "a function has at most one derivative per argument");
+        require(next() <= arguments, "a function cannot have more derivatives than arguments");
         isInRoutine_ = true;
         return;
       }

@@ -48,9 +48,9 @@ function normalOf(move, [x, y, z], normal) {
   return transformed.map((n) => n / Math.hypot(...transformed))
 }
 
-const assertNear = (actual, wanted, tolerance) =>
-  wanted.forEach((value, i) =>
-    assert.ok(Math.abs(actual[i] - value) <= tolerance, `${Array.from(actual)} is not ${wanted}`),
+const assertNear = (actual, expected, tolerance) =>
+  expected.forEach((value, i) =>
+    assert.ok(Math.abs(actual[i] - value) <= tolerance, `${Array.from(actual)} is not ${expected}`),
   )
 
 function assertMoves(source, move, options = {}) {
@@ -202,7 +202,7 @@ test('a short loop is unrolled', () => {
 test('counters have the right values in the loop, for any step', () => {
   const weighed = wave.replace('a * sin', 'float(i) * a * sin')
   const source = (head) => loop(head, weighed)
-  const expected = (start, step) => waves(7, undefined, (i) => start + step * i)
+  const wavesOfCounter = (start, step) => waves(7, undefined, (i) => start + step * i)
   for (const [head, start, step] of [
     ['for (int i = 0; i < 7; i++)', 0, 1],
     ['for (int i = 9; i > -12; i -= 3)', 9, -3],
@@ -212,7 +212,7 @@ test('counters have the right values in the loop, for any step', () => {
     ['int i = 5; while (i-- > -2)', 4, -1],
   ]) {
     assert.ok(hasLoop(source(head)), head)
-    assertMoves(source(head), expected(start, step))
+    assertMoves(source(head), wavesOfCounter(start, step))
   }
 })
 

@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import { compileWarp, targets } from 'warpjet'
 import { glslOffset } from 'warpjet/glsl'
 
-// The values of the inputs, by what they belong to. `parts` are components of vectors.
+// These values are passed for the inputs. `parts` has components of the vectors in `frame`.
 const vertex = { normal: [0, 0.6, 0.8], uv: [0.25, 0.75], color: [0.1, 0.2, 0.3, 0.4] }
 const frame = { millis: 1200, mouse: [30, 40], size: [640, 480], pixelDensity: 2, instance: 3 }
 const parts = { mouseX: 30, mouseY: 40, width: 640, height: 480 }

@@ -77,7 +77,7 @@ describe('bakeWarp', () => {
     for (const name of ['uvs', 'colors', 'indices', 'material'])
       assert.deepEqual(baked[name], mesh[name], name)
     assert.notEqual(baked.uvs, mesh.uvs)
-    // By hand, the twist about y is p' = R(2y) p. At the equator's first vertex, (1, 0, 0), it tilts the surface by exactly atan(2): the
+    // The twist about y is p' = R(2y) p. At the equator's first vertex, (1, 0, 0), it tilts the surface by exactly atan(2): the
     // tangent (0, 1, 0) becomes (0, 1, -2), and (0, 0, 1) stays as it is.
     for (let v = 0; v < mesh.positions.length / 3; v++) {
       const [x, y, z] = mesh.positions.subarray(3 * v, 3 * v + 3)

@@ -83,7 +83,7 @@ export function createTamer({ points, random, make, allowed }) {
 
   const isInDomain = (node, domain) => valuesOf(node).every((value) => value.every(domains[domain]))
 
-  /** Returns whether a node has bounded values, and a moderate slope at most points. */
+  /** Returns whether a node has bounded values, and a moderate slope at half of the points or more. */
   function isModerate(node) {
     const values = valuesOf(node)
     if (!values.flat().every((x) => Math.abs(x) <= maxValue)) return false

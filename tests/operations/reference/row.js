@@ -1,6 +1,6 @@
 // Helpers for the rows of the reference: domains to sample, and operations by component.
 
-/** Returns a number from -0.1 to 0.1, usually much closer to zero. */
+/** Returns a number of either sign whose magnitude is from 10⁻⁴ to 0.1, distributed evenly on a logarithmic scale. */
 export const smallNumber = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * random())
 
 export const pick = (list, random) => list[Math.floor(list.length * random())]
