@@ -1,7 +1,7 @@
 // Interprets GLSL statements that the compiler generated, in double precision, for tests only.
 import { createRequire } from 'node:module'
 import { Statements } from './walk/statements.js'
-import { fail, fresh, layoutOf, numbersOf } from './walk/values.js'
+import { fail, layoutOf, newValue, numbersOf } from './walk/values.js'
 
 const { parser } = createRequire(import.meta.url)('@shaderfrog/glsl-parser')
 
@@ -14,7 +14,7 @@ const isUndefined = {
 /** Rejects what a shader compiler rejects, such as wrong types and names that are declared twice. Keeps constants in double precision. */
 class Strict extends Statements {
   value_float_constant({ token }) {
-    return fresh('float', [parseFloat(token)], true)
+    return newValue('float', [parseFloat(token)], true)
   }
   /** Evaluates both values, since nothing in the statements has side effects. */
   value_ternary({ expression, left, right }) {
@@ -36,16 +36,18 @@ class Strict extends Statements {
   select(value, name) {
     const selected = super.select(value, name)
     const { rows } = layoutOf(value.type)
-    const exists = rows > 1 && selected.at.every((place) => value.at.includes(place))
+    const exists = rows > 1 && selected.indices.every((index) => value.indices.includes(index))
     return exists ? selected : fail(`a ${value.type} has no .${name}`)
   }
   builtIn(name, operands) {
     const result = super.builtIn(name, operands)
     const numbers = numbersOf(result).map((number, i) => {
-      const components = operands.map(({ of, at }) => of[at[at.length === 1 ? 0 : i]])
+      const components = operands.map(
+        ({ storage, indices }) => storage[indices[indices.length === 1 ? 0 : i]],
+      )
       return isUndefined[name]?.(...components) ? NaN : number
     })
-    return fresh(result.type, numbers, true)
+    return newValue(result.type, numbers, true)
   }
   construct(type, operands) {
     if (!layoutOf(type)) fail(`there is no function ${type}`)

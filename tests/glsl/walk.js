@@ -2,7 +2,7 @@
 // source, and shares no code with our front end. Values carry their types at run time; there is no static analysis.
 import { createRequire } from 'node:module'
 import { Statements } from './walk/statements.js'
-import { fresh, numbersOf } from './walk/values.js'
+import { newValue, numbersOf } from './walk/values.js'
 
 const require = createRequire(import.meta.url)
 const { parser } = require('@shaderfrog/glsl-parser')
@@ -28,7 +28,7 @@ class Walk extends Statements {
     this.restart()
     const f = this.functions.find(({ prototype }) => prototype.header.name.identifier === name)
     const operands = f.prototype.parameters.map((parameter, i) =>
-      fresh(this.typeOf(parameter), numbers[i], true),
+      newValue(this.typeOf(parameter), numbers[i], true),
     )
     return numbersOf(this.enter(f, operands))
   }

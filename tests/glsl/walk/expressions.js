@@ -2,15 +2,15 @@
 import { ofKind } from '../built-ins.js'
 import { Names } from './names.js'
 import {
+  anyVaries,
   comparisons,
   fail,
-  fresh,
   layoutOf,
   multiply,
+  newValue,
   numbersOf,
   operations,
-  part,
-  vary,
+  valueIn,
   wrap,
   write,
 } from './values.js'
@@ -20,7 +20,7 @@ const methods = {}
 
 export class Expressions extends Names {
   copy(value) {
-    return fresh(value.type, numbersOf(value), vary(value))
+    return newValue(value.type, numbersOf(value), anyVaries(value))
   }
   test(node) {
     return numbersOf(this.value(node))[0]
@@ -39,19 +39,19 @@ export class Expressions extends Names {
   }
   /** Memoizes the value in the node, since nothing writes to a literal. */
   value_float_constant(node) {
-    return (node.value ??= fresh('float', [parseFloat(node.token)]))
+    return (node.value ??= newValue('float', [parseFloat(node.token)]))
   }
   value_int_constant({ token }) {
     const isUnsigned = /u$/i.test(token)
     const digits = token.replace(/u$/i, '')
     const number = Number(/^0\d/.test(digits) ? `0o${digits}` : digits)
-    return isUnsigned ? fresh('uint', [number]) : fresh('int', [number | 0])
+    return isUnsigned ? newValue('uint', [number]) : newValue('int', [number | 0])
   }
   value_uint_constant(node) {
     return this.value_int_constant(node)
   }
   value_bool_constant({ token }) {
-    return fresh('bool', [token === 'true'])
+    return newValue('bool', [token === 'true'])
   }
   value_ternary({ expression, left, right }) {
     return this.copy(this.value(this.test(expression) ? left : right))
@@ -67,7 +67,7 @@ export class Expressions extends Names {
       '!': (x) => !x,
       '~': (x) => wrap[kind](~x),
     }
-    return fresh(operand.type, numbersOf(operand).map(f[op]), vary(operand))
+    return newValue(operand.type, numbersOf(operand).map(f[op]), anyVaries(operand))
   }
   step(place, op) {
     const { kind } = layoutOf(place.type)
@@ -75,7 +75,7 @@ export class Expressions extends Names {
     write(
       place,
       numbersOf(place).map((x) => wrap[kind](x + by)),
-      vary(place),
+      anyVaries(place),
     )
     return place
   }
@@ -93,7 +93,7 @@ export class Expressions extends Names {
     }
     return value
   }
-  select({ type, of, at }, name) {
+  select({ type, storage, indices }, name) {
     const fields = this.structures[type]
     if (!fields) {
       const places = [...name].map((letter) =>
@@ -101,41 +101,42 @@ export class Expressions extends Names {
       )
       const { kind } = layoutOf(type)
       const selectedType = places.length === 1 ? kind : ofKind(kind, `vec${places.length}`)
-      return part(
+      return valueIn(
         selectedType,
-        of,
-        places.map((place) => at[place]),
+        storage,
+        places.map((place) => indices[place]),
       )
     }
     let offset = 0
     for (const field of fields) {
       const size = this.sizeOf(field.type)
-      if (field.name === name) return part(field.type, of, at.slice(offset, offset + size))
+      if (field.name === name)
+        return valueIn(field.type, storage, indices.slice(offset, offset + size))
       offset += size
     }
     return fail(`${type} has no ${name}`)
   }
-  element({ type, of, at }, index) {
+  element({ type, storage, indices }, index) {
     const [, inner] = /^(.*)\[\d+\]$/.exec(type) ?? []
     const layout = layoutOf(type)
     const element = inner ?? (layout.columns > 1 ? `vec${layout.rows}` : layout.kind)
     const size = this.sizeOf(element)
     const [i] = numbersOf(index)
-    return part(element, of, at.slice(i * size, (i + 1) * size))
+    return valueIn(element, storage, indices.slice(i * size, (i + 1) * size))
   }
   value_assignment({ left, operator, right }) {
     const place = this.value(left)
     const op = operator.literal.slice(0, -1)
     const operand = this.value(right)
     const value = op ? this.operate(op, place, operand) : operand
-    write(place, numbersOf(value), vary(value))
+    write(place, numbersOf(value), anyVaries(value))
     return place
   }
   value_binary({ operator, left, right }) {
     const op = operator.literal
     if (op === ',') return (this.value(left), this.value(right))
-    if (op === '&&') return fresh('bool', [this.test(left) && this.test(right)])
-    if (op === '||') return fresh('bool', [this.test(left) || this.test(right)])
+    if (op === '&&') return newValue('bool', [this.test(left) && this.test(right)])
+    if (op === '||') return newValue('bool', [this.test(left) || this.test(right)])
     // The right operand may change the variable on the left.
     const first = this.value(left)
     const numbers = numbersOf(first)
@@ -143,21 +144,21 @@ export class Expressions extends Names {
   }
   operate(op, left, right, x = numbersOf(left)) {
     const y = numbersOf(right)
-    if (op === '^^') return fresh('bool', [x[0] !== y[0]])
+    if (op === '^^') return newValue('bool', [x[0] !== y[0]])
     if (op === '==' || op === '!=')
-      return fresh('bool', [x.every((number, i) => number === y[i]) === (op === '==')])
-    if (comparisons[op]) return fresh('bool', [comparisons[op](x[0], y[0])])
+      return newValue('bool', [x.every((number, i) => number === y[i]) === (op === '==')])
+    if (comparisons[op]) return newValue('bool', [comparisons[op](x[0], y[0])])
     const [a, b] = [layoutOf(left.type), layoutOf(right.type)]
     if (op === '*' && Math.max(a.columns, b.columns) > 1 && x.length > 1 && y.length > 1)
-      return multiply(a, x, b, y, vary(left, right))
+      return multiply(a, x, b, y, anyVaries(left, right))
     const f = operations[op]
-    const isVarying = vary(left, right)
+    const isVarying = anyVaries(left, right)
     if (x.length === 1 && y.length === 1)
-      return fresh(left.type, [wrap[a.kind](f(x[0], y[0], a.kind))], isVarying)
+      return newValue(left.type, [wrap[a.kind](f(x[0], y[0], a.kind))], isVarying)
     const type = x.length >= y.length ? left.type : right.type
     const at = (list, i) => list[list.length === 1 ? 0 : i]
     const size = Math.max(x.length, y.length)
-    return fresh(
+    return newValue(
       type,
       Array.from({ length: size }, (_, i) => wrap[a.kind](f(at(x, i), at(y, i), a.kind))),
       isVarying,

@@ -1,5 +1,5 @@
 // Looks up types and variables: the number of components of a type, and the value of a name.
-import { fail, fresh, layoutOf, numbersOf } from './values.js'
+import { fail, layoutOf, newValue, numbersOf } from './values.js'
 
 export class Names {
   constructor(program) {
@@ -47,7 +47,7 @@ export class Names {
 
   declare(name, type, numbers, isVarying = false) {
     const start = numbers ?? Array(this.sizeOf(type)).fill(0)
-    this.scopes.at(-1).set(name, fresh(type, [...start], isVarying))
+    this.scopes.at(-1).set(name, newValue(type, [...start], isVarying))
   }
 
   find(name) {

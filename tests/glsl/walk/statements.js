@@ -1,6 +1,6 @@
 // Interprets statements; each returns how it ends, or `undefined` if the next one follows.
 import { Calls } from './calls.js'
-import { fail, numbersOf, vary } from './values.js'
+import { anyVaries, fail, numbersOf } from './values.js'
 
 class Return {
   constructor(value) {
@@ -36,7 +36,12 @@ export class Statements extends Calls {
     for (const { identifier, quantifier, initializer } of declarations) {
       const value = initializer && this.value(initializer)
       const type = value?.type ?? this.withLengths(base, quantifier)
-      this.declare(identifier.identifier, type, value && numbersOf(value), value && vary(value))
+      this.declare(
+        identifier.identifier,
+        type,
+        value && numbersOf(value),
+        value && anyVaries(value),
+      )
     }
   }
   expression_statement({ expression }) {

@@ -51,14 +51,14 @@ export const comparisons = {
   '>=': (x, y) => x >= y,
 }
 
-/** Makes a value that refers to numbers, its own or those of a variable: those of the array `of` at the indices `at`. */
-export const part = (type, of, at) => ({ type, of, at })
-export const numbersOf = ({ of, at }) =>
-  at.length === 1 ? [of[at[0]]] : at.map((place) => of[place])
+/** Makes a value whose numbers are those of `storage` at `indices`. `storage` can be that of a variable. */
+export const valueIn = (type, storage, indices) => ({ type, storage, indices })
+export const numbersOf = ({ storage, indices }) =>
+  indices.length === 1 ? [storage[indices[0]]] : indices.map((index) => storage[index])
 
 /** Returns whether one of the values depends on the arguments. All others are constants, which a shader compiler rounds to float32. */
-export function vary(...values) {
-  for (const { of } of values) if (of[varies]) return true
+export function anyVaries(...values) {
+  for (const { storage } of values) if (storage[varies]) return true
   return false
 }
 const varies = Symbol('varies')
@@ -69,15 +69,15 @@ const allIndices = Array.from({ length: 17 }, (_, size) =>
 )
 const indicesOf = (numbers) => allIndices[numbers.length] ?? [...numbers.keys()]
 
-export function fresh(type, numbers, isVarying) {
-  const of = isVarying || layoutOf(type)?.kind !== 'float' ? numbers : numbers.map(Math.fround)
-  of[varies] = !!isVarying
-  return part(type, of, indicesOf(of))
+export function newValue(type, numbers, isVarying) {
+  const storage = isVarying || layoutOf(type)?.kind !== 'float' ? numbers : numbers.map(Math.fround)
+  storage[varies] = !!isVarying
+  return valueIn(type, storage, indicesOf(storage))
 }
-export function write({ of, at }, numbers, isVarying) {
-  at.forEach((place, i) => (of[place] = numbers[i]))
-  if (isVarying) of[varies] = true
-  else if (at.length === of.length) of[varies] = false
+export function write({ storage, indices }, numbers, isVarying) {
+  indices.forEach((index, i) => (storage[index] = numbers[i]))
+  if (isVarying) storage[varies] = true
+  else if (indices.length === storage.length) storage[varies] = false
 }
 
 /** Multiplies matrices and vectors. A vector to the left of a matrix is a row, one to its right a column. */
@@ -92,7 +92,7 @@ export function multiply(a, x, b, y, isVarying) {
     return sum
   })
   const size = Math.max(columns, rows)
-  return fresh(
+  return newValue(
     columns > 1 && rows > 1 ? matrixType(columns, rows) : `vec${size}`,
     numbers,
     isVarying,
