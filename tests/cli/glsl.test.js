@@ -170,7 +170,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     const { stdout } = await works('derive', 'spiral.glsl', ...args, '--max-iterations', '5')
     assert.equal(stdout, expected)
     assert.match(stdout, /^fn along\(p: vec2f, t: f32, n: i32, isOn: bool\) -> vec2f \{/)
-    const written = await works(
+    const output = await works(
       'derive',
       'spiral.glsl',
       '--max-iterations',
@@ -178,7 +178,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
       '-o',
       'jacobian.glsl',
     )
-    assert.equal(written.stdout, '')
+    assert.equal(output.stdout, '')
     assert.equal(
       readFileSync(join(folder, 'jacobian.glsl'), 'utf8'),
       differentiate(source, { maxIterations: 5 }),

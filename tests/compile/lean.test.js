@@ -12,10 +12,10 @@ const countCalls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?
 /** Counts the numbers that a function is called with: three for a vec3, or two for two components of it. */
 const countComponents = (text, name) => {
   let count = 0
-  for (const [, variable, parts] of text.matchAll(
+  for (const [, variable, components] of text.matchAll(
     new RegExp(`\\b${name}\\((\\w+)?(?:\\.(\\w+)\\))?`, 'g'),
   ))
-    count += parts?.length ?? Number(text.match(`vec(\\d) ${variable} = `)?.[1] ?? 1)
+    count += components?.length ?? Number(text.match(`vec(\\d) ${variable} = `)?.[1] ?? 1)
   return count
 }
 

@@ -39,19 +39,21 @@ async function judge(target, cases, expected, { results, error }) {
     return { failures: [{ test: cases[0], failure }], counts: none() }
   }
   const half = cases.length >> 1
-  const parts = []
+  const judgements = []
   for (const range of [
     [0, half],
     [half, cases.length],
   ]) {
     const part = cases.slice(...range)
-    parts.push(await judge(target, part, expected.slice(...range), await runCases(target, part)))
+    judgements.push(
+      await judge(target, part, expected.slice(...range), await runCases(target, part)),
+    )
   }
   // Each case passes alone, but not together with others: names collide, or the shader is too large.
-  if (!parts.some(({ failures }) => failures.length)) throw error
+  if (!judgements.some(({ failures }) => failures.length)) throw error
   return {
-    failures: parts.flatMap(({ failures }) => failures),
-    counts: parts.map(({ counts }) => counts).reduce(addCounts, none()),
+    failures: judgements.flatMap(({ failures }) => failures),
+    counts: judgements.map(({ counts }) => counts).reduce(addCounts, none()),
   }
 }
 

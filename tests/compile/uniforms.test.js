@@ -11,8 +11,8 @@ const origin = [0, 0, 0]
 const movedTo = (offset, uniforms, callUniforms) =>
   compileWarp(offset, { uniforms }).evaluateAt(origin, { uniforms: callUniforms }).position
 
-const read = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
-const declare = (value) => compileWarp(read, { uniforms: { value } })
+const readValue = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
+const declare = (value) => compileWarp(readValue, { uniforms: { value } })
 
 describe('types follow from the values:', () => {
   test('a number, true and false are floats', () => {

@@ -74,24 +74,24 @@ const cases = Array.from({ length: count }, (_, seed) => {
 /** Describes, for each expression, the first vertex that has a finite position and a normal whose length is neither 1 nor 0. */
 function failuresOf(sizes, t, maxZeroShare = 0.1) {
   const failures = []
-  let [seen, zero] = [0, 0]
+  let [normalCount, zeroCount] = [0, 0]
   for (const { seed, root, warp } of cases) {
     const vertices = verticesOf(seed, sizes)
     const warped = warp.evaluate(vertices)
     for (let i = 0; i < pointsPerCase; i++) {
       if (!tripleOf(warped.positions, i).every(Number.isFinite)) continue
       const length = Math.hypot(...tripleOf(warped.normals, i))
-      seen++
-      if (length === 0) zero++
+      normalCount++
+      if (length === 0) zeroCount++
       if (length === 0 || Math.abs(length - 1) < 1e-5) continue
       const position = tripleOf(vertices.positions, i)
       failures.push(`${seed} at ${position}: ${tripleOf(warped.normals, i)} of ${textOf(root)}`)
       break
     }
   }
-  t.diagnostic(`${seen} normals, ${zero} of them zero; ${failures.length} failures`)
+  t.diagnostic(`${normalCount} normals, ${zeroCount} of them zero; ${failures.length} failures`)
   assert.ok(
-    seen > 0.4 * count * pointsPerCase && zero < maxZeroShare * seen,
+    normalCount > 0.4 * count * pointsPerCase && zeroCount < maxZeroShare * normalCount,
     'too few normals, or too many zero normals',
   )
   return failures

@@ -242,12 +242,12 @@ for (const target of targets)
       )
       const at = ([u, v]) => {
         const [red, green] = sample(images.a, u, v, { filter: 'bspline' })
-        const parts = [
+        const samples = [
           sample(images.B, u + red, v + green, { filter: 'bicubic', wrap: 'repeat' }),
           sample(images.b, u, v),
           sample(images.B, u, v, { wrap: 'mirror' }),
         ]
-        return [0, 1, 2, 3].map((i) => parts[0][i] + parts[1][i] + parts[2][i])
+        return [0, 1, 2, 3].map((i) => samples[0][i] + samples[1][i] + samples[2][i])
       }
       let compared = 0
       results.forEach(({ color, slope }, i) => {

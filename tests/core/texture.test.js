@@ -148,10 +148,10 @@ test('texture() in GLSL uses the wrapping of the shader’s own sampler, except 
   const source =
     'uniform sampler2D map; vec3 offset(vec3 position, vec2 uv) { return texture(map, uv).rgb; }'
   const offset = glslOffset(`#version 300 es\n${source}`)
-  const read = (target) => compileWarp(offset, { target }).declarations
-  assert.match(read('glsl300'), /textureLod\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
-  assert.match(read('glsl100'), /texture2D\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
-  assert.match(read('wgsl'), /textureLoad\(image, vec2i\(clamp\(/)
+  const declarationsFor = (target) => compileWarp(offset, { target }).declarations
+  assert.match(declarationsFor('glsl300'), /textureLod\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
+  assert.match(declarationsFor('glsl100'), /texture2D\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
+  assert.match(declarationsFor('wgsl'), /textureLoad\(image, vec2i\(clamp\(/)
 })
 
 const fetched = `uniform sampler2D map;

@@ -170,7 +170,7 @@ for (const [name, optionSets] of Object.entries(cases))
         ...full,
         ...Object.fromEntries(Object.entries(computable).map(([key, x]) => [key, map(x, key)])),
       })
-      const read = (glsl, value, key) =>
+      const readParam = (glsl, value, key) =>
         typeof value === 'number' ? glsl.param(key) : glsl.vec3Param(key)
       const warps = [
         make(withEach((value) => () => value)),
@@ -178,10 +178,10 @@ for (const [name, optionSets] of Object.entries(cases))
           withEach(
             (value, key) =>
               ({ glsl }) =>
-                read(glsl, value, key),
+                readParam(glsl, value, key),
           ),
         ),
-        (inputs) => make(withEach((value, key) => read(inputs.glsl, value, key)))(inputs),
+        (inputs) => make(withEach((value, key) => readParam(inputs.glsl, value, key)))(inputs),
         (inputs) =>
           make(
             withEach((value) =>
@@ -236,13 +236,15 @@ test('is finite for computed options outside their valid range', () => {
     stretch: { amount: -1, keepVolume: true },
   }
   for (const [name, options] of Object.entries(strange)) {
-    const read = ([key, value]) => [
+    const readEntry = ([key, value]) => [
       key,
       value === true
         ? value
         : ({ glsl }) => (typeof value === 'number' ? glsl.param(key) : glsl.vec3Param(key)),
     ]
-    const warp = compileWarp(deformers[name](Object.fromEntries(Object.entries(options).map(read))))
+    const warp = compileWarp(
+      deformers[name](Object.fromEntries(Object.entries(options).map(readEntry))),
+    )
     const values = { ...options, millis: 50 }
     const uniforms = Object.fromEntries(warp.uniforms.map(({ name }) => [name, values[name]]))
     const { position, normal } = warp.evaluateAt([3, 4, 5], { normal: [0, 1, 0], uniforms })

@@ -89,12 +89,12 @@ test('a function that is called three times gives the right positions, and norma
 })
 
 test('a function that is called once, short, or constant is inlined', () => {
-  const declared = (body, above = bumps) =>
+  const declarationsOf = (body, above = bumps) =>
     compileWarp(glslOffset(`${above}\nvec3 offset(vec3 p) { ${body} }`), { uniforms }).declarations
-  assert.equal(declared('return vec3(bump(p.xy, 3.0));'), '')
-  assert.equal(declared('return vec3(bump(p.xy, 3.0), bump(p.xy, 3.0), 0.0);'), '')
+  assert.equal(declarationsOf('return vec3(bump(p.xy, 3.0));'), '')
+  assert.equal(declarationsOf('return vec3(bump(p.xy, 3.0), bump(p.xy, 3.0), 0.0);'), '')
   const half = 'float half_(float x) { return 0.5 * x; }'
-  assert.equal(declared('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
+  assert.equal(declarationsOf('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
 })
 
 test('functions may call functions and have out parameters', () => {

@@ -48,7 +48,7 @@ const browserValues = (shaders) =>
       for (const code of shaders) {
         device.pushErrorScope('validation')
         const outputBuffer = device.createBuffer({ size, usage: STORAGE | COPY_SRC })
-        const read = device.createBuffer({ size, usage: COPY_DST | MAP_READ })
+        const readbackBuffer = device.createBuffer({ size, usage: COPY_DST | MAP_READ })
         const module = device.createShaderModule({ code })
         const pipeline = device.createComputePipeline({
           layout: 'auto',
@@ -67,12 +67,12 @@ const browserValues = (shaders) =>
         )
         pass.dispatchWorkgroups(points.length)
         pass.end()
-        encoder.copyBufferToBuffer(outputBuffer, 0, read, 0, size)
+        encoder.copyBufferToBuffer(outputBuffer, 0, readbackBuffer, 0, size)
         device.queue.submit([encoder.finish()])
         const error = await device.popErrorScope()
         if (error) throw new Error(`${error.message}\n${code}`)
-        await read.mapAsync(MAP_READ)
-        all.push([...new Float32Array(read.getMappedRange())])
+        await readbackBuffer.mapAsync(MAP_READ)
+        all.push([...new Float32Array(readbackBuffer.getMappedRange())])
       }
       device.destroy()
       return all.map((values) => points.map((_, i) => values.slice(4 * i, 4 * i + 3)))

@@ -12,7 +12,7 @@ export function randomOf(seed) {
 
 /** Functions that the generated JavaScript calls. They work per component; a number next to a vector applies to each component. */
 export const library = {
-  each(f, ...x) {
+  perComponent(f, ...x) {
     const size = x.find(Array.isArray)?.length
     if (size === undefined) return f(...x)
     return Array.from({ length: size }, (_, i) =>
@@ -82,23 +82,23 @@ export class ExpressionGenerator {
     }
     const x = () => this.expression(type, depth - 1)
     const scalar = () => this.expression('float', depth - 1)
-    const each = (glsl, f, ...operands) => ({
+    const perComponent = (glsl, f, ...operands) => ({
       glsl,
-      js: `each(${f}, ${operands.map(({ js }) => js).join(', ')})`,
+      js: `perComponent(${f}, ${operands.map(({ js }) => js).join(', ')})`,
     })
     const kinds = {
       sum: () => {
         const [a, b] = [x(), x()]
         const op = this.pick(['+', '-'])
-        return each(`(${a.glsl} ${op} ${b.glsl})`, `(a, b) => a ${op} b`, a, b)
+        return perComponent(`(${a.glsl} ${op} ${b.glsl})`, `(a, b) => a ${op} b`, a, b)
       },
       product: () => {
         const [a, b] = [x(), scalar()]
-        return each(`(${a.glsl} * sin(${b.glsl}))`, '(a, b) => a * Math.sin(b)', a, b)
+        return perComponent(`(${a.glsl} * sin(${b.glsl}))`, '(a, b) => a * Math.sin(b)', a, b)
       },
       quotient: () => {
         const [a, b] = [x(), scalar()]
-        return each(
+        return perComponent(
           `(${a.glsl} / (1.5 + abs(${b.glsl})))`,
           '(a, b) => a / (1.5 + Math.abs(b))',
           a,
@@ -108,19 +108,19 @@ export class ExpressionGenerator {
       wave: () => {
         const a = x()
         const f = this.pick(['sin', 'cos', 'atan', 'tanh'])
-        return each(`${f}(${a.glsl})`, `Math.${f}`, a)
+        return perComponent(`${f}(${a.glsl})`, `Math.${f}`, a)
       },
       root: () => {
         const a = x()
-        return each(`sqrt(abs(${a.glsl}) + 0.2)`, '(a) => Math.sqrt(Math.abs(a) + 0.2)', a)
+        return perComponent(`sqrt(abs(${a.glsl}) + 0.2)`, '(a) => Math.sqrt(Math.abs(a) + 0.2)', a)
       },
       negative: () => {
         const a = x()
-        return each(`(-${a.glsl})`, '(a) => -a', a)
+        return perComponent(`(-${a.glsl})`, '(a) => -a', a)
       },
       mix: () => {
         const [a, b, t] = [x(), x(), scalar()]
-        return each(
+        return perComponent(
           `mix(${a.glsl}, ${b.glsl}, fract(${t.glsl}))`,
           '(a, b, t) => a + (b - a) * (t - Math.floor(t))',
           a,
@@ -131,7 +131,7 @@ export class ExpressionGenerator {
       extreme: () => {
         const [a, b] = [x(), scalar()]
         const f = this.pick(['min', 'max'])
-        return each(`${f}(${a.glsl}, ${b.glsl})`, `Math.${f}`, a, b)
+        return perComponent(`${f}(${a.glsl}, ${b.glsl})`, `Math.${f}`, a, b)
       },
       choice: () => {
         const [c, a, b] = [this.condition(depth - 1), x(), x()]

@@ -52,7 +52,7 @@ class Generator extends ExpressionGenerator {
     return {
       glsl: `${name} ${op}= ${value.glsl};`,
       js: op
-        ? `${name} = each((a, b) => a ${op} b, ${name}, ${value.js});`
+        ? `${name} = perComponent((a, b) => a ${op} b, ${name}, ${value.js});`
         : `${name} = ${value.js};`,
     }
   }
@@ -67,7 +67,7 @@ class Generator extends ExpressionGenerator {
     const isSum = this.random() < 0.5
     return {
       glsl: `${name}.${letters} ${isSum ? '+=' : '='} ${value.glsl};`,
-      js: `${name} = put(${name}, '${letters}', ${isSum ? `each((a, b) => a + b, pick(${name}, '${letters}'), ${value.js})` : value.js});`,
+      js: `${name} = put(${name}, '${letters}', ${isSum ? `perComponent((a, b) => a + b, pick(${name}, '${letters}'), ${value.js})` : value.js});`,
     }
   }
 
@@ -167,7 +167,7 @@ return ${result.glsl};
     ...Object.keys(library),
     `const table = ${JSON.stringify(table)}
 const helper = (x, y) => { if (x > 0.4) return Math.sin(x) + y[0]; return x * y[1] }
-const bump = (wave, by) => { wave.height += Math.sin(by); wave.way = each((a) => a * 0.5, wave.way) }
+const bump = (wave, by) => { wave.height += Math.sin(by); wave.way = perComponent((a) => a * 0.5, wave.way) }
 return (p) => {
 const wave = { height: p[0], way: [p[1], p[2]] }
 ${lines.map((line) => line.js).join('\n')}

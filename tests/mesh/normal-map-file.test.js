@@ -23,12 +23,12 @@ describe('the file', () => {
     const { issues } = await validator.validateBytes(glb)
     assert.deepEqual(issues.messages, [])
     const { json, viewBytes } = readGlb(glb)
-    const [written] = json.materials
-    const { baseColorTexture, baseColorFactor } = written.pbrMetallicRoughness
+    const [writtenMaterial] = json.materials
+    const { baseColorTexture, baseColorFactor } = writtenMaterial.pbrMetallicRoughness
     assert.deepEqual(baseColorFactor, material.baseColor)
     const bytesOf = ({ index }) => viewBytes(json.images[json.textures[index].source].bufferView)
     assert.deepEqual(bytesOf(baseColorTexture), material.baseColorTexture.bytes)
-    assert.deepEqual(readPng(bytesOf(written.normalTexture)).width, 16)
+    assert.deepEqual(readPng(bytesOf(writtenMaterial.normalTexture)).width, 16)
     const expected = bakeWarp(mesh, waves)
     const loaded = await loadMesh(glb)
     const corners = ({ indices, ...mesh }, name, size) =>

@@ -113,9 +113,9 @@ export const valueResult = ({ shape }) => ({ name: 'value', text: 'value', shape
  */
 export function derivativeResults(root, random) {
   if (root.shape === 'bool') return []
-  const used = inputsOf(root)
+  const usedInputs = inputsOf(root)
   return inputs
-    .filter(({ name }) => used.has(name))
+    .filter(({ name }) => usedInputs.has(name))
     .flatMap(({ name, shape }) => {
       const by = components.filter((component) => component.name === name)
       if (isMatrix(shape)) return singleResult(root, by[Math.floor(by.length * random())])

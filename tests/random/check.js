@@ -36,8 +36,8 @@ export function resultsOf({ seed, root }) {
 
 /** Returns `count` second derivatives, each with respect to two random components of existing inputs. */
 export function secondResults(root, random, count) {
-  const used = inputsOf(root)
-  const usable = components.filter(({ name }) => used.has(name))
+  const usedInputs = inputsOf(root)
+  const usable = components.filter(({ name }) => usedInputs.has(name))
   if (root.shape === 'bool' || !usable.length) return []
   const pick = () => usable[Math.floor(usable.length * random())]
   const results = Array.from({ length: count }, () => secondResult(root, pick(), pick()))

@@ -26,8 +26,8 @@ const maxUncertain = 0.05
 /** Returns the results to check: the value, a first derivative for every third seed, and a second one for every ninth. */
 export function gpuResults({ seed, root }) {
   const random = randomOf(seed)
-  const used = inputsOf(root)
-  const usable = root.shape === 'bool' ? [] : components.filter(({ name }) => used.has(name))
+  const usedInputs = inputsOf(root)
+  const usable = root.shape === 'bool' ? [] : components.filter(({ name }) => usedInputs.has(name))
   const first = usable[Math.floor(usable.length * random())]
   const results = [valueResult(root)]
   if (first && seed % 3 === 0) results.push(singleResult(root, first))

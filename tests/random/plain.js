@@ -180,8 +180,8 @@ const matrixProduct = (m, k, shapeM, shapeK) => {
 }
 
 /** Constructs a vector or a matrix, by columns or by rows, from its components. */
-function construct(name, size, parts) {
-  const numbers = parts.flat()
+function construct(name, size, components) {
+  const numbers = components.flat()
   if (numbers.length > 1) return name.endsWith('Rows') ? transpose(numbers) : numbers
   const n = dimension(name)
   return range(size).map((i) => (isMatrix(name) && i % (n + 1) ? 0 : numbers[0]))

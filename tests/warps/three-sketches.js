@@ -20,19 +20,20 @@ export const threeWarps = () =>
 function warpOf([name, source]) {
   const { body } = parse(source, { ecmaVersion: 'latest', sourceType: 'module' })
   const textOf = ({ start, end }) => source.slice(start, end)
-  const declared = new Map()
+  const declarations = new Map()
   for (const node of body) {
-    if (node.type === 'FunctionDeclaration') declared.set(node.id.name, node)
+    if (node.type === 'FunctionDeclaration') declarations.set(node.id.name, node)
     for (const { id, init } of node.declarations ?? [])
-      if (id.type === 'Identifier') declared.set(id.name, init)
+      if (id.type === 'Identifier') declarations.set(id.name, init)
   }
   const values = { THREE }
   const scope = new Proxy(values, {
-    has: (_, key) => key in values || declared.has(key),
-    get: (_, key) => (key in values || !declared.has(key) ? values[key] : (values[key] = run(key))),
+    has: (_, key) => key in values || declarations.has(key),
+    get: (_, key) =>
+      key in values || !declarations.has(key) ? values[key] : (values[key] = run(key)),
   })
   const evaluate = (text) => new Function('scope', `with (scope) { return (${text}) }`)(scope)
-  const run = (key) => evaluate(textOf(declared.get(key)))
-  const [, offset, options] = declared.get('warped').arguments
+  const run = (key) => evaluate(textOf(declarations.get(key)))
+  const [, offset, options] = declarations.get('warped').arguments
   return { name, warp: evaluate(textOf(offset)), options: evaluate(textOf(options)) }
 }

@@ -84,7 +84,8 @@ export const expressions = [
       'mat4x3(mat2(1.0))',
       'mat2x3(mat2(1.0), p.xy)',
     ],
-    (made) => withBody(`${made};`, 'struct S { float x; }; struct T { S s; int i; }; void f() {}'),
+    (expression) =>
+      withBody(`${expression};`, 'struct S { float x; }; struct T { S s; int i; }; void f() {}'),
   ),
   ...makeCases(
     'an expression',
