@@ -145,6 +145,6 @@ function rejectMissingUniforms(file: string, warp: CompiledWarp, uniforms: objec
   // GLSL source converts other types by `float(n)`, or reads them in halves.
   const name = /^\w+\(([^ )]+)/.exec(missing.name)?.[1] ?? missing.name
   throw new WarpError(
-    `${file} reads ${name}; add --set ${name}=<number>; if it is an image, only a GPU can run this warp.`,
+    `${file} reads ${name}; add --set ${name}=<number>. Warps that read an image can only be evaluated on a GPU.`,
   )
 }

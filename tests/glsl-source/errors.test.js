@@ -1,4 +1,4 @@
-// Invalid GLSL: syntax, control flow, characters, nesting and the preprocessor.
+// Tests the messages about invalid GLSL: syntax, control flow, characters, nesting and the preprocessor.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError } from 'warpjet'
@@ -173,7 +173,7 @@ rejects([
   ],
 ])
 
-test('a long line is cut only where it is long', () => {
+test('a long line is cut only on the long side of the error', () => {
   const comment = ` // ${'x'.repeat(300)}`
   assert.throws(() => glslOffset(`float x = y;${comment}`), /\n {2}float x = y; \/\/ x+\n {12}\^$/)
   assert.throws(() => glslOffset(`/*${'x'.repeat(300)}*/ float x = y;`), /\n {2}…x+.* y;\n +\^$/)

@@ -1,4 +1,4 @@
-// The TypeScript declarations that the build generates from the bindings of a wasm module.
+// Tests the TypeScript declarations that the build generates from the bindings of a wasm module.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
