@@ -137,7 +137,8 @@ test('tangents are transformed too', () => {
 // triangles. Where these fold over, as in the creases of the neck, the warped surface has no useful normal.
 describe('the bunny', () => {
   const { positions, indices } = models.bunny()
-import { interpolatePoints, subdivide as loopSubdivide } from '../../web/models/subdivide.js'
+  let model = interpolatePoints({ points: triples(positions), triangles: triples(indices) })
+  const levels = [model, ...[1, 2, 3].map(() => (model = loopSubdivide(model)))]
   const { points, triangles } = levels[3]
   const originalNormals = areaNormals(points, triangles)
   const normals = originalNormals.map(({ sum }) => unit(sum))
