@@ -4,6 +4,7 @@ import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { leavePage, webgpuFlags } from '../support/browser/browser.js'
 import { threePages, versions } from '../support/browser/three/open.js'
+import { checkPictures, placesAround } from '../support/places-around.js'
 
 const hosts = [
   ...(isRun('three 0.159') ? versions : versions.slice(0, 1)).map((version) => ({
@@ -60,6 +61,13 @@ for (const { name, version, script, settings } of hosts)
           assert.ok(found.triangles > 100 && found.triangles < found.fine / 10)
         }
       })
+
+    test('a divided box is within a pixel of a dense one from 20 places', async (t) => {
+      const found = await measure('around', { places: placesAround(1) })
+      t.diagnostic(JSON.stringify(found))
+      assert.deepEqual(messages, [])
+      checkPictures(found)
+    })
 
     // Compute passes leave them to the CPU.
     if (!settings.hasPasses)

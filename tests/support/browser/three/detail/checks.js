@@ -2,6 +2,7 @@
 import * as THREE from 'three'
 import { camera, countBeyond, covered, sceneOf, warpBy } from './pictures.js'
 
+export { around } from './around.js'
 export { holes } from './holes.js'
 export { comparePoses } from './posed.js'
 export { rays } from './rays.js'
