@@ -5,7 +5,13 @@ import type { GpuBuffer } from '../../detail/gpu/webgpu.js'
 import type { DetailSettings } from '../../detail/option.js'
 import { sketchOf, type Canvas, type Renderer, type Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { destroyOnGpu, submitDraws, upload, type ShapeBuffers } from './buffers.js'
+import {
+  destroyOnGpu,
+  submitDraws,
+  submitEarlierFrames,
+  upload,
+  type ShapeBuffers,
+} from './buffers.js'
 import { ShapePasses, type ComputedDraw } from './computed-draw.js'
 import type { LineBase } from './lines.js'
 import { baseOf, drawnIndices, type DrawnShape, type ShapeBase } from './shape.js'
@@ -96,6 +102,7 @@ function drawsFor(
   { canvas, warp, isCurved }: DetailOfWarp,
 ): Draws {
   const frame = sketchOf(canvas).frameCount ?? 0
+  submitEarlierFrames(renderer, frame)
   let byShader = drawsOf.get(shape)
   if (!byShader) drawsOf.set(shape, (byShader = new WeakMap<Shader, Draws>()))
   let draws = byShader.get(shader)
