@@ -213,6 +213,13 @@ for (const { name, version, script, settings } of hosts)
         assert.match(messages[0], message)
       })
 
+    test('a group gets one message per reason', async () => {
+      await measure('warnOfGroup', { kinds: ['points', 'lines', 'batch'] })
+      assert.equal(messages.length, 2, messages.join('\n'))
+      assert.match(messages[0], /points and lines are not divided/)
+      assert.match(messages[1], /the geometries of a batch are not divided/)
+    })
+
     if (!settings.backend)
       test('a larger canvas gets more triangles, beside a second renderer', async (t) => {
         const counts = await page.evaluate(() => detail.countOnCanvases([128, 512, 128]))

@@ -3,6 +3,7 @@ import type { HostWarp } from '../../compile/hosts.js'
 import { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { GpuBuffer } from '../../detail/gpu/webgpu.js'
 import type { DetailSettings } from '../../detail/option.js'
+import { warnOfDetail } from '../../detail/warnings.js'
 import { sketchOf, type Canvas, type Renderer, type Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
 import {
@@ -77,7 +78,9 @@ export function divide(
   const { canvas, warp, space, tolerance, values: given } = detail
   const draws = drawsFor(renderer, shader, shape, detail)
   const { base, passes, isKept } = draws
-  if (draws.count > maxDrawsPerFrame || !hasInputs(warp, base)) return undefined
+  const obstacle = obstacleOf(warp, draws)
+  if (obstacle) warnOfDetail(warp, 'createWarp', 'a shape', obstacle)
+  if (obstacle || !base.positions.length) return undefined
   draws.divided[draws.count - 1] ??= makeDivided(warp, shape, draws)
   const divided = draws.divided[draws.count - 1]!
   const { mesh, buffers, computed } = divided
@@ -147,15 +150,14 @@ export function freeDraws(renderer: Renderer, shader: Shader, shape: DrawnShape)
   }
 }
 
-/** Tests whether the shape has all that the warp reads. */
-function hasInputs(warp: HostWarp, { positions, attributes }: ShapeBase): boolean {
-  const has = (input: string) => attributes.some((each) => each.input === input)
-  return (
-    positions.length > 0 &&
-    (has('normals') || !warp.reads('normal')) &&
-    (has('uvs') || !warp.reads('uv')) &&
-    (has('colors') || !warp.reads('color'))
+/** Describes why the present draw of a shape keeps the vertices of the shape; `undefined` if it is divided. */
+function obstacleOf(warp: HostWarp, { base, count }: Draws): string | undefined {
+  if (count > maxDrawsPerFrame)
+    return `only the first ${maxDrawsPerFrame} draws of a shape in a frame are divided`
+  const missing = (['normal', 'uv', 'color'] as const).find(
+    (name) => warp.reads(name) && !base.attributes.some(({ input }) => input === `${name}s`),
   )
+  return missing && `it has no ${missing}s, which the offset reads`
 }
 
 let count = 0

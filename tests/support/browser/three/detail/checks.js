@@ -242,3 +242,14 @@ export async function countKept({ draw, triangles }, { kind, space }) {
   warped.dispose()
   return { own, found }
 }
+
+/** Draws a group of objects that keep their vertices, for the messages about them. */
+export async function warnOfGroup({ draw }, { kinds }) {
+  const { scene, mesh } = sceneOf('box')
+  const group = new THREE.Group().add(...kinds.map((kind) => keeping[kind](mesh.geometry)))
+  scene.clear().add(group)
+  const warped = warpBy(group, 'twist', 1)
+  await draw(scene, camera())
+  await draw(scene, camera())
+  warped.dispose()
+}
