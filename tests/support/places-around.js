@@ -1,4 +1,4 @@
-// What tests of detail from all sides share.
+// Tests of detail from all sides share these places and checks.
 import assert from 'node:assert/strict'
 import { randomNumbers } from './three-meshes.js'
 

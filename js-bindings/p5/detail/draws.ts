@@ -154,10 +154,10 @@ export function freeDraws(renderer: Renderer, shader: Shader, shape: DrawnShape)
 function obstacleOf(warp: HostWarp, { base, count }: Draws): string | undefined {
   if (count > maxDrawsPerFrame)
     return `only the first ${maxDrawsPerFrame} draws of a shape in a frame are divided`
-  const missing = (['normal', 'uv', 'color'] as const).find(
-    (name) => warp.reads(name) && !base.attributes.some(({ input }) => input === `${name}s`),
-  )
-  return missing && `it has no ${missing}s, which the offset reads`
+  for (const name of ['normal', 'uv', 'color'] as const)
+    if (warp.reads(name) && !base.attributes.some(({ input }) => input === `${name}s`))
+      return `it has no ${name}s, which the offset reads`
+  return undefined
 }
 
 let count = 0

@@ -1,4 +1,4 @@
-// What compute passes draw, beside what the CPU divides and beside dense shapes.
+// Compares pictures and meshes by compute passes with those that the CPU divides, and with dense shapes.
 import { beyondEdges, differingPixels } from '../pixels.js'
 import { countOpenSides } from '../three/detail/sides.js'
 import { buffers, errors, startSketch, wait } from './sketches.js'

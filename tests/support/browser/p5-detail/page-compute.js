@@ -1,6 +1,10 @@
 // Measures compute passes in p5: sketches that use them, beside sketches that leave all to the CPU.
-import * as againstCpu from './against-cpu.js'
-import * as allSides from './all-sides.js'
-import * as takeover from './takeover.js'
+import { approach, divide, redrawOften, refine, resemble } from './against-cpu.js'
+import { compareAround } from './all-sides.js'
+import { begin, leave, life } from './takeover.js'
 
-globalThis.compute = { ...againstCpu, ...allSides, ...takeover }
+globalThis.compute = {
+  ...{ approach, divide, redrawOften, refine, resemble },
+  compareAround,
+  ...{ begin, leave, life },
+}
