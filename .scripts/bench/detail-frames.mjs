@@ -1,17 +1,19 @@
-// npm run bench -- detail-frames [--warp name] [--normals vertex]: frames of meshes with the option `detail`, whose updates are part of them, against those of
-// the uniform mesh of the same error, in three.js on WebGL in software: the warps of `npm run report -- detail`, 600 x 600 pixels.
+// npm run bench -- detail-frames [--host p5] [--warp name] [--normals vertex]: frames of meshes with the option `detail`, whose updates are part of them, against
+// those of the uniform mesh of the same error, in three.js and p5 on WebGL in software: the warps of `npm run report -- detail`, 600 x 600 pixels.
 import { readdirSync } from 'node:fs'
 import { loadavg } from 'node:os'
 import { parseArgs } from 'node:util'
 import * as THREE from 'three'
 import { createDetail } from '../../dist/detail.js'
-import { launchBrowser } from '../../tests/support/browser/browser.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { servePages } from '../../tests/support/browser/server.js'
+import { p5Versions } from '../../tests/support/browser/sketch.js'
 import { threePagesIn } from '../../tests/support/browser/three/open.js'
 import { screenErrors } from '../../tests/support/screen-error.js'
 import { randomNumbers } from '../../tests/support/three-meshes.js'
 import { path } from '../lib/files.mjs'
 import { median } from '../lib/median.mjs'
-import { say } from '../lib/terminal.mjs'
+import { Stop, say } from '../lib/terminal.mjs'
 import {
   chooseTriangles,
   findUniform,
@@ -38,7 +40,46 @@ function piecesFor(mesh, warp, uniforms, distance, size) {
   return findUniform(mesh, warpPositions, view, error, random)
 }
 
-async function measureAll(page, warps, normals) {
+/** Takes the place of node:fs in the pages. */
+const imports = { 'node:fs': '/tests/support/browser/three/detail/page-fs.js' }
+
+/** Maps a name → a function that opens a page of that host in a browser → { page, close() }. */
+const openHost = {
+  async three(browser) {
+    const pages = await threePagesIn(browser)
+    const { page } = await pages.open('three', 'detail/page-frames.js', imports)
+    return { page, close: pages.close }
+  },
+  async p5(browser) {
+    const server = await servePages()
+    const html = `<!doctype html><body>
+      <script type="importmap">${JSON.stringify({ imports })}</script>
+      <script src="${p5Versions['2.x']}"></script>
+      <script type="module" src="/tests/support/browser/p5-detail/page-frames.js"></script>`
+    const { page } = await openPage(browser, server.page(html))
+    await page.waitForFunction(() => document.title === 'ready')
+    return { page, close: server.close }
+  },
+}
+
+/** Returns the frames of a case while the camera moves, and while the surface moves, too, as a row. */
+async function measureRow(page, settings) {
+  const measureMoving = (moves) =>
+    page.evaluate((settings) => measureFrames(settings), { ...settings, moves })
+  const [still, moving] = [await measureMoving(false), await measureMoving(true)]
+  return {
+    triangles: still.triangles.divided,
+    uniform: still.triangles.uniform,
+    'ms, camera moves': round(still.divided),
+    'ms, uniform': round(still.uniform),
+    ratio: round(still.ratio),
+    'ms, surface moves': round(moving.divided),
+    'ms, uniform ': round(moving.uniform),
+    'ratio ': round(moving.ratio),
+  }
+}
+
+async function measureAll(opened, warps, normals) {
   const rows = {}
   for (const { name, warp, sizes, uniforms } of warps)
     for (const shape of chosen) {
@@ -47,25 +88,12 @@ async function measureAll(page, warps, normals) {
       const mesh = scale(meshes[shape], sizes)
       const pieces = piecesFor(mesh, warp, uniforms, distance, size)
       const plain = Object.fromEntries(Object.entries(mesh).map(([key, list]) => [key, [...list]]))
-      const found = {}
-      for (const moves of [false, true])
-        found[moves] = await page.evaluate((settings) => measureFrames(settings), {
-          name,
-          mesh: plain,
-          ...{ pieces, sizes, uniforms, normals, distance, moves },
-        })
-      const [still, moving] = [found.false, found.true]
-      rows[`${name}, ${shape}`] = {
-        triangles: still.triangles.divided,
-        uniform: still.triangles.uniform,
-        'ms, camera moves': round(still.divided),
-        'ms, uniform': round(still.uniform),
-        ratio: round(still.ratio),
-        'ms, surface moves': round(moving.divided),
-        'ms, uniform ': round(moving.uniform),
-        'ratio ': round(moving.ratio),
+      for (const [host, { page }] of Object.entries(opened)) {
+        const settings = { name, mesh: plain, pieces, sizes, uniforms, normals, distance }
+        const row = await measureRow(page, settings)
+        ;(rows[host] ??= {})[`${name}, ${shape}`] = row
+        say(`${host}, ${name}, ${shape}: ${row.ratio} ${row['ratio ']}`)
       }
-      say(`${name}, ${shape}: ${still.ratio.toFixed(2)} ${moving.ratio.toFixed(2)}`)
     }
   return rows
 }
@@ -76,22 +104,36 @@ export async function measure(args) {
   const { values } = parseArgs({
     args,
     options: {
+      host: { type: 'string' },
       warp: { type: 'string', default: '' },
       normals: { type: 'string', default: 'vertex' },
     },
   })
+  const hosts = Object.keys(openHost).filter((host) => host === (values.host ?? host))
+  if (!hosts.length)
+    throw new Stop(`--host: expected ${Object.keys(openHost).join(' or ')}, got ${values.host}.`)
   // The lotus has a `param`, which three.js has not.
   const warps = (await galleryWarps()).filter(
     ({ name }) => name !== 'lotus' && name.includes(values.warp),
   )
-  const pages = await threePagesIn(await launchBrowser())
-  const imports = { 'node:fs': '/tests/support/browser/three/detail/page-fs.js' }
-  const { page } = await pages.open('three', 'detail/page-frames.js', imports)
-  await page.evaluate((folders) => startFrames(folders), readdirSync(path('examples')))
-  const rows = await measureAll(page, warps, values.normals)
-  await pages.close()
-  console.table(rows)
-  const of = (key) => median(Object.values(rows).map((row) => row[key])).toFixed(2)
-  say(`Medians: ${of('ratio')} if the camera moves, ${of('ratio ')} if the surface moves, too.`)
+  const browser = await launchBrowser()
+  const opened = {}
+  for (const host of hosts) {
+    opened[host] = await openHost[host](browser)
+    await opened[host].page.evaluate(
+      (folders) => startFrames(folders),
+      readdirSync(path('examples')),
+    )
+  }
+  const rows = await measureAll(opened, warps, values.normals)
+  for (const { close } of Object.values(opened)) await close()
+  await browser.close()
+  for (const host of hosts) {
+    console.table(rows[host])
+    const of = (key) => median(Object.values(rows[host]).map((row) => row[key])).toFixed(2)
+    say(
+      `${host}, medians: ${of('ratio')} if the camera moves, ${of('ratio ')} if the surface moves, too.`,
+    )
+  }
   say(`Load of the machine: ${loadavg()[0].toFixed(1)}.`)
 }
