@@ -103,6 +103,14 @@ TEST(WgslLoops, ContinuingReadsVariablesOfTheBody) {
       1 + 2 + 3 + 6 + 7);
 }
 
+// Whether the body goes on after the break is known only when the shader runs.
+TEST(WgslLoops, ContinuingReadsVariablesDeclaredAfterABreak) {
+  const Listing listing = listed(
+      "fn f(p: f32) -> f32 { var s = 0.0; var i = 0; loop { if p > s { break; } let x = "
+      "f32(i); continuing { s += x; i++; break if i > 3; } } return s; }");
+  EXPECT_EQ(listing.constants, (std::vector<double>{0, 1, 2, 3})) << "the values of x";
+}
+
 TEST(WgslPointers, KeepTheIndexOfTheirElement) {
   EXPECT_EQ(known("var a = array(1f, 2, 3); var i = 1; let q = &a[i]; i = 2; *q = 7; return a[1] * "
                   "10 + a[2];"),
