@@ -20,13 +20,13 @@ after(async () => {
   await server.close()
 })
 
-async function run(t, check, settings) {
+async function run(t, check, settings, warnings = []) {
   const result = await page.evaluate(
     ([check, settings]) => compute[check](settings),
     [check, settings],
   )
   t.diagnostic(JSON.stringify(result))
-  assert.deepEqual([...result.errors, ...messages], [])
+  assert.deepEqual([...result.errors, ...messages.splice(0)], warnings)
   return result
 }
 
@@ -91,8 +91,10 @@ test('a surface that becomes rougher is cut anew', async (t) => {
 
 for (const kind of ['strokes', 'instances'])
   test(`the CPU takes over for ${kind}`, async (t) => {
-    const { areIndirect, differing } = await run(t, 'leave', { kind })
     const isDivided = kind === 'strokes'
+    const warning =
+      'createWarp: a shape is drawn with its own vertices, although the option detail asks for more: instances are not divided.'
+    const { areIndirect, differing } = await run(t, 'leave', { kind }, isDivided ? [] : [warning])
     assert.deepEqual(areIndirect, [[true], isDivided ? [false] : [], [true]])
     assert.equal(differing, 0)
   })
