@@ -5,6 +5,7 @@ import {
   type OffsetFunction,
   type UniformOverrides,
 } from '../compile/hosts.js'
+import { onlyOnGpu, warnOfDetail } from '../detail/warnings.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
@@ -113,7 +114,9 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
       setInputs(each, shaders.inputs, canvas, frame)
       setUniforms(each, uniforms, warp, settings, values)
     }
-    if (settings.detail !== undefined && warp.canRunOnCpu)
+    if (settings.detail && !warp.canRunOnCpu)
+      warnOfDetail(warp, 'createWarp', 'each shape', onlyOnGpu)
+    else if (settings.detail)
       useDetail(renderer, shader, {
         canvas,
         warp,
