@@ -14,17 +14,19 @@ const linesBefore = 3
 /** Returns text such as ` (sketch.js, line 12)`; empty if the browser's stack trace lacks the line. */
 export function placeOf(error: Error): string {
   ours ??= fileOf(stackLines()[0] ?? '')
-  const isSketch = (each: string) => {
+  const isOfSketch = (each: string) => {
     const file = fileOf(each)
     return file !== ours && !isOfP5(file) && !/\/dist\/(?:shared\/)?[\w.-]+\.js$/.test(file)
   }
   const lines = stackLines(error)
-  const line = lines.find(isSketch)
+  const line = lines.find(isOfSketch)
   const [, number] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
-  const isRemade = (each: string) => /warpjet-operators-\d+\.js/.test(each)
-  if (number && isRemade(line!)) {
-    // Lines are counted from the start of the function, which is the line where createWarp is called.
-    const call = lines.slice(lines.indexOf(line!)).find((each) => isSketch(each) && !isRemade(each))
+  const isTranslated = (each: string) => /warpjet-operators-\d+\.js/.test(each)
+  if (number && isTranslated(line!)) {
+    // In a translated function, lines are counted from its start, which we take to be the line where createWarp is called.
+    const call = lines
+      .slice(lines.indexOf(line!))
+      .find((each) => isOfSketch(each) && !isTranslated(each))
     const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
     return first ? ` (${nameIn(call!)}, line ${+first + +number - linesBefore})` : ''
   }
