@@ -6,7 +6,7 @@ import { kind, optional } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { object, type KindsOf } from '../../options/schema.js'
 import { describeOfThree, nameOfMaterial } from '../describe.js'
-import { isWarpedByHand } from '../supported.js'
+import { isWarpedMaterial } from '../supported.js'
 import type { ExactSettings } from './displacement.js'
 import { exactMaterial } from './exact-material.js'
 import { followDisplacement } from './follow.js'
@@ -83,13 +83,13 @@ type Flags = Partial<
 function rejectMaterial(method: string, material: Material) {
   const flags = material as Material & Flags
   const problem = flags.isNodeMaterial
-    ? "is of nodes, which only WebGPURenderer draws; import exactNormals of 'warpjet/three/webgpu'"
+    ? "is a node material, which only WebGPURenderer draws; import exactNormals from 'warpjet/three/webgpu'"
     : flags.isSpriteMaterial ||
         flags.isLineBasicMaterial ||
         flags.isPointsMaterial ||
         flags.isLineMaterial
       ? 'has no normals'
-      : isWarpedByHand(material)
+      : isWarpedMaterial(material)
         ? 'is warped by warpMaterial; call exactNormals first'
         : undefined
   if (problem) throw new WarpError(`${method}: ${nameOfMaterial(material)} ${problem}.`)
