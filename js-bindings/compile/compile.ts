@@ -19,7 +19,7 @@ import {
 import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
 import { evaluate, type Numbers } from '../cpu/double.js'
 import { describe } from '../errors/errors.js'
-import { readOperators } from '../errors/operators.js'
+import { translateOperators } from '../errors/operators.js'
 import { boolean, callback as callbackKind, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -46,7 +46,7 @@ export function compile(
 ): CompiledExpressions {
   callbackKind.read(callback, place)
   const { target } = compileOptions.read(options, place)
-  const translated = readOperators(callback, { method: 'compile' })
+  const translated = translateOperators(callback, { method: 'compile' })
   const module = withSession(target, (session) => {
     const results: unknown = translated(createBuilder(session) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || !isRecord(results))
@@ -97,7 +97,7 @@ const genSettings = object({
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
   callbackKind.read(callback, genPlace)
   const { target, maxDepthPerVariable, debug } = genSettings.read(settings, genPlace)
-  const translated = readOperators(callback, { method: 'gen' })
+  const translated = translateOperators(callback, { method: 'gen' })
   const run = (session: Session): [SerializedModule, unknown] => {
     const returned: unknown = translated(createBuilder(session) as unknown as Glsl)
     if (isUnfinished(returned))

@@ -27,7 +27,7 @@ export interface SurfacePhases {
   /** The numbers per vertex of all phases. */
   readonly size: number
   /** Writes the phases of all vertices. */
-  evaluate(vertices: Vertices, given: DrawValues, into: Float32Array): void
+  evaluate(vertices: Vertices, drawValues: DrawValues, into: Float32Array): void
 }
 
 export class HostWarp extends OffsetWarp {
@@ -52,34 +52,41 @@ export class HostWarp extends OffsetWarp {
   }
 
   /** Tests whether the warp mirrors all of space with these values. */
-  isMirrored(given: DrawValues): boolean {
-    return this.positionProgram().isMirrored(this.place, given as never)
+  isMirrored(drawValues: DrawValues): boolean {
+    return this.positionProgram().isMirrored(this.place, drawValues as never)
   }
 
   /**
    * Returns bounds like `bounds` of `cpu(result)`, but much faster and, for some warps, wider, since hosts need bounds in each frame. For a
    * sum of octaves of noise, the bounds of `cpu()` take more than a tenth of a second and are not narrower.
    */
-  quickBounds(result: CpuResult, box: Box, given: DrawValues): Bounds {
-    return bounds(this.cpu(result)[warpProgram], box, { uniforms: given as never }, quickBudget)
+  quickBounds(result: CpuResult, box: Box, drawValues: DrawValues): Bounds {
+    return bounds(
+      this.cpu(result)[warpProgram],
+      box,
+      { uniforms: drawValues as never },
+      quickBudget,
+    )
   }
 
   /** Evaluates like `evaluate` of `cpu()`, but accepts vertices that are not finite, since hosts draw those too. */
-  evaluate(vertices: Vertices, given: DrawValues) {
-    return this.cpu().evaluate(allowNonFinite(vertices), { uniforms: given as never })
+  evaluate(vertices: Vertices, drawValues: DrawValues) {
+    return this.cpu().evaluate(allowNonFinite(vertices), { uniforms: drawValues as never })
   }
 
   /** Writes warped positions into an array, and computes nothing else. */
-  evaluatePositions(vertices: Vertices, given: DrawValues, into: Float32Array) {
+  evaluatePositions(vertices: Vertices, drawValues: DrawValues, into: Float32Array) {
     const sinks = [{ values: into, results: positionsAlone.numbers }]
-    this.runOn(this.positionProgram(), vertices, given, positionsAlone, sinks)
+    this.runOn(this.positionProgram(), vertices, drawValues, positionsAlone, sinks)
   }
 
   /** Returns the phases of the warped position; `undefined` if it has none, or if only the GPU can evaluate it. */
   readonly surfacePhases = lazily((): SurfacePhases | undefined => {
     const { module, inputs } = this.recorded
     const varying = Object.keys(vertexInputs).map((name) => inputs[name as InputName])
-    const madePhases = this.canRunOnCpu ? makePhases(module, [warpResults.position], varying) : undefined
+    const madePhases = this.canRunOnCpu
+      ? makePhases(module, [warpResults.position], varying)
+      : undefined
     if (!madePhases) return undefined
     const { phases } = madePhases
     const size = phases.reduce((sum, each) => sum + each.size, 0)
@@ -91,21 +98,23 @@ export class HostWarp extends OffsetWarp {
       frameConstants: undefined,
       program: () => program,
     }
-    const evaluate: SurfacePhases['evaluate'] = (vertices, given, into) =>
-      this.runOn(phaseProgram, vertices, given, results, [{ values: into, results: results.numbers }])
+    const evaluate: SurfacePhases['evaluate'] = (vertices, drawValues, into) =>
+      this.runOn(phaseProgram, vertices, drawValues, results, [
+        { values: into, results: results.numbers },
+      ])
     return { phases, size, evaluate }
   })
 
   private runOn(
     program: WarpProgram,
     vertices: Vertices,
-    given: DrawValues,
+    drawValues: DrawValues,
     results: ResultSet,
     sinks: readonly Sink[],
   ) {
     const mesh = allowNonFinite(vertices)
     const count = countVertices(this.place, mesh)
-    runOnVertices(program, this.place, mesh, count, given as never, results, sinks)
+    runOnVertices(program, this.place, mesh, count, drawValues as never, results, sinks)
   }
 
   private positionProgram() {
@@ -120,7 +129,8 @@ export class HostWarp extends OffsetWarp {
     const results = hasNormals ? [normal, tangent, determinant] : []
     return {
       declared: this.uniforms.declared,
-      frameConstants: this.isFrameConstant && ((place, given) => this.frame(given, place)),
+      frameConstants:
+        this.isFrameConstant && ((place, drawValues) => this.frame(drawValues, place)),
       program: lazily(() => this.withUserNames(this.program(warpResults[result], ...results))),
       directionProgram: lazily(() => this.program(warpResults.position, direction)),
       // The orientation calls no function of the host, so there is always a program.

@@ -1,7 +1,7 @@
 // Handles calls in translated code: calls of known functions, and of the sketch's functions, which are translated like the offset function.
 import { isClass, isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
-import { guardedKey, isOwnFunction } from '../errors/operators.js'
+import { guardedKey, isLibraryFunction } from '../errors/operators.js'
 import { callOnExpressions, callOnNumbers, isKnown } from './functions.js'
 import { isOfOperator, wrapHelper } from './messages.js'
 import {
@@ -89,7 +89,7 @@ export function callsOf(
 
   const needsTranslation = (f: Any, self: unknown, x: unknown[]) =>
     !isExpression(f) &&
-    !isOwnFunction(f) &&
+    !isLibraryFunction(f) &&
     !isNative(f) &&
     self !== glsl &&
     !isExpression(self) &&

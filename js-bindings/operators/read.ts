@@ -1,6 +1,6 @@
 // Reads a function's source code and compiles it again, with operators that work on expressions.
 import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
-import { isOwnFunction, type ReadOptions } from '../errors/operators.js'
+import { isLibraryFunction, type TranslationOptions } from '../errors/operators.js'
 import { callable, record } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import type { TranslationResult } from './calls.js'
@@ -52,11 +52,11 @@ let count = 0
 export function operators(
   offset: OffsetFunction,
   scope: Scope = {},
-  { method = 'createWarp', sketch }: ReadOptions = {},
+  { method = 'createWarp', sketch }: TranslationOptions = {},
 ): OffsetFunction {
   functionKind.read(offset, operatorsPlace)
   rejectInvalidNames(scopeKind.read(scope, operatorsPlace.part('the scope')))
-  if (translated.has(offset) || isOwnFunction(offset)) return offset
+  if (translated.has(offset) || isLibraryFunction(offset)) return offset
   const reader = { place: new Place(method), scope, sketch, pending: new Set<string>() }
   const parsed = parseFunction(offset)
   if (!parsed) return offset

@@ -7,7 +7,7 @@ import {
 } from '../compile/hosts.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
+import { markLibraryFunction, operatorsKey, translateOperators } from '../errors/operators.js'
 import { callback } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { useDetail } from './detail/detail.js'
@@ -151,13 +151,13 @@ function offsetFor(
     throw new WarpError(
       'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
     )
-  const readable = readOperators(userOffset, {
+  const readable = translateOperators(userOffset, {
     method: 'createWarp',
     scope,
     sketch: sketchOf(canvas),
   })
   const offset = withGuards(canvas, readable)
-  return asOwn((inputs) => {
+  return markLibraryFunction((inputs) => {
     const result = offset(inputs)
     return returns === 'position' && isExpression(result) ? result.sub(inputs.position) : result
   })

@@ -13,7 +13,7 @@ import {
   type Target,
 } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { own } from '../options/guards.js'
+import { ownProperty } from '../options/guards.js'
 import { glslType } from './hooks/styles.js'
 import { sketchOf, type Canvas, type Shader, type Uniform } from './host.js'
 import { samplingOf } from './sampling.js'
@@ -208,7 +208,7 @@ export function setUniforms(
   const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(overrides)) {
     if (declared.has(name)) continue
-    const uniform = own(shader.uniforms, name) as Uniform | undefined
+    const uniform = ownProperty(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, toUniformValue(name, value, uniform))
     else if (!words.has(name))
       throw new WarpError(

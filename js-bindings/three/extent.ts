@@ -183,7 +183,9 @@ export function extentInBatch(warp: ThreeWarp, object: Warpable): (rest: Extent)
   const offsets = boundsBy('offset', warp, object, aroundInWorld(object).box)
   if (isInfinite(offsets)) return () => extentOfBox(everything())
   const back = new Matrix4().copy(object.matrixWorld).invert().setPosition(0, 0, 0)
-  const farthest = Math.max(...cornersOf(offsets).map((corner) => corner.applyMatrix4(back).length()))
+  const farthest = Math.max(
+    ...cornersOf(offsets).map((corner) => corner.applyMatrix4(back).length()),
+  )
   const scales = instancesOf(object).matrices.map((matrix) => matrix.getMaxScaleOnAxis())
   const reach = (slack * farthest) / Math.min(...scales.filter((scale) => scale > 0))
   return ({ box, sphere }) => ({

@@ -30,7 +30,8 @@ const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
 export const restBox = ({ geometry }: Warpable): Box3 =>
   boundsSetByUser(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
 export const restSphere = ({ geometry }: Warpable): Sphere =>
-  boundsSetByUser(geometry)?.sphere ?? boundsAtRest(geometry.attributes.position as Attribute).sphere
+  boundsSetByUser(geometry)?.sphere ??
+  boundsAtRest(geometry.attributes.position as Attribute).sphere
 
 function boundsSetByUser(geometry: BufferGeometry) {
   const { isInstancedBufferGeometry } = geometry as Partial<InstancedBufferGeometry>

@@ -39,7 +39,9 @@ export function raycastOf(
 ): Raycast {
   if (!warp.canRunOnCpu) return () => warnOfMiss(warp)
   const castOn = (each: Warpable): Cast =>
-    warp.settings.space === 'world' ? castInWorld(warp, each, original) : castBeforeMatrix(warp, each, original)
+    warp.settings.space === 'world'
+      ? castInWorld(warp, each, original)
+      : castBeforeMatrix(warp, each, original)
   const castOnOriginal = castOn(object)
   const castOnDivided = memoizeLast((surface: DrawnSurface): Cast => {
     const castOnSurface = castOn(surface.object)

@@ -39,7 +39,9 @@ function checkMaterial(
   else checkUnwarped(method, material as Material)
   const name = nameOfMaterial(material as Material, object)
   if (is.isShaderMaterial)
-    throw new WarpError(`${method}: WebGPURenderer does not draw ${name}; use a node material, such as MeshStandardNodeMaterial.`)
+    throw new WarpError(
+      `${method}: WebGPURenderer does not draw ${name}; use a node material, such as MeshStandardNodeMaterial.`,
+    )
   const isPoints =
     is.isPointsNodeMaterial && (object as { isPoints?: boolean } | undefined)?.isPoints
   if (is.isPointsNodeMaterial && object && !isPoints)

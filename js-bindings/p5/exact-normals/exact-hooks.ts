@@ -2,7 +2,7 @@
 import { compileWarp } from '#text-compiler'
 import { drawInputs, type OffsetFunction, type Target } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
-import { asOwn } from '../../errors/operators.js'
+import { markLibraryFunction } from '../../errors/operators.js'
 import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
@@ -133,8 +133,9 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     }),
   )
   // Withholds the other inputs, since millis, size and instance are names of the sketch here.
-  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
-    readOffset({ glsl, position, normal, uv, color, uniforms } as never),
+  const offset: OffsetFunction = markLibraryFunction(
+    ({ glsl, position, normal, uv, color, uniforms }) =>
+      readOffset({ glsl, position, normal, uv, color, uniforms } as never),
   )
   const withoutNormals = withStrandsMessages(() =>
     compileWarp(offset, { ...options, normals: false }),

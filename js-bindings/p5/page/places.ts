@@ -1,6 +1,6 @@
 /** Adds the file and line of the sketch to the message of a WarpError. */
 import { WarpError } from '../../errors/errors.js'
-import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
+import { fileNameOf, fileOf, stackLines } from '../../errors/source-lines.js'
 
 /** Recognizes p5's own files under the names of common servers. */
 const isOfP5 = (file: string) =>
@@ -28,9 +28,9 @@ export function placeOf(error: Error): string {
       .slice(lines.indexOf(line!))
       .find((each) => isOfSketch(each) && !isTranslated(each))
     const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
-    return first ? ` (${nameIn(call!)}, line ${+first + +number - linesBefore})` : ''
+    return first ? ` (${fileNameOf(call!)}, line ${+first + +number - linesBefore})` : ''
   }
-  return number ? ` (${nameIn(line!)}, line ${number})` : ''
+  return number ? ` (${fileNameOf(line!)}, line ${number})` : ''
 }
 
 /** V8's limit on stack traces. */

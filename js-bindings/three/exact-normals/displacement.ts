@@ -1,6 +1,6 @@
 // Reads the displacement that a vertex shader computes, as a warp.
 import type { IUniform } from 'three'
-import { asOwn } from '../../errors/operators.js'
+import { markLibraryFunction } from '../../errors/operators.js'
 import type { External } from '../../glsl-source/listing.js'
 import { readOffset } from '../../glsl-source/offset.js'
 import { Place } from '../../options/place.js'
@@ -62,7 +62,7 @@ export function readDisplacement(
   }
   const warp = new DisplacementWarp(
     // Withholds the other inputs, since millis, size and instance are names of the shader here.
-    asOwn(({ glsl, position, normal, uv, uniforms }) =>
+    markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
       offset({ glsl, position, normal, uv, uniforms } as never),
     ),
     { ...settings, space, uniforms, fadeNoise: false, isShared: false },

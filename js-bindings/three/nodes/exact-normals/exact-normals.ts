@@ -51,10 +51,7 @@ export function exactNormals<Kind extends Material>(
   if (!isNodeMaterial)
     throw place
       .part('the material')
-      .expected(
-        'a node material, such as a MeshStandardNodeMaterial,',
-        describeOfThree(material),
-      )
+      .expected('a node material, such as a MeshStandardNodeMaterial,', describeOfThree(material))
   if (!positionNode)
     throw place.expected('a material with a positionNode', 'one without', 'set positionNode before')
   if (vertexNode)

@@ -6,7 +6,7 @@ import {
   type OffsetFunction,
   type Target,
 } from '../../../compile/hosts.js'
-import { asOwn } from '../../../errors/operators.js'
+import { markLibraryFunction } from '../../../errors/operators.js'
 import { glslOffset, readPositionWithOthers, wgslOffset } from '../../../glsl-source/offset.js'
 import type { Settings } from '../../settings.js'
 import { ThreeWarp, type Stage } from '../../three-warp.js'
@@ -22,7 +22,7 @@ export function offsetOf({ language, text }: PositionSource): OffsetFunction {
     maxIterations,
   })
   // The other inputs, such as millis, would be taken for uniforms of the source that have their names.
-  return asOwn(({ glsl, position, normal, uv, uniforms }) =>
+  return markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
     readOffset({ glsl, position, normal, uv, uniforms } as never),
   )
 }
@@ -36,7 +36,7 @@ const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 function offsetWithEffectsOf({ language, effects }: PositionSource, text: string) {
   const read = readPositionWithOthers(language, text, { function: functionName, maxIterations })
   let numbers: readonly Expression[] = []
-  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, uniforms }) => {
+  const offset: OffsetFunction = markLibraryFunction(({ glsl, position, normal, uv, uniforms }) => {
     const { offset, others } = read({ glsl, position, normal, uv, uniforms } as never)
     numbers = others.slice(0, sizeOfEffects(effects))
     return offset

@@ -195,7 +195,11 @@ export class NodeReading {
   }
 
   /** Throws if a texture is read in a way that `sample` does not support. */
-  private checkTextureRead(level: string, depth: string | undefined, offset: string | undefined): true {
+  private checkTextureRead(
+    level: string,
+    depth: string | undefined,
+    offset: string | undefined,
+  ): true {
     const isZero = /^(?:\w+\(\s*)?0(?:\.0*)?[uif]?\s*\)?$/.test(level.trim())
     const found = !isZero ? 'a mip level' : depth ? 'a layer' : offset ? 'an offset' : undefined
     if (found)

@@ -113,9 +113,7 @@ function warpFor(exact: ExactNodeMaterial, source: PositionSource, { geometry }:
 
 function cachedWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
   // The warp reads the nodes of its textures, which may differ between sources with the same text.
-  const key = [withEffects ?? source.text, ...Array.from(source.textures.values(), idOf)].join(
-    '\n',
-  )
+  const key = [withEffects ?? source.text, ...Array.from(source.textures.values(), idOf)].join('\n')
   let warp = exact.warps.get(key)
   if (!warp) exact.warps.set(key, (warp = compile(exact, source, withEffects)))
   return warp

@@ -3,7 +3,7 @@ import type { Texture } from 'three'
 import type { Node } from 'three/webgpu'
 import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
 import { WarpError, describe } from '../../../errors/errors.js'
-import { asOwn } from '../../../errors/operators.js'
+import { markLibraryFunction } from '../../../errors/operators.js'
 import { glslOffset } from '../../../glsl-source/offset.js'
 import { callback, oneOf } from '../../../options/kinds.js'
 import { Place } from '../../../options/place.js'
@@ -63,7 +63,7 @@ export function tslOffset(
   const unknownNode = source.updated.find((node) => !uniformsOfNodes.has(node))
   if (unknownNode) throw unknownValueError(unknownNode)
   const read = glslOffset(source.text, { function: functionName, returns, maxIterations })
-  const offset = asOwn((inputs: WarpInputs) => {
+  const offset = markLibraryFunction((inputs: WarpInputs) => {
     const { glsl, position, normal, uv } = inputs
     const uniforms = Object.fromEntries(bindings.map(([name, bind]) => [name, bind(inputs)]))
     return read({ glsl, position, normal, uv, uniforms } as never)
