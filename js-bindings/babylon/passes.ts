@@ -163,7 +163,7 @@ function effectFor(effect: Effect, mesh: AbstractMesh, warp: PassWarp | undefine
   return makeVariant(original, mesh, warp)
 }
 
-/** Tells the effects of passes from those of the warped material itself, and from those of shadows, which its depth wrapper warps. */
+/** Returns whether an effect is that of a pass: not of the warped material itself, and not of shadows, which its depth wrapper warps. */
 const isPassEffect = ({ defines, name }: Effect) =>
   !defines.includes(codeDefine) && !JSON.stringify(name).includes('shadow')
 

@@ -128,7 +128,7 @@ const isPngOrJpeg = (bytes: Uint8Array) =>
 const sizeOf = ({ positions, indices }: Mesh) =>
   `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`
 
-/** Returns the warp with an `evaluate` that also reports the number of vertices evaluated so far. */
+/** Returns the warp with an `evaluate` that also prints the total number of vertices evaluated. */
 function withProgress(warp: CompiledWarp, progress: Progress): CompiledWarp {
   let vertices = 0
   return {

@@ -2,7 +2,7 @@
 import { stat } from 'node:fs/promises'
 import { WarpError } from '../errors/errors.js'
 
-/** Runs `work`, which writes `file`; if it fails, throws a `WarpError` that tells the reason. */
+/** Runs `work`, which writes `file`; if it fails, throws a `WarpError` with the reason. */
 export async function withWriteErrors(file: string, work: () => Promise<void>): Promise<void> {
   try {
     await work()

@@ -10,7 +10,7 @@ import { maxIterationLimit } from '../glsl-source/options.js'
 import { optional, wholeNumber } from '../options/kinds.js'
 import { numeric } from './usage.js'
 
-/** What a file contains. */
+/** The contents of a file. */
 export interface WarpFile {
   /** The default export, or the only function. */
   offset: OffsetFunction
@@ -47,7 +47,7 @@ export const sourceOptionsOf = (values: {
 
 /**
  * Imports a JavaScript file, or parses a GLSL or WGSL file, whose uniforms have the types declared in the source and the values passed
- * here. The extension of the file name tells the language.
+ * here. The extension of the file name decides the language.
  */
 export async function readWarp(
   file: string,

@@ -1,4 +1,4 @@
-// How an adapter describes its host to the compiler.
+// The description of a host, which its adapter passes to the compiler.
 import type { drawInputs } from '../core/inputs/inputs.js'
 import type { ImageSampling } from './image-sampling.js'
 

@@ -36,7 +36,7 @@ export interface WarpOptions<
   /** Names for the results, as in `{ position: 'moved' }`. */
   outputs?: OutputNames
   /**
-   * Where normals are computed. `true` or `'vertex'`: in `code`. `'pixel'`: only in the code of `emitFragment`, for you to insert in the
+   * The stage that computes normals. `true` or `'vertex'`: in `code`. `'pixel'`: only in the code of `emitFragment`, for you to insert in the
    * fragment shader. `'auto'`: in one of the two, depending on the warp; `normals` of the result says which. `false` leaves normals out.
    * @default true
    */

@@ -30,7 +30,7 @@ export function describeShape([columns, rows]: readonly [number, number]): strin
   return columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
 }
 
-/** Returns at most the first 60 characters of a string, on one line. */
+/** Returns the first 60 characters of a string, on one line. */
 export function shorten(text: string): string {
   return text.slice(0, 60).replace(/\s+/g, ' ')
 }

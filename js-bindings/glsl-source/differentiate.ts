@@ -108,7 +108,7 @@ function unusedName({ head, externals }: Listing): string {
 
 interface ResultShape {
   type: string
-  /** Whether the result holds the value of the original function, in front of the derivatives. */
+  /** True if the result begins with the value of the original function, which the derivatives follow. */
   hasValue: boolean
 }
 

@@ -113,7 +113,7 @@ export async function readModel(
   }
 }
 
-/** Tells a glTF, which needs the files that it refers to, from an .obj, which works without its materials. */
+/** Returns whether a file is a glTF, which needs the files that it refers to, whereas an .obj works without its materials. */
 function isGltf(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 64)).trimStart()
   return start.startsWith('glTF') || start.startsWith('{')

@@ -25,7 +25,7 @@ export interface NormalMapOptions extends EvaluationOptions {
    */
   size?: number | undefined
   /**
-   * How the program that draws the mesh interpolates its tangent frame between vertices. `'normalized'`, for three.js: computes the
+   * The way in which the program that draws the mesh interpolates its tangent frame between vertices. `'normalized'`, for three.js: computes the
    * bitangents of vertices, and normalizes tangent, bitangent and normal at each pixel. `'mikktspace'`, for Blender: computes the
    * bitangent at the pixel, and normalizes none of the three. The finer the mesh, the less the two ways differ.
    * @default 'normalized'

@@ -7,7 +7,7 @@ import type { Job } from './job.js'
 /** Maps each codec that was searched for → its decoder, or `undefined` if none was found. */
 export type FoundDecoders = Map<Codec, unknown>
 
-/** How to decode a compressed part; src/mesh/gltf/packed_part.hpp documents it. */
+/** The parameters for decoding a compressed part, which src/mesh/gltf/packed_part.hpp documents. */
 type Plan = { extension: string; isOptional: boolean } & (
   | { codec: 'meshopt'; count: number; byteStride: number; mode: string; filter: string }
   | ({ codec: 'draco' } & DracoPlan)

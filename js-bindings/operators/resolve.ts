@@ -2,7 +2,7 @@
 import { isProperty, namesBoundBy, scopeOf } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** What the scopes that enclose a node bind. */
+/** The names that are bound by the scopes that enclose a node. */
 interface EnclosingScopes {
   names: readonly ReadonlySet<string>[]
   /** True if `this` and `new.target` at the node belong to a function or class within the tree. */

@@ -15,7 +15,7 @@ import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /**
- * How pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix of the object
+ * The way in which pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix of the object
  * or, for a warp in the space `'world'`, of the camera. `'flat'`: as a varying that is constant in each instance. `'smooth'`: as an
  * interpolated varying, since the matrices of bones vary.
  */

@@ -136,7 +136,7 @@ function castBeforeMatrix(warp: ThreeWarp, object: Warpable, original: Raycast) 
   const hasInstances = (object as InstancedMesh).isInstancedMesh
   return (raycaster: Raycaster, intersects: Intersection[], extent: Sphere) => {
     const warped = geometry()
-    // Morph targets and bones move the vertices further, at most to the extent of the whole object.
+    // Morph targets and bones move the vertices further, but not out of the extent of the whole object.
     if (isRest) Object.assign(warped, { boundingSphere: extent, boundingBox: null })
     const standIn = standInFor(object, warped, {
       ...(isRest && { getVertexPosition: (object as Mesh).getVertexPosition }),

@@ -40,7 +40,7 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    */
   fadeNoise?: boolean
   /**
-   * Draws meshes with as many triangles as needed for the drawn surface to be at most this many pixels from the true warped surface: a
+   * Draws meshes with as many triangles as needed for the drawn surface to be within this number of pixels of the true warped surface: a
    * number, or `'auto'`, which is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse meshes.
    * `false` draws the vertices of the geometry. For `warp` only. With this option, bones and morph targets are applied on the CPU.
    * Batches, points and lines keep their vertices. So do meshes with bones or morph targets in the space `'rest'`, instances in the space

@@ -1,4 +1,4 @@
-// How a host samples an image: wrapping and filter, which the adapter passes to the shader with the image.
+// A host's way to sample an image: wrapping and filter, which the adapter passes to the shader with the image.
 
 /** The parts of the sampling that an adapter passes to the shader. */
 export interface HostSampling {

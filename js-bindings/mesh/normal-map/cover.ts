@@ -16,7 +16,7 @@ export interface Cover {
  */
 const margin = 1.5
 
-/** How deep inside two triangles, in texels, a point must be to count as an overlap: more than the rounding of uvs. */
+/** The min depth, in texels, of a point inside of two triangles that counts as an overlap: more than the rounding of uvs. */
 const minOverlap = 0.01
 
 /** Assigns each texel whose centre is in a triangle to this triangle, and others nearby to the nearest triangle. */

@@ -57,7 +57,7 @@ export class TangentFrames {
     let y = sign * determinant(frame, 0, normals, i, frame, 6)
     let z = sign * determinant(frame, 0, frame, 3, normals, i)
     const length = Math.sqrt(x * x + y * y + z * z)
-    // Where the warp collapses the surface, or the frame has no volume, the interpolated normal N is used.
+    // The interpolated normal N is used where the warp collapses the surface or the frame has no volume.
     if (!(length > 0)) [x, y, z] = [0, 0, 1]
     else {
       z = Math.max(z / length, minZ)

@@ -17,7 +17,7 @@ ${
 }
 }`
 
-/** The same function in WGSL. */
+/** The function `warpjetFacing` in WGSL. */
 export const facingInWgsl = `fn warpjetFacing(viewPosition: vec3<f32>) -> vec3<f32> {
   let isParallel = camera.uProjectionMatrix[3][3] == 1.0;
   let toEye = select(-viewPosition, vec3<f32>(0.0, 0.0, 1.0), isParallel);

@@ -137,14 +137,14 @@ mat4 warpjetUniformModelViewMatrix() { return uModelViewMatrix; }
 
 const transformBy = (matrix: string) => (direction: string) =>
   `(${matrix} * vec4(${direction}, 0.0)).xyz`
-const unchanged = (direction: string) => direction
+const keepDirection = (direction: string) => direction
 
 /** Expressions for positions in each space of the offset; `.xyz` because a line's position attribute is a vec4. */
 const positions = {
   local: {
     position: 'aPosition.xyz',
     viewPosition: '(uModelViewMatrix * vec4(warpjetPosition, 1.0)).xyz',
-    direction: { toOffsetSpace: unchanged, toView: transformBy('uModelViewMatrix') },
+    direction: { toOffsetSpace: keepDirection, toView: transformBy('uModelViewMatrix') },
   },
   world: {
     position: '(uModelMatrix * vec4(aPosition.xyz, 1.0)).xyz',
@@ -154,7 +154,7 @@ const positions = {
   camera: {
     position: 'warpjetViewPosition',
     viewPosition: 'warpjetPosition',
-    direction: { toOffsetSpace: transformBy('uModelViewMatrix'), toView: unchanged },
+    direction: { toOffsetSpace: transformBy('uModelViewMatrix'), toView: keepDirection },
   },
 }
 
@@ -176,6 +176,6 @@ const normals: Record<WarpSpace, { matrix: string; normal: string; toView: ToVie
   camera: {
     matrix: 'uNormalMatrix',
     normal: 'uNormalMatrix * HOOK_getLocalNormal(aNormal)',
-    toView: { transform: unchanged },
+    toView: { transform: keepDirection },
   },
 }

@@ -141,7 +141,7 @@ interface Parts {
 
 type Value = NodeReading['values'] extends ReadonlyMap<string, infer One> ? One : never
 
-/** How a language declares the function and what it reads. */
+/** Writers of the declarations in one language: of the function, and of the values that it reads. */
 interface Syntax {
   inputs: readonly string[]
   declareValue: (name: string, value: Value, type: Parts['type']) => string
