@@ -3,7 +3,7 @@ import type { ThreeWarp } from './three-warp.js'
 
 const warned = new WeakSet<ThreeWarp>()
 
-/** Says why normals are computed at vertices although the option asks for pixels. `name` is that of the material and its object. */
+/** Warns why normals are computed at vertices although the option asks for pixels. `name` names the material and its object. */
 export function warnOfVertices(warp: ThreeWarp, name: string, obstacle: string) {
   if (warned.has(warp)) return
   warned.add(warp)

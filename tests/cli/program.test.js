@@ -135,6 +135,9 @@ describe('how it exits', () => {
       ...['-o', 'o.glb', '--subdivide', '0.1', '--set', 'speed=1'],
     ])
     assert.equal(code, 1)
-    assert.match(stderr, /Subdividing: [^\n]*tried\r\x1b\[Kwarpjet: .*no uniform "speed"[^\n]*\n$/)
+    assert.match(
+      stderr,
+      /Subdividing: [^\n]*evaluated\r\x1b\[Kwarpjet: .*no uniform "speed"[^\n]*\n$/,
+    )
   })
 })

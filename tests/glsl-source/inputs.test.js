@@ -89,6 +89,6 @@ test('a single vec3 is the position, whatever its name; with two, each needs a k
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 position, vec4 tangent) { return position; }'),
-    /the parameter tangent of offset has no value; it can be position, normal, uv, color, millis, mouse, size, pixelDensity, instance, mouseX, mouseY, width, height, or a uniform of the source\.$/,
+    /the parameter tangent of offset has no value; rename it to one of position, normal, uv, color, millis, mouse, size, pixelDensity, instance, mouseX, mouseY, width, height, or make it a uniform of the source\.$/,
   )
 })

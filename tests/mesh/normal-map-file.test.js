@@ -167,7 +167,7 @@ describe('mistakes', () => {
     )
     rejects(
       square(),
-      /the warp has no finite position and normal between vertices, at \(.*\); check it/,
+      /the warp has no finite position and normal between vertices, at \(.*\); check whether it divides/,
       {
         warp: gap,
         size: 64,
