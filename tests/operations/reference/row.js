@@ -25,8 +25,7 @@ export const awayFromZero = (min, max) => (random) =>
 /** Returns the integers from -`max` to `max`. */
 export const integersUpTo = (max) => Array.from({ length: 2 * max + 1 }, (_, i) => i - max)
 /** Returns these integers plus 0.5. */
-export const halves = (max) =>
-  integersUpTo(max).map((n) => n + 0.5)
+export const halves = (max) => integersUpTo(max).map((n) => n + 0.5)
 
 /** For `adjust`: brings some components of the other operands close to, or exactly to, those of the first. */
 export const makeOperandsMeet = (operands, random) =>
