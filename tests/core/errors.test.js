@@ -68,7 +68,10 @@ test('rejects values that are not offset functions', () => {
   throwWarpErrors([
     [() => compileWarp(), /expected a function, got undefined/],
     [() => compileWarp('x'), /expected a function, got the text "x"\.$/],
-    [() => compileWarp('vec3 offset(vec3 p) { return p; }'), /got the text .*; glslOffset\(text\)/],
+    [
+      () => compileWarp('vec3 offset(vec3 p) { return p; }'),
+      /got the text ".*"; to pass source in GLSL, convert it to a function by glslOffset\(text\)/,
+    ],
     [() => compile(7), /compile: expected a function, got the number 7/],
     [() => gen({}), /gen: expected a function, got an empty object/],
     [() => gen(async () => {}), /gen: the function must be neither async nor a generator/],

@@ -68,7 +68,7 @@ describe('chain', () => {
     for (const x of [-80, 0, 30]) {
       const slope = x / 100
       const length = Math.hypot(1, slope)
-      const { offset, derivatives, turned } = evaluate({
+      const { offset, derivatives, warpedNormal } = evaluate({
         position: [x, 0, 7],
         normal: [0, 1, 0],
         millis: 0,
@@ -77,7 +77,7 @@ describe('chain', () => {
       // The derivatives of these offsets with respect to x. A parallel surface has the same normals as the original.
       const byX = [-0.3 / length ** 3, slope - (0.3 * slope) / length ** 3, 0]
       assertClose(derivatives.slice(0, 3), byX, 1e-9)
-      assertClose(turned, [-slope / length, 1 / length, 0], 1e-9)
+      assertClose(warpedNormal, [-slope / length, 1 / length, 0], 1e-9)
     }
   })
 

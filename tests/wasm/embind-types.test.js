@@ -43,7 +43,7 @@ test('reads signatures, also of imported functions', () => {
   )
   assert.ok(WebAssembly.validate(bytes))
   assert.deepEqual(Object.fromEntries(wasmSignatures(bytes)), {
-    f: { given: ['number', 'bigint'], result: 'number' },
-    g: { given: ['never'], result: 'void' },
+    f: { parameters: ['number', 'bigint'], result: 'number' },
+    g: { parameters: ['never'], result: 'void' },
   })
 })
