@@ -1,5 +1,5 @@
 // Passes a std::vector to JavaScript (js-bindings/wasm/embind.hpp) as a copy in memory: its length and, from byte 8 on, the wire format of its
-// items. A vector of numbers becomes a typed array, any other an Array; neither needs to be deleted.
+// items. A vector of numbers becomes a typed array, any other vector an Array. Neither needs to be deleted.
 mergeInto(LibraryManager.library, {
   _embind_register_array__deps: ['$simpleReadValueFromPointer', '$whenDependentTypesAreResolved'],
   // `kind` is the number of a typed array, or -1.

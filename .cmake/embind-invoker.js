@@ -1,6 +1,6 @@
 // Calls bound functions of embind without `new Function`. Emscripten 3.1.6 stores the arguments of a call in lists that belong to the bound
-// function: if a callback `val` calls the same function again, a string is freed twice. Here each call has its own lists. Errors are
-// converted by the option `fail` of the factory and thrown.
+// function: if a callback calls the same function again, a string is freed twice. Here each call has its own lists. The option `fail` of the
+// factory converts errors before they are thrown.
 mergeInto(LibraryManager.library, {
   $craftInvokerFunction__deps: ['$runDestructors', '$throwBindingError'],
   $craftInvokerFunction: function (humanName, argTypes, classType, invoker, target) {

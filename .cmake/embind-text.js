@@ -1,6 +1,6 @@
-// Converts std::string for embind: by the browser's own encoder and decoder, except short ASCII, for which a loop takes a third of the time.
-// Emscripten 3.1.6 scans the bytes twice in JavaScript, at 3 to 4 ns per byte, loses the character after a lone surrogate, and doesn't check
-// the memory that it allocates.
+// Converts std::string for embind by the browser's own encoder and decoder; except short ASCII, for which a loop takes a third of the time.
+// Emscripten's own conversion, in 3.1.6, scans the bytes twice in JavaScript, at 3 to 4 ns per byte, loses the character after a lone
+// surrogate, and doesn't check that its allocation succeeds.
 mergeInto(LibraryManager.library, {
   $shortText: 64,
   _embind_register_std_string__deps: [
@@ -19,12 +19,12 @@ mergeInto(LibraryManager.library, {
       HEAPU32[pointer >>> 2] = length
       return pointer
     }
-    // Returns whether it was ASCII.
-    function writeAscii(text, at) {
+    // Returns whether the text was ASCII; stops at the first other character.
+    function writeAscii(text, start) {
       for (var i = 0; i < text.length; ++i) {
         var code = text.charCodeAt(i)
         if (code > 127) return false
-        HEAPU8[at + i] = code
+        HEAPU8[start + i] = code
       }
       return true
     }

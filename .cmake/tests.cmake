@@ -8,7 +8,7 @@ target_include_directories(warpjet_tests PRIVATE tests/cpp)
 # Tests also parse JSON.
 target_include_directories(warpjet_tests SYSTEM PRIVATE ${libraries_folder})
 target_link_libraries(warpjet_tests PRIVATE warpjet_detail warpjet_mesh warpjet_source warpjet_core GTest::gtest_main)
-# One process per eighth of the tests, not per test: under the sanitizers a process takes longer to start than most tests.
+# Runs the tests in eight processes, not in one per test: under the sanitizers a process takes longer to start than most tests.
 set(shards 8)
 foreach(shard RANGE 1 ${shards})
   math(EXPR index "${shard} - 1")
@@ -17,8 +17,8 @@ foreach(shard RANGE 1 ${shards})
                        ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
 endforeach()
 
-# Compiles a dozen files at once, since most of the time is spent on headers: this takes a third of the time. The wasm build
-# compiles each file separately, which detects missing includes.
+# Compiles a dozen files at once, which takes a third of the time, since most of it is spent on headers. The wasm build compiles
+# each file separately, which detects missing includes.
 set_target_properties(warpjet_core warpjet_source PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
 # Files that include the table of formulas are compiled separately, so that a changed formula recompiles only those.
 set_source_files_properties(src/diff/partials.cpp src/emit/lower.cpp src/emit/names.cpp src/ops/ops.cpp src/ops/range.cpp
@@ -30,7 +30,7 @@ set_source_files_properties(src/diff/differentiator.cpp src/diff/combine_terms.c
                             src/warp/orientation.cpp src/warp/polynomial.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
-# The core once more, with additional rows in a copy of the table; the sanitizers only check the core itself.
+# Builds the core once more, with additional rows in a copy of the table; not for the sanitizers.
 if(NOT WARPJET_SANITIZE)
   add_executable(own_row_tests ${core_sources} tests/cpp/own_row/own_row_test.cpp)
   target_include_directories(own_row_tests PRIVATE tests/cpp/own_row src tests/cpp)  # in this order
@@ -41,8 +41,8 @@ if(NOT WARPJET_SANITIZE)
   add_test(NAME own_rows COMMAND own_row_tests --gtest_brief=1)
 endif()
 
-# Precompiled headers: the tests compile in a third of the time. ccache can't cache what clang compiles with a precompiled
-# header, which costs more than it saves.
+# With precompiled headers, the tests compile in a third of the time. Not for clang, since ccache can't cache what clang compiles
+# with a precompiled header, which costs more time than the headers save.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(common_headers
     <algorithm> <array> <cmath> <cstdint> <functional> <initializer_list> <optional> <span> <string> <string_view>
@@ -54,7 +54,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     <gtest/gtest.h> <algebra/value.hpp> <builder/builder.hpp> <emit/emit.hpp>)
 endif()
 
-# The targets of `npm run fuzz`. Given files, they run each once, also without libFuzzer: the corpus is a test.
+# Adds a target of `npm run fuzz`. It runs each file that it is given once, also without libFuzzer: the corpus is a test.
 function(warpjet_fuzz_target subject library)
   set(name ${subject}_fuzz)
   add_executable(${name} ${ARGN})

@@ -1,29 +1,29 @@
-# WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and NAME.mjs, Emscripten's factory of instances. Each is
-# bound by embind in js-bindings/wasm/NAME.cpp.
+# WebAssembly build. Each module NAME is built as NAME.wasm, which .scripts/build.mjs inlines, and NAME.mjs, Emscripten's factory of
+# instances. js-bindings/wasm/NAME.cpp binds it by embind.
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  runs programs for many vertices
 #   mesh        mesh files and operations on meshes
-#   detail      divides triangles as finely as a warped surface needs it on the screen
+#   detail      divides triangles as finely as a warped surface on the screen needs
 #   glsl        converts shader source to a listing of the core's operations
 
-# Everything is compiled with CMake's -O3 (Release), except code that runs once per glTF file: checks of its JSON, which take no
-# noticeable time. The core at -Oz took 2.8 times as long for a warp of 3,000 nodes, and saved 40 KB gzipped.
+# Everything is compiled with CMake's -O3 (Release), except code that runs once per glTF file, such as checks of its JSON: it takes no
+# noticeable time. The core at -Oz took 2.8 times as long for a warp of 3,000 nodes, and was 40 KB smaller, gzipped.
 set_source_files_properties(
   src/mesh/gltf/container.cpp src/mesh/gltf/export.cpp src/mesh/gltf/gltf.cpp src/mesh/load.cpp src/mesh/gltf/look.cpp
   src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/messages.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp
   TARGET_DIRECTORY warpjet_mesh PROPERTIES COMPILE_OPTIONS -Oz)
 
-# Otherwise clang would replace pow(2, x) by exp2, which JavaScript's Math lacks.
+# Keeps clang from replacing pow(2, x) by exp2, which JavaScript's Math lacks.
 set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp src/ops/interval_functions.cpp src/ops/interval_steps.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
 
-# Code that computes four vertices at a time. The core must not link it, since link-time optimization would enable SIMD for all
-# functions of a module that contains one such function.
+# Enables SIMD for the code that computes four vertices at a time. The core module must not contain that code, since link-time
+# optimization would enable SIMD for all functions of a module that contains one such function.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(
   src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp src/eval/stages.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
-# emcc renamed the setting in 3.1.25.
+# emcc 3.1.25 renamed the setting.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
   set(stack_setting TOTAL_STACK)
 else()
@@ -40,7 +40,7 @@ function(warpjet_module name stack)
   add_executable(${target} js-bindings/wasm/${name}.cpp)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX .mjs LINK_DEPENDS "${embind_libraries}")
   target_link_libraries(${target} PRIVATE ${ARGN})
-  # Types need no names at run time, since all types that cross the border are bound.
+  # Types need no names at run time, since all types that are passed to or from JavaScript are bound.
   target_compile_options(${target} PRIVATE -fno-rtti -DEMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
   foreach(library ${embind_libraries})
     target_link_options(${target} PRIVATE "SHELL:--js-library ${library}")
@@ -52,32 +52,32 @@ function(warpjet_module name stack)
     -fno-rtti                             # chooses the variant of embind's library
     -sMODULARIZE                          # a factory: nothing happens at import, nothing global
     -sEXPORT_ES6                          # `export default factory`, for the bundler
-    -sENVIRONMENT=web                     # the glue for Node does not run as an ES module in 3.1.6; with the bytes handed in, this one runs in both
+    -sENVIRONMENT=web                     # the JavaScript for Node does not run as an ES module in 3.1.6; that for the web runs in both if it is given the bytes
     -sWASM_ASYNC_COMPILATION=0            # the factory returns the module itself, no promise
     -sDYNAMIC_EXECUTION=0                 # no `new Function`: pages with a strict Content-Security-Policy work
-    -sINCOMING_MODULE_JS_API=wasmBinary,printErr  # the options that we pass; the code for the others goes away
-    -sTEXTDECODER=2                       # every browser has one
+    -sINCOMING_MODULE_JS_API=wasmBinary,printErr  # the options that we pass; omits the code for others
+    -sTEXTDECODER=2                       # every browser has a TextDecoder
     -sASSERTIONS=0
     -sALLOW_MEMORY_GROWTH                 # graphs and meshes of any size
-    -sSUPPORT_ERRNO=0                     # nothing reads it
+    -sSUPPORT_ERRNO=0                     # nothing reads errno
     -sFILESYSTEM=0                        # nothing reads files
     -s${stack_setting}=${stack})
 endfunction()
 
-# No exception crosses the border of these modules: a remaining throw fails to link. If memory runs out, malloc aborts the
+# Like warpjet_module, but a throw fails to link: no exception may leave these modules. If memory runs out, malloc aborts the
 # instance, since embind doesn't check its allocations.
 function(warpjet_module_without_exceptions name)
   warpjet_module(${name} ${ARGN})
   target_compile_options(warpjet_${name}_wasm PRIVATE -fno-exceptions)
   target_link_options(warpjet_${name}_wasm PRIVATE
     -fno-exceptions
-    -sMALLOC=dlmalloc                     # emmalloc is inlined everywhere by link-time optimisation: 70 KB more, and slower
+    -sMALLOC=dlmalloc                     # link-time optimization would inline emmalloc everywhere: 70 KB more, and slower
     -sABORTING_MALLOC=1
     -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
-    -sJS_MATH)                            # C's mathematics, from JavaScript: 20 KB less than musl's, tables that do not pack
+    -sJS_MATH)                            # uses JavaScript's Math for C's functions: 20 KB less than musl's, whose tables compress badly
 endfunction()
 
-# Without simd128, linking fails if SIMD code got in.
+# Without simd128 in this list, linking fails if a module contains SIMD code.
 set(without_simd
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")
 
@@ -100,8 +100,8 @@ warpjet_module(mesh 1048576 warpjet_mesh warpjet_core)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)
 target_compile_options(warpjet_mesh PRIVATE -fwasm-exceptions)
 target_link_options(warpjet_mesh_wasm PRIVATE
-  -fwasm-exceptions                       # every current browser has them; -fexceptions leaves C++ at each call that might throw
-  -sMALLOC=dlmalloc                       # JSON is many small pieces, for which emmalloc takes half as long again
+  -fwasm-exceptions                       # every current browser supports these; with -fexceptions, each call that might throw goes through JavaScript
+  -sMALLOC=dlmalloc                       # JSON takes many small allocations, for which emmalloc needs 1.5 times as long
   -sMAXIMUM_MEMORY=4GB
   -sINITIAL_MEMORY=4MB
-  -Wl,--stack-first)                      # no more stack is a trap, not a write into what lies below it
+  -Wl,--stack-first)                      # a stack overflow traps instead of overwriting the data below the stack

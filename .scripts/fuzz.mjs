@@ -3,9 +3,9 @@
 import { spawn } from 'node:child_process'
 import { existsSync, mkdirSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
-import { own } from '../tests/glsl/own.js'
+import { ownFunctions } from '../tests/glsl/own.js'
 import { blocks, values } from '../tests/glsl/values.js'
-import { own as ownWgsl } from '../tests/wgsl/own.js'
+import { ownFunctions as ownWgslFunctions } from '../tests/wgsl/own.js'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { path, walk } from './lib/files.mjs'
 import { capture, run } from './lib/run.mjs'
@@ -100,14 +100,14 @@ async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
   await run(path(programs, 'fuzz_seeds'), [seeds])
   const glslSources = {
-    ...own,
+    ...ownFunctions,
     ...values[300],
     ...Object.fromEntries(
       Object.entries(blocks).map(([name, parts]) => [`a block ${name}`, parts.join('\n')]),
     ),
     'a misspelled function': 'float own(float x) { return exAp2(x); }',
   }
-  for (const [language, sources] of Object.entries({ glsl: glslSources, wgsl: ownWgsl })) {
+  for (const [language, sources] of Object.entries({ glsl: glslSources, wgsl: ownWgslFunctions })) {
     mkdirSync(path(seeds, language), { recursive: true })
     for (const [name, text] of Object.entries(sources))
       writeFileSync(path(seeds, language, slug(name)), text.replaceAll('\n  ', '\n') + '\n')

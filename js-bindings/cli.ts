@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /// <reference types="node" />
-// `npx warpjet`: runs the command, and reports an error as one message and an exit code.
+// `npx warpjet`: runs a command, and reports an error by one message and the exit code.
 import { bake } from './cli/bake.js'
 import { derive } from './cli/derive.js'
 import { emit } from './cli/emit.js'
@@ -20,13 +20,13 @@ const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake
 const [name = '', ...args] = process.argv.slice(2)
 const asksForHelp = (text: string) => text === '--help' || text === '-h'
 
-// The reader may close the pipe early, as `head` does.
+// The program that reads stdout may close the pipe early, as `head` does.
 process.stdout.on('error', ({ code }: { code?: string }) => {
   if (code === 'EPIPE') return
   console.error(`warpjet: the output cannot be written: ${reasonOf(code)}.`)
   process.exit(1)
 })
-// An error of stderr cannot be reported.
+// An error in writing to stderr cannot be reported.
 process.stderr.on('error', () => {})
 
 try {
@@ -42,7 +42,7 @@ try {
 
 // Waits until all output is written, but not for anything that the user's module left running, such as a timer.
 for (const stream of [process.stdout, process.stderr])
-  await new Promise<void>((done) => stream.write('', () => done()))
+  await new Promise<void>((resolve) => stream.write('', () => resolve()))
 process.exit()
 
 /** Prints an error and returns the exit code: 2 for a wrong command line, otherwise 1. */

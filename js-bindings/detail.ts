@@ -1,6 +1,6 @@
 /**
- * 'warpjet/detail': meshes with as many triangles as their warped surface needs on the screen, for renderers of your own. Those of p5.js
- * and three.js have it as the option `detail`. Its own wasm module starts when it is first used.
+ * 'warpjet/detail': meshes with as many triangles as their warped surface needs on the screen, for renderers of your own. With p5.js and
+ * three.js, use the option `detail` instead. This entry has its own wasm module, which is started when it is first used.
  */
 export {
   createDetail,

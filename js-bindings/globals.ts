@@ -1,5 +1,5 @@
 /**
- * 'warpjet/globals': types of the globals that the scripts add to a page, for sketches in global mode. Use
+ * 'warpjet/globals': the types of the globals that this library's scripts add to a page, for sketches in global mode. Use
  * `"types": ["warpjet/globals"]` in tsconfig.json or jsconfig.json, or `/// <reference types="warpjet/globals" />` in the sketch.
  */
 import type * as deformers from './deformers.js'
@@ -44,8 +44,8 @@ declare global {
   function warpBox(width?: number, height?: number, depth?: number, detail?: number): void
 
   /**
-   * Makes a p5.Geometry with more vertices. With a number, each triangle is divided into four that many times. With a warp, vertices
-   * are added where it needs them: `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`, in units of the
+   * Makes a p5.Geometry with more vertices. With a number n, each triangle is divided into four n times. With a warp, vertices
+   * are added where the warp needs them: `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`, in units of the
    * shape. Throws a `WarpError` for wrong options.
    */
   function subdivide<Geometry extends object>(

@@ -1,6 +1,6 @@
 /**
- * 'warpjet/glsl': warps and derivatives from GLSL and WGSL source. Its own wasm module starts with the first source. It also makes
- * `glsl.source` work in offset functions.
+ * 'warpjet/glsl': warps and derivatives from GLSL and WGSL source. It has its own wasm module, which is started when the first source is
+ * parsed. Importing this entry also enables `glsl.source` in offset functions.
  */
 import { registerFrontEnd } from './glsl-source/call.js'
 import { registerExactNormals } from './p5/exact-normals/register.js'

@@ -1,5 +1,5 @@
-// For tests and benchmarks only, not in the package: the number of bytes that each wasm module holds, which is the same between any two
-// calls, and the module that divides meshes.
+// For tests and benchmarks only, not in the package: functions that return the number of bytes that each wasm module has allocated, which is
+// always the same while no call runs; and the wasm module that divides meshes.
 export { memoryInUse } from './wasm/core.js'
 export { evaluationMemoryInUse } from './wasm/evaluation.js'
 export { glslMemoryInUse } from './wasm/glsl.js'

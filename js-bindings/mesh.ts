@@ -1,6 +1,6 @@
 /**
- * 'warpjet/mesh': loads, warps, subdivides and exports meshes, in browsers and in Node. Its own wasm module starts when it is first
- * used. All functions leave their arguments unchanged.
+ * 'warpjet/mesh': loads, warps, subdivides and exports meshes, in browsers and in Node. It has its own wasm module, which is started when it
+ * is first used. All functions leave their arguments unchanged.
  */
 export { bakeWarp, type BakeOptions } from './mesh/bake.js'
 export type { Evaluates } from './mesh/evaluates.js'

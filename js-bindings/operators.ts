@@ -1,7 +1,7 @@
 /**
  * 'warpjet/operators': offset functions with `+ - * /`, `if` and `?:`. Once it is imported, or loaded as the script
- * warpjet.operators.min.js, `createWarp`, `compileWarp`, `warp` for three.js and all others that take functions of a vertex
- * translate these operators.
+ * warpjet.operators.min.js, these operators are translated in all offset functions, whether they are passed to `createWarp`, `compileWarp`,
+ * `warp` for three.js or others.
  */
 import { operatorsKey } from './errors/operators.js'
 import { operators } from './operators/read.js'

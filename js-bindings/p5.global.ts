@@ -1,6 +1,6 @@
 /**
- * The script for a <script> tag, before or after p5's own tag. If a page has a second one, the first one stays in effect, with
- * everything that was added to it.
+ * The script for a <script> tag, before or after p5's own tag. If a page loads it twice, the first one stays in effect, with
+ * everything that was added to its global `warpjet`.
  */
 import { didYouMean, throwingPrototype } from './errors/nearest.js'
 import * as library from './global.js'
@@ -16,19 +16,19 @@ const globals = globalThis as {
 }
 
 // `warpjet` may also be an element with that id, since elements with an id are globals.
-const present = globals.warpjet?.version
-if (present === undefined) start()
-// A page may load it after each of two versions of p5.
-else if (present === library.version && globals.p5) registerGlobally()
-else if (present !== library.version)
+const loadedVersion = globals.warpjet?.version
+if (loadedVersion === undefined) start()
+// A page with two versions of p5 may load this script after each of them.
+else if (loadedVersion === library.version && globals.p5) registerGlobally()
+else if (loadedVersion !== library.version)
   console.warn(
-    `warpjet: this page has scripts of two versions, ${present} and then ${library.version}; only the first one has an effect, so remove one of them.`,
+    `warpjet: this page has scripts of two versions, ${loadedVersion} and then ${library.version}; only the first one has an effect, so remove one of them.`,
   )
 
 function start() {
   globals.warpjet = Object.setPrototypeOf(
     { ...library },
-    throwingPrototype(elsewhere),
+    throwingPrototype(throwForMissingName),
   ) as typeof library
   // glsl-autodiff's global, so that sketches written for it run unchanged.
   globals.AutoDiff ??= { gen: library.gen }
@@ -38,8 +38,8 @@ function start() {
   else addEventListener('load', warnWithoutP5)
 }
 
-/** Throws for a name that the main script does not have, with the sketch's line. */
-function elsewhere(name: string): string {
+/** Throws for a name that the global `warpjet` does not have. The message contains the sketch's line. */
+function throwForMissingName(name: string): string {
   return withSketchLine(() => {
     const script = addScript(name)
     const names = [...Object.keys(globals.warpjet!), ...namesInOtherScripts]

@@ -1,4 +1,4 @@
-// 'warpjet/text': 'warpjet' without the evaluation of warps on the CPU, at half the size.
+// 'warpjet/text': the same as 'warpjet' without the evaluation of warps on the CPU. It has half the size.
 export { compile, gen } from './compile/compile.js'
 export type { CompiledExpressions, GenSettings } from './compile/compile.js'
 export { compileWarp } from './compile/compile-warp-text.js'

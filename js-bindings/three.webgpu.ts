@@ -1,5 +1,5 @@
 /**
- * 'warpjet/three/webgpu': what WebGPURenderer needs, on WebGPU and on WebGL 2. Once it is imported, `warp`, which is that of
+ * 'warpjet/three/webgpu': what WebGPURenderer needs, on WebGPU and on WebGL 2. Once it is imported, `warp`, the same function as in
  * 'warpjet/three', works with either renderer. `three` is the application's own, from 0.187 on.
  */
 export { warp, type WarpedObject } from './three/warp.js'

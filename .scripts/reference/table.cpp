@@ -77,7 +77,7 @@ std::string row(const ops::Title& title, Op op) {
        {"missingIn", missingIn(op)},
        {"isChained", toBoolean(info.traits.has(ops::Trait::Chained))},
        {"takesMatrices", toBoolean(info.traits.has(ops::Trait::OnMatrices))},
-       {"isHidden", toBoolean(detail::isHidden(info) || info.traits.has(ops::Trait::GlslOnly))}});
+       {"isHidden", toBoolean(detail::isHidden(info) || info.traits.has(ops::Trait::SourceOnly))}});
 }
 
 std::string rows() {
@@ -107,7 +107,7 @@ std::string composition(const Composition& each) {
 }
 
 std::string alias(const detail::Alias& each) {
-  return object({{"name", quote(each.name)}, {"original", quote(each.of)}});
+  return object({{"name", quote(each.name)}, {"original", quote(each.original)}});
 }
 
 std::string heading(const Heading& each) {
@@ -140,7 +140,7 @@ std::string meshArrays() {
   std::apply(
       [&](const auto&... each) {
         ((joined += (joined.empty() ? "" : ",\n") +
-                    object({{"name", quote(each.name)}, {"kind", quote(kindOf(each.of(job)))}})),
+                    object({{"name", quote(each.name)}, {"kind", quote(kindOf(each.get(job)))}})),
          ...);
       },
       jobArrays);

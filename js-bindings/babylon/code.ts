@@ -1,4 +1,4 @@
-// The code of a warp in the shaders of a material, for `getCustomCode` of a plugin.
+// The code of a warp for the shaders of a material, as `getCustomCode` of a plugin returns it.
 import { fragmentCode } from './fragment-normals.js'
 import { pixelTextsOf, type PixelTexts } from './pixel-normals.js'
 import { vertexCode } from './shader.js'
@@ -7,9 +7,9 @@ import type { ShaderParts } from './uniforms.js'
 export interface WarpCode {
   vertex: Record<string, string>
   fragment: Record<string, string>
-  /** Missing for normals at vertices. */
+  /** The code of normals at pixels; `undefined` for normals at vertices. */
   pixels: PixelTexts | undefined
-  /** Equal code has the same number. */
+  /** Warps with equal code have equal numbers. */
   number: number
 }
 

@@ -1,25 +1,25 @@
-// Copies of a warp: `material.clone()` and `Parse` of Babylon.js make a plugin by the name of its class and data of plain values,
-// which cannot hold an offset function. So the data have an id, by which the warp is found while its material lives.
+// Copies of a warp: `material.clone()` and `Parse` of Babylon.js make a plugin from the name of its class and from data that must be plain
+// values, so that they cannot contain an offset function. So the data contain an id, by which the warp is found while its material lives.
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import { Tools } from '@babylonjs/core/Misc/tools.js'
 import { RegisterClass } from '@babylonjs/core/Misc/typeStore.js'
 
-/** A warp that can be put on another material. */
-export interface Copied {
+/** A warp that can be copied onto another material. */
+export interface CopyableWarp {
   copyOnto(material: Material): unknown
 }
 
-const warps = new Map<string, Copied>()
+const warps = new Map<string, CopyableWarp>()
 
-/** Makes the id of a warp; `forget` is called when its material is disposed. */
-export function remember(warp: Copied) {
+/** Stores a warp under a new id. `forget` must be called when its material is disposed. */
+export function remember(warp: CopyableWarp) {
   const id = Tools.RandomId()
   warps.set(id, warp)
   return { id, forget: () => void warps.delete(id) }
 }
 
-/** The class that Babylon.js looks for. It has the methods that are called on a plugin that was just made. */
-class Parsed {
+/** Stands for a plugin while Babylon.js parses a material: has only the method that Babylon.js calls then. */
+class ParsedPlugin {
   constructor(private readonly material: Material) {}
 
   parse({ warpjet }: { warpjet?: string }) {
@@ -32,5 +32,6 @@ class Parsed {
   }
 }
 
-/** Registers the class under the name that a warp serializes itself with. */
-export const registerCopies = (className: string) => RegisterClass(`BABYLON.${className}`, Parsed)
+/** Registers the class for parsing under the name with which a warp serializes itself. */
+export const registerCopies = (className: string) =>
+  RegisterClass(`BABYLON.${className}`, ParsedPlugin)

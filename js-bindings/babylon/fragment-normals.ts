@@ -1,6 +1,6 @@
 /**
  * The normal in the fragment stage of a material: computed by the warp at pixels, or interpolated between vertices. Where it is zero, as
- * on a collapsed surface, the geometric normal takes its place.
+ * on a collapsed surface, the normal of the triangle takes its place.
  */
 import { restoreLength, shaderNames } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'
@@ -16,7 +16,7 @@ import {
 } from './pixel-normals.js'
 import { declareImages, localUniforms, type ShaderParts } from './uniforms.js'
 
-/** Functions of the fragment stage. No direction that they return is NaN. */
+/** Writes functions for the fragment stage. They return no NaN. */
 function helpers(language: Language) {
   const {
     fn,
@@ -42,7 +42,10 @@ return ${type('mat3')}(along, side * cross(normal, along), normal);
 }`
 }
 
-/** Returns the code of a plugin for the fragment stage. Names that begin with `!` are regular expressions. */
+/**
+ * Returns the code of a plugin for the fragment stage: maps places of the shader, or with a leading `!` regular expressions for the code to
+ * replace, → code.
+ */
 export function fragmentCode(
   parts: ShaderParts,
   texts: PixelTexts | undefined,
@@ -58,30 +61,30 @@ export function fragmentCode(
   )
   return {
     CUSTOM_FRAGMENT_DEFINITIONS: ifDefined('WARPJET', `${helpers(language)}\n${declarations}`),
-    // In WGSL a variable cannot hide the member of a varying. The code after it also has such members.
+    // In WGSL a variable cannot hide the varying, which is a member of a structure. The replacement also contains such members.
     ...(isWGSL && {
       '!(?:input|fragmentInputs)\\.vTBN([012])': `\n${ifDefined(normalDefines.frame, 'warpjetTBN[$1]', 'fragmentInputs.vTBN$1')}`,
     }),
-    [lines[isWGSL ? 'wgsl' : 'glsl']]: normalCode(parts, texts, isWGSL),
+    [normalLines[isWGSL ? 'wgsl' : 'glsl']]: normalCode(parts, texts, isWGSL),
     ...(parts.warp.mirrors !== false && frontFacingCode(isWGSL)),
   }
 }
 
-/** The line of materials that reads the interpolated normal: in front of maps, and of the choice of a side. */
-const lines = {
+/** The line in the shaders of materials that reads the interpolated normal, before maps and the side of the triangle change it. */
+const normalLines = {
   glsl: '!vec3\\s+normalW\\s*=\\s*normalize\\(vNormalW\\);',
   wgsl: '!var\\s+normalW\\s*:\\s*vec3f\\s*=\\s*normalize\\((?:fragmentInputs|input)\\.vNormalW\\);',
 }
 
-/** A variable of the fragment stage that shows that Babylon.js has found the line. */
+/** A variable of the fragment stage whose presence shows that Babylon.js has found this line. */
 export const marker = 'warpjetWorldNormal'
 
 function normalCode(parts: ShaderParts, texts: PixelTexts | undefined, isWGSL: boolean) {
   const language = languageOf(isWGSL)
   const { local, input, frontFacing, type, isZero, frame } = language
   const zero = `${type('vec3')}(0.0)`
-  const turn = '{ warpjetFacingNormal = -warpjetFacingNormal; }'
-  const unit = 'warpjetUnit(warpjetWorldNormal, warpjetFacingNormal)'
+  const reverse = '{ warpjetFacingNormal = -warpjetFacingNormal; }'
+  const unitNormal = 'warpjetUnit(warpjetWorldNormal, warpjetFacingNormal)'
   const vertexFrame = [
     local('mat3', 'warpjetTBN', frame),
     `if (${isZero('warpjetTBN[2]')}) { warpjetTBN = warpjetFrame(normalW, ${zero}, 1.0); }`,
@@ -92,12 +95,12 @@ function normalCode(parts: ShaderParts, texts: PixelTexts | undefined, isWGSL: b
     'warpjetFrame(normalW, warpjetWorldTangent, warpjetSide)',
   )
   const code = [
-    // Derivatives are defined outside of branches.
+    // In front of the branches, since screen-space derivatives are undefined in them.
     local('vec3', 'warpjetFacingNormal', `warpjetFacing(${input('vPositionW')}, viewDirectionW)`),
-    // Below, the engine turns the normals of a back.
+    // Later in the shader, Babylon.js reverses the normals of back sides.
     ifDefined(
       'TWOSIDEDLIGHTING',
-      ifDefined('MIRRORED', `if (${frontFacing}) ${turn}`, `if (!${frontFacing}) ${turn}`),
+      ifDefined('MIRRORED', `if (${frontFacing}) ${reverse}`, `if (!${frontFacing}) ${reverse}`),
     ),
     local('vec3', marker, input('vNormalW')),
     ifDefined(
@@ -105,12 +108,12 @@ function normalCode(parts: ShaderParts, texts: PixelTexts | undefined, isWGSL: b
       [local('vec3', 'warpjetWorldTangent', zero), local('float', 'warpjetSide', '1.0')].join('\n'),
     ),
     choose(texts, (text) => pixelBlock(parts, text, isWGSL)),
-    local('vec3', 'normalW', unit),
+    local('vec3', 'normalW', unitNormal),
     ifDefined(
       normalDefines.frame,
       [
         ifDefined(normalDefines.pixel, pixelFrame, vertexFrame),
-        // Hides the varying.
+        // This variable hides the varying.
         isWGSL ? '' : 'mat3 vTBN = warpjetTBN;',
       ].join('\n'),
     ),
@@ -118,7 +121,7 @@ function normalCode(parts: ShaderParts, texts: PixelTexts | undefined, isWGSL: b
   return ifDefined('WARPJET', code, local('vec3', 'normalW', `normalize(${input('vNormalW')})`))
 }
 
-/** Returns a block that sets the normal and, for the frame, the tangent in the space of the world. */
+/** Returns a block that sets the normal and, if a tangent frame is needed, the tangent, both in world space. */
 function pixelBlock(parts: ShaderParts, { text, varyings }: PixelText, isWGSL: boolean) {
   const { local, input, choose: pick, type } = languageOf(isWGSL)
   const readInput = ({ input: name, name: varying, type: size }: Varying) => {
@@ -127,7 +130,7 @@ function pixelBlock(parts: ShaderParts, { text, varyings }: PixelText, isWGSL: b
       ? local('vec3', names[name]!, restoreLength(value))
       : local(size, names[name]!, value)
   }
-  // The cofactors of cofactors are the matrix itself, but for a factor.
+  // The cofactor matrix of the cofactor matrix is the matrix itself, times its determinant.
   const tangent = [
     local('mat3', 'warpjetDirections', 'warpjetCofactors(warpjetNormals)'),
     `warpjetSide = ${sideOf('warpjetNormals[0]', 'warpjetDirections[0]', pick)};`,
@@ -146,7 +149,7 @@ function pixelBlock(parts: ShaderParts, { text, varyings }: PixelText, isWGSL: b
   ].join('\n')
 }
 
-/** If the warp mirrors all of space, the engine takes the outer side of a triangle for its back. */
+/** Corrects the facing of triangles for a warp that may mirror all of space, so that their outer sides would count as back sides. */
 const frontFacingCode = (isWGSL: boolean): Record<string, string> =>
   isWGSL
     ? {

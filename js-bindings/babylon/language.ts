@@ -1,4 +1,4 @@
-/** The differences between GLSL and WGSL, for code that is written once, as Babylon.js has them. */
+/** The differences between GLSL and WGSL in shaders of Babylon.js, so that code can be written once for both languages. */
 
 type Type = 'float' | 'vec2' | 'vec3' | 'vec4' | 'mat3'
 
@@ -15,19 +15,21 @@ export interface Language {
   output: (name: string) => string
   /** Returns the fragment stage's expression for a varying. */
   input: (name: string) => string
-  /** Returns the expression for the left upper part of a mat4. */
+  /** Returns the expression for the upper left 3 × 3 part of a mat4. */
   linear: (matrix: string) => string
+  /** The functions for the screen-space derivatives along x and y. */
   derivatives: readonly [string, string]
   frontFacing: string
-  /** The expression for the varying frame of a tangent in Babylon.js, and assignments that make it zero. */
+  /** The expression for Babylon.js' varying with the tangent frame. */
   frame: string
+  /** Assignments that make this varying zero. */
   clearFrame: string
 }
 
 export const glsl: Language = {
   type: (type) => type,
   fn: (result, name, parameters) =>
-    `${result} ${name}(${Object.entries(parameters).map(([each, type]) => `${type} ${each}`)})`,
+    `${result} ${name}(${Object.entries(parameters).map(([parameter, type]) => `${type} ${parameter}`)})`,
   local: (type, name, value) => `${type} ${name} = ${value};`,
   isZero: (vector) => `(${vector} == vec3(0.0))`,
   choose: (condition, value, otherwise) => `(${condition} ? ${value} : ${otherwise})`,
@@ -54,7 +56,7 @@ const columns = [0, 1, 2]
 export const wgsl: Language = {
   type: (type) => wgslTypes[type],
   fn: (result, name, parameters) =>
-    `fn ${name}(${Object.entries(parameters).map(([each, type]) => `${each}: ${wgslTypes[type]}`)}) -> ${wgslTypes[result]}`,
+    `fn ${name}(${Object.entries(parameters).map(([parameter, type]) => `${parameter}: ${wgslTypes[type]}`)}) -> ${wgslTypes[result]}`,
   local: (type, name, value) => `var ${name}: ${wgslTypes[type]} = ${value};`,
   isZero: (vector) => `all(${vector} == vec3f(0.0))`,
   choose: (condition, value, otherwise) => `select(${otherwise}, ${value}, ${condition})`,

@@ -1,4 +1,4 @@
-// Moves the vertices of a mesh on the CPU, for rays and culling.
+// Warps the vertices of a mesh on the CPU, for rays and culling.
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
@@ -8,20 +8,20 @@ import { Place } from '../options/place.js'
 
 const place = new Place('refresh')
 
-/** Half the size of a box around everything. */
-const farthest = 1e30
+/** Half the size of a bounding box that contains everything. */
+const maxCoordinate = 1e30
 
-/** Babylon.js picks the positions in this private property, which bones and morph targets have moved. */
+/** The private property of a mesh in which Babylon.js stores positions after bones and morph targets, for picking. */
 interface WithPositions {
   _internalAbstractMeshDataInfo: { _positions: Vector3[] | null }
 }
 
-export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, given: { millis: number }) {
+export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, inputs: { millis: number }) {
   const positions = (mesh as Partial<AbstractMesh> | undefined)?.getPositionData?.(false, true)
   if (!positions) throw place.expected('a mesh of Babylon.js with vertices', describe(mesh))
   if (!warp.canRunOnCpu)
     throw place.error(
-      'this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh in its place.',
+      'this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh instead of this one.',
     )
   const read = (kind: string, size: number) => {
     const numbers = mesh.getVerticesData(kind)
@@ -32,12 +32,13 @@ export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, given: { millis:
   const uvs = read(VertexBuffer.UVKind, 2)
   const colors = read(VertexBuffer.ColorKind, 4) ?? new Float32Array(4 * count).fill(1)
   const vertices = { positions, colors, ...(normals && { normals }), ...(uvs && { uvs }) }
-  const warped = warp.evaluate(vertices, given)
-  // Bones come after the warp.
-  put(mesh, mesh.getPositionData(true, false, warped.positions) ?? warped.positions)
+  const warped = warp.evaluate(vertices, inputs)
+  // Bones are applied after the warp.
+  setPositions(mesh, mesh.getPositionData(true, false, warped.positions) ?? warped.positions)
 }
 
-function put(mesh: AbstractMesh, numbers: ArrayLike<number>) {
+/** Makes picking and culling of a mesh use these positions. */
+function setPositions(mesh: AbstractMesh, numbers: ArrayLike<number>) {
   const points: Vector3[] = []
   const [min, max] = [new Vector3(), new Vector3()]
   min.setAll(Infinity)
@@ -48,15 +49,16 @@ function put(mesh: AbstractMesh, numbers: ArrayLike<number>) {
     min.minimizeInPlace(point)
     max.maximizeInPlace(point)
   }
-  // A box that is infinite or NaN becomes one around everything, so that the mesh is drawn. Babylon.js needs finite numbers.
+  // A bound that is infinite or NaN is replaced by one that everything is inside of, so that the mesh is drawn: Babylon.js needs finite
+  // numbers.
   for (const axis of ['x', 'y', 'z'] as const) {
-    if (!Number.isFinite(min[axis])) min[axis] = -farthest
-    if (!Number.isFinite(max[axis])) max[axis] = farthest
+    if (!Number.isFinite(min[axis])) min[axis] = -maxCoordinate
+    if (!Number.isFinite(max[axis])) max[axis] = maxCoordinate
   }
   const { sourceMesh } = mesh as { sourceMesh?: AbstractMesh }
   ;((sourceMesh ?? mesh) as unknown as WithPositions)._internalAbstractMeshDataInfo._positions =
     points
   mesh.buildBoundingInfo(min, max, mesh.computeWorldMatrix(true))
-  for (const part of mesh.subMeshes.length > 1 ? mesh.subMeshes : [])
-    part.refreshBoundingInfo(numbers as Float32Array)
+  for (const subMesh of mesh.subMeshes.length > 1 ? mesh.subMeshes : [])
+    subMesh.refreshBoundingInfo(numbers as Float32Array)
 }

@@ -1,4 +1,4 @@
-// The names of a warp in shaders of Babylon.js.
+// The names that a warp's code uses in shaders of Babylon.js.
 import { shaderNames, variationNames, type HostWarp, type Result } from '../compile/hosts.js'
 
 /** Maps inputs of the offset function → their names in shaders. */
@@ -12,13 +12,13 @@ export const names: Readonly<Record<string, string>> = {
   ...Object.fromEntries(variationNames.map((name) => [name, `warpjet_${name}`])),
 }
 
-/** Defines that say which variation a mesh has: of the normal, and of the texture coordinates. */
+/** Defines that tell which surface variation a mesh has: that of the normal, and that of the texture coordinates. */
 export const variationDefines = { normal: 'WARPJET_VARIATION', uv: 'WARPJET_UV_VARIATION' }
 
-/** Defines that select a mesh's code: of normals at pixels, and of the frame of a tangent, by which maps turn the normal. */
+/** Defines that select code for a mesh: that of normals at pixels, and that of the tangent frame, which normal maps need. */
 export const normalDefines = { pixel: 'WARPJET_PIXEL', frame: 'WARPJET_FRAME' }
 
-/** The defines that depend on the mesh, as they are without one. */
+/** The initial values of the defines that depend on the mesh. */
 export const meshDefines = Object.fromEntries(
   [...Object.values(variationDefines), ...Object.values(normalDefines)].map((name) => [
     name,
@@ -26,7 +26,7 @@ export const meshDefines = Object.fromEntries(
   ]),
 )
 
-/** Writes code of a warp with these names. */
+/** Writes the code of a warp with these names. */
 export const textOf = (
   warp: HostWarp,
   stage: 'vertex' | 'fragment',

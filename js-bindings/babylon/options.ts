@@ -30,11 +30,14 @@ export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValu
    * @default true
    */
   fadeNoise?: boolean
-  /** `false` accepts that normal and uv count as constant over a surface without `addSurfaceVariation`, without a note. */
+  /**
+   * `false` silences the warning about a mesh without `addSurfaceVariation`, where the shader treats normal and uv as constant over the
+   * surface.
+   */
   surfaceVariation?: false
 }
 
-export const settings = object({
+export const optionsKind = object({
   uniforms: anything<UniformOptions<UniformValues>>(),
   ...normalsKinds,
   surfaceVariation: optional(
@@ -44,7 +47,7 @@ export const settings = object({
   ),
 } satisfies KindsOf<BabylonWarpOptions>)
 
-/** Maps the class of a material that does not call plugins → what to write instead. */
+/** Maps the class of a material that does not call plugins → what to do instead. */
 const remedies: Partial<Record<string, string>> = {
   MultiMaterial: 'warp its subMaterials',
   NodeMaterial: 'use a StandardMaterial or a PBRMaterial',
@@ -52,7 +55,7 @@ const remedies: Partial<Record<string, string>> = {
   ShaderMaterial: 'put the code of compileWarp into its shader',
 }
 
-/** Throws for a material that takes no warp. */
+/** Throws for a material that cannot be warped. */
 export function rejectUnwarpable(material: Material) {
   if (typeof (material as Partial<Material>)?.getEffect !== 'function')
     throw place.expected('a material of Babylon.js', describe(material))
@@ -63,6 +66,6 @@ export function rejectUnwarpable(material: Material) {
     )
   if (material.pluginManager?.getPlugin(pluginName))
     throw place.error(
-      `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
+      `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or combine both offsets into one, such as by chain of warpjet/deformers.`,
     )
 }

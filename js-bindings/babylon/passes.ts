@@ -1,10 +1,10 @@
 /**
- * Passes of Babylon.js that draw a mesh with a shader of their own: depth, outline, highlight, glow, G-buffer, GPU picking. Each
- * keeps its effect in a draw wrapper of the submesh, or in its material, and each draws by `_processRendering`. So an effect
- * that comes to a warped submesh is replaced there by a variant whose vertex shader has the warp, and the uniforms of the warp
- * are set right before each draw. Shadows are left to the ShadowDepthWrapper of the material.
+ * Warps meshes in the passes of Babylon.js that draw with shaders of their own: depth, outline, highlight, glow, G-buffer, GPU picking.
+ * Each pass keeps its effect in a draw wrapper of the submesh or of the pass's material, and draws by `_processRendering`. So the effect for
+ * a warped submesh is replaced by a variant whose vertex shader has the warp, and the uniforms of the warp are set right before each draw.
+ * Shadows are left to the ShadowDepthWrapper of the material.
  *
- * The methods are replaced on the prototypes, when the first warp is made.
+ * For this, methods of Babylon.js' prototypes are replaced when the first warp is made.
  */
 import type { AbstractEngine } from '@babylonjs/core/Engines/abstractEngine.js'
 import { DrawWrapper } from '@babylonjs/core/Materials/drawWrapper.js'
@@ -20,13 +20,13 @@ import { passDefines, warpPass } from './shader.js'
 import { sentUniforms, texturesOf, type NumberSetter, type ShaderParts } from './uniforms.js'
 import { variationKinds } from './variation.js'
 
-/** The name of our plugin. */
+/** The name of the plugin that is a warp. */
 export const pluginName = 'Warpjet'
 
-/** The define of every effect that has a warp. Its number stands for the code of the warp. */
+/** The define of every effect that has a warp; its value is the number of the warp's code. */
 export const codeDefine = 'WARPJET_CODE'
 
-/** The part of a plugin that passes use. */
+/** The members of a warp that passes use. */
 export interface PassWarp {
   isEnabled: boolean
   /** Warps with equal code have equal numbers. */
@@ -36,8 +36,8 @@ export interface PassWarp {
   send(setter: NumberSetter): void
 }
 
-/** Maps our variant of an effect → the effect. */
-const plainOf = new WeakMap<Effect, Effect>()
+/** Maps the warped variant of an effect → the effect. */
+const originals = new WeakMap<Effect, Effect>()
 
 let isInstalled = false
 
@@ -49,19 +49,21 @@ export function installPasses() {
   installInMeshes(Mesh.prototype)
 }
 
-/** The warp of a mesh, whose own material counts, not that of the pass. */
+/** Returns the enabled warp of a mesh's or submesh's own material, which need not be the material that the pass draws with. */
 function warpOf(mesh: AbstractMesh, subMesh?: SubMesh): PassWarp | undefined {
-  const { material } = mesh as { material: (Material & Partial<SubMaterials>) | null }
-  const own = subMesh && material?.getSubMaterial?.(subMesh.materialIndex)
-  const plugin = (own ?? material)?.pluginManager?.getPlugin(pluginName) as unknown as PassWarp
+  const { material } = mesh as { material: (Material & Partial<WithSubMaterials>) | null }
+  const subMaterial = subMesh && material?.getSubMaterial?.(subMesh.materialIndex)
+  const plugin = (subMaterial ?? material)?.pluginManager?.getPlugin(
+    pluginName,
+  ) as unknown as PassWarp
   return plugin?.isEnabled ? plugin : undefined
 }
 
-interface SubMaterials {
+interface WithSubMaterials {
   getSubMaterial(index: number): Material | null
 }
 
-/** Passes call `_getDrawWrapper` before they put an effect into a submesh. */
+/** Replaces effects in the draw wrappers of submeshes: passes call `_getDrawWrapper` before they set its effect. */
 function installInSubMeshes(prototype: SubMesh) {
   const { _getDrawWrapper } = prototype
   prototype._getDrawWrapper = function (passId, isCreated) {
@@ -82,57 +84,60 @@ function installInSubMeshes(prototype: SubMesh) {
   }
 }
 
-/** A material of a pass may keep one effect for all meshes: it gets the one that the mesh needs. */
+/** Replaces effects in the materials of passes, which may keep one effect for all meshes: `isReady` sets the one that the mesh needs. */
 function installInMaterials(prototype: ShaderMaterial) {
   const { isReady } = prototype
   prototype.isReady = function (mesh, useInstances, subMesh) {
-    const isReadyFor = () => isReady.call(this, mesh, useInstances, subMesh)
-    const isKeptHere = !(subMesh && (this as unknown as Stored)._storeEffectOnSubMeshes)
+    const isReadyForMesh = () => isReady.call(this, mesh, useInstances, subMesh)
+    const hasSharedEffect = !(
+      subMesh && (this as unknown as WithStoredEffects)._storeEffectOnSubMeshes
+    )
     const wrapper = this._getDrawWrapper()
-    if (!isKeptHere || !mesh || !wrapper) return isReadyFor()
+    if (!hasSharedEffect || !mesh || !wrapper) return isReadyForMesh()
     if (wrapper.effect) replaceEffect(wrapper, mesh, undefined)
-    if (!isReadyFor()) return false
+    if (!isReadyForMesh()) return false
     const warp = warpOf(mesh)
-    const plain = wrapper.effect
-    if (!warp || !plain) return true
-    DrawWrapper.prototype.setEffect.call(wrapper, variantFor(plain, mesh, warp), undefined)
+    const original = wrapper.effect
+    if (!warp || !original) return true
+    DrawWrapper.prototype.setEffect.call(wrapper, cachedVariant(original, mesh, warp), undefined)
     this.getScene().resetCachedMaterial()
     return wrapper.effect!.isReady()
   }
 }
 
-/** Maps a mesh → effects that materials share among meshes → their variants. Made anew for each draw, they would be counted. */
+/** Maps a mesh → effects that materials share among meshes → their variants, so that variants are not made anew for each draw. */
 const variantsOf = new WeakMap<AbstractMesh, WeakMap<Effect, Effect>>()
 
-function variantFor(plain: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
+function cachedVariant(original: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
   let variants = variantsOf.get(mesh)
   if (!variants) variantsOf.set(mesh, (variants = new WeakMap()))
-  const known = variants.get(plain)
-  const variant = known && !known.isDisposed && hasCodeOf(warp, known) ? known : undefined
-  const effect = variant ?? effectFor(plain, mesh, warp)
-  variants.set(plain, effect)
+  const cached = variants.get(original)
+  const isValid = cached && !cached.isDisposed && hasCodeOf(cached, warp)
+  const effect = isValid ? cached : effectFor(original, mesh, warp)
+  variants.set(original, effect)
   return effect
 }
 
-const hasCodeOf = ({ codeNumber }: PassWarp, { defines }: Effect) =>
+const hasCodeOf = ({ defines }: Effect, { codeNumber }: PassWarp) =>
   defines.includes(`${codeDefine} ${codeNumber}\n`)
 
-interface Stored {
+interface WithStoredEffects {
   _storeEffectOnSubMeshes: boolean
 }
 
+/** Sets the uniforms of the warp before each draw of a variant. */
 function installInMeshes(prototype: Mesh) {
   const { _processRendering } = prototype
   prototype._processRendering = function (mesh, subMesh, effect, ...others) {
-    if (plainOf.has(effect)) {
+    if (originals.has(effect)) {
       const warp = warpOf(subMesh.getRenderingMesh(), subMesh)
-      if (warp) send(warp, effect)
+      if (warp) sendTo(effect, warp)
     }
     return _processRendering.call(this, mesh, subMesh, effect, ...others)
   }
 }
 
-function send(warp: PassWarp, effect: Effect) {
+function sendTo(effect: Effect, warp: PassWarp) {
   warp.send({
     updateFloat: (name, x) => effect.setFloat(name, x),
     updateFloat2: (name, x, y) => effect.setFloat2(name, x, y),
@@ -146,31 +151,31 @@ function send(warp: PassWarp, effect: Effect) {
 function replaceEffect(wrapper: DrawWrapper, mesh: AbstractMesh, warp: PassWarp | undefined) {
   const { effect } = wrapper
   if (!effect) return
-  const wanted = effectFor(effect, mesh, warp)
-  if (wanted !== effect) DrawWrapper.prototype.setEffect.call(wrapper, wanted, undefined)
+  const newEffect = effectFor(effect, mesh, warp)
+  if (newEffect !== effect) DrawWrapper.prototype.setEffect.call(wrapper, newEffect, undefined)
 }
 
-/** The effect without a warp, or its variant with this one. */
+/** Returns the variant of an effect that has the warp, or without a warp the original effect. */
 function effectFor(effect: Effect, mesh: AbstractMesh, warp: PassWarp | undefined): Effect {
-  const plain = plainOf.get(effect) ?? effect
-  if (!warp || !isOfPass(plain)) return plain
-  if (plain !== effect && hasCodeOf(warp, effect)) return effect
-  return variantOf(plain, mesh, warp)
+  const original = originals.get(effect) ?? effect
+  if (!warp || !isPassEffect(original)) return original
+  if (original !== effect && hasCodeOf(effect, warp)) return effect
+  return makeVariant(original, mesh, warp)
 }
 
-/** Shaders of the material itself are warped already, those of shadows elsewhere. */
-const isOfPass = ({ defines, name }: Effect) =>
+/** Returns whether an effect is that of a pass: not of the warped material itself, and not of shadows, which its depth wrapper warps. */
+const isPassEffect = ({ defines, name }: Effect) =>
   !defines.includes(codeDefine) && !JSON.stringify(name).includes('shadow')
 
-function variantOf(effect: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
+function makeVariant(effect: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
   const { parts } = warp
-  const own = effect as unknown as PrivateOptions
+  const privateOptions = effect as unknown as PrivateOptions
   const engine = effect.getEngine() as AbstractEngine
   const attributes = effect.getAttributesNames()
   const isWGSL = effect.shaderLanguage === ShaderLanguage.WGSL
   const has = (kind: string) =>
     mesh.isVerticesDataPresent(kind) && (kind !== 'color' || mesh.useVertexColors)
-  const read = kinds.filter((kind) => parts.warp.reads(kind) && has(kind))
+  const read = attributeKinds.filter((kind) => parts.warp.reads(kind) && has(kind))
   const added = read.filter((kind) => !attributes.includes(kind))
   const variation = variationKinds.filter(has)
   const defines = [
@@ -193,29 +198,29 @@ function variantOf(effect: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
       onError: null,
       indexParameters: effect.getIndexParameters(),
       shaderLanguage: effect.shaderLanguage,
-      multiTarget: own._multiTarget,
-      processFinalCode: own._processFinalCode,
+      multiTarget: privateOptions._multiTarget,
+      processFinalCode: privateOptions._processFinalCode,
       processCodeAfterIncludes: (stage, code, ...others) => {
-        const processed = own._processCodeAfterIncludes?.(stage, code, ...others) ?? code
+        const processed = privateOptions._processCodeAfterIncludes?.(stage, code, ...others) ?? code
         return stage === 'vertex' ? warpPass(parts, isWGSL, processed) : processed
       },
-      // Babylon.js has loaded the source once the effect itself is compiled.
+      // Waits for the source code, which Babylon.js has loaded once the original effect is compiled.
       extraInitializationsAsync: () =>
         new Promise((resolve) => effect.executeWhenCompiled(() => resolve())),
     },
     engine,
   )
-  plainOf.set(variant, effect)
+  originals.set(variant, effect)
   return variant
 }
 
-const kinds = ['normal', 'uv', 'color'] as const
+const attributeKinds = ['normal', 'uv', 'color'] as const
 
-type Process = (stage: string, code: string, ...others: unknown[]) => string
+type ProcessCode = (stage: string, code: string, ...others: unknown[]) => string
 
-/** Options of an effect that it has no getters for. */
+/** Options of an effect for which it has no getters. */
 interface PrivateOptions {
   _multiTarget: boolean
-  _processFinalCode: Process | null
-  _processCodeAfterIncludes: Process | undefined
+  _processFinalCode: ProcessCode | null
+  _processCodeAfterIncludes: ProcessCode | undefined
 }

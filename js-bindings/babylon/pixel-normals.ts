@@ -1,6 +1,6 @@
 /**
- * The vertex stage of normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts, runs the
- * same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
+ * Code of the vertex stage for normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts,
+ * runs the same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
 import { withLength, type HostText } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'
@@ -18,7 +18,7 @@ export interface PixelText {
   varyings: readonly Varying[]
 }
 
-/** The code at pixels, with the frame of a tangent and without. */
+/** The code at pixels: that with a tangent frame, and that with only the normal. */
 export interface PixelTexts {
   frame: PixelText
   normal: PixelText
@@ -38,22 +38,22 @@ export function pixelTextsOf({ warp }: ShaderParts, isWGSL: boolean): PixelTexts
   return { frame: write('normal', 'tangent'), normal: write('normal') }
 }
 
-/** Varyings for the columns of the matrix that transforms normals from the space of the warp to that of the world. */
+/** Varyings for the columns of the matrix that transforms normals from the warp's space to world space. */
 export const worldColumns = ['warpjetWorld0', 'warpjetWorld1', 'warpjetWorld2']
 
-/** The number of vectors that the code passes to pixels. */
-export const varyingsOf = ({ varyings }: PixelText) => varyings.length + worldColumns.length
+/** Counts the vectors that the code passes to pixels. */
+export const countVaryings = ({ varyings }: PixelText) => varyings.length + worldColumns.length
 
-/** Chooses the code for a mesh with normals at pixels. */
-export const choose = (texts: PixelTexts | undefined, part: (text: PixelText) => string) =>
+/** Writes code for both texts; the preprocessor chooses by the defines of the mesh, and drops both without normals at pixels. */
+export const choose = (texts: PixelTexts | undefined, write: (text: PixelText) => string) =>
   texts
     ? ifDefined(
         normalDefines.pixel,
-        ifDefined(normalDefines.frame, part(texts.frame), part(texts.normal)),
+        ifDefined(normalDefines.frame, write(texts.frame), write(texts.normal)),
       )
     : ''
 
-/** Returns the declarations of both stages. */
+/** Returns the declarations that both stages have. */
 export const sharedDeclarations = ({ varyings }: PixelText, language: Language) =>
   [
     ...varyings.map(({ type, name }) => language.declareVarying(type, name)),
@@ -83,12 +83,12 @@ export function passInputs(texts: PixelTexts | undefined, isWGSL: boolean) {
 }
 
 /**
- * Returns statements for the end of the vertex stage. Babylon.js normalizes a zero normal to NaN; they replace it by zero, for which the
- * fragment stage tests.
+ * Returns statements for the end of the vertex stage. They set the normal to zero again where Babylon.js has normalized a zero normal to
+ * NaN; the fragment stage tests for zero.
  */
 export function vertexEnd(texts: PixelTexts | undefined, isWGSL: boolean) {
   const { local, linear, choose: pick, output, isZero, type, clearFrame } = languageOf(isWGSL)
-  // The matrix includes instances and bones, which the fragment stage does not know.
+  // finalWorld includes the transforms of instances and bones, which the fragment stage does not know.
   const columns = [
     '{',
     local('mat3', 'warpjetColumns', `warpjetCofactors(${linear('finalWorld')})`),
@@ -112,6 +112,6 @@ export function vertexEnd(texts: PixelTexts | undefined, isWGSL: boolean) {
   )
 }
 
-/** Returns an expression that is -1 for a matrix that mirrors and otherwise 1, from the first column of it and of its cofactors. */
+/** Returns an expression that is -1 for a matrix that mirrors and otherwise 1, from the first columns of the matrix and its cofactors. */
 export const sideOf = (column: string, cofactors: string, pick: Language['choose']) =>
   pick(`dot(${column}, ${cofactors}) < 0.0`, '-1.0', '1.0')

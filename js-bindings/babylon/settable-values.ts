@@ -1,4 +1,4 @@
-// Makes the property `values` of a warp: it maps the names of uniforms → their values, which can be assigned.
+// Makes the property `values` of a warp, an object that maps the names of uniforms → their values, and whose properties can be assigned.
 import type { HostWarp, UniformOverrides } from '../compile/hosts.js'
 
 export type SettableValues<Uniforms> = {
@@ -6,7 +6,7 @@ export type SettableValues<Uniforms> = {
     Required<UniformOverrides<Uniforms>>[Name] | (() => Required<UniformOverrides<Uniforms>>[Name])
 }
 
-/** Setting throws a `WarpError` for an unknown name and for a value of another type. */
+/** Makes the object. An assignment throws a `WarpError` for an unknown name and for a value of another type. */
 export const settableValues = (uniforms: HostWarp['uniforms']): Record<string, unknown> =>
   new Proxy(
     Object.defineProperties(

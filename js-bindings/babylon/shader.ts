@@ -1,5 +1,5 @@
-// The warp in vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL: in those of a material by
-// the code of a plugin, in those of passes by changing their source.
+// Puts the warp into vertex shaders of Babylon.js, whose names for the position, normal and so on are the same in GLSL and in WGSL: into
+// those of a material by the code of a plugin, into those of passes by changing their source.
 import {
   shaderNames,
   variationAttribute,
@@ -22,14 +22,14 @@ import {
 
 const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }
 
-/** The uniforms for a plugin's `getUniforms`. */
+/** Returns the uniforms, as a plugin's `getUniforms` must return them. */
 export function declarationsOf(parts: ShaderParts, hasPixels: boolean, isWGSL: boolean) {
   const orientation = parts.warp.mirrors !== false ? [orientationUniform] : []
   const all = [...sentUniforms(parts), ...orientation]
   const declare = (uniform: (typeof all)[number]) => `${declareUniform(uniform, false)}\n`
   return {
     ubo: all.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
-    // For engines without buffers of uniforms.
+    // For engines without uniform buffers.
     ...(!isWGSL && {
       vertex: all.map(declare).join(''),
       fragment: (hasPixels ? all : orientation).map(declare).join(''),
@@ -37,19 +37,19 @@ export function declarationsOf(parts: ShaderParts, hasPixels: boolean, isWGSL: b
   }
 }
 
-/** The code of a vertex that has a normal and a tangent, or a normal alone, or neither. */
+/** Returns the code for vertices with a normal and a tangent, with only a normal, and with neither. */
 function textsOf(warp: HostWarp, isWGSL: boolean): [HostText, HostText, HostText] {
   const text = (...results: ('normal' | 'tangent')[]) =>
     textOf(warp, 'vertex', ['offset', 'position', ...results], isWGSL)
   return [text('normal', 'tangent'), text('normal'), text()]
 }
 
-/** The vertex code for a plugin's `getCustomCode`. */
+/** Returns the code of the vertex stage for a plugin's `getCustomCode`. */
 export function vertexCode(parts: ShaderParts, pixels: PixelTexts | undefined, isWGSL: boolean) {
   const texts = textsOf(parts.warp, isWGSL)
-  const choose = (part: (text: HostText, i: number) => string) => {
-    const [tangent, normal, position] = texts.map(part)
-    return ifDefined('NORMAL', ifDefined('TANGENT', tangent!, normal), position)
+  const choose = (write: (text: HostText, i: number) => string) => {
+    const [withTangent, withNormal, withNeither] = texts.map(write)
+    return ifDefined('NORMAL', ifDefined('TANGENT', withTangent!, withNormal), withNeither)
   }
   const color = isWGSL ? 'let warpjetColor = ' : 'vec4 warpjetColor = '
   return {
@@ -76,7 +76,7 @@ export function vertexCode(parts: ShaderParts, pixels: PixelTexts | undefined, i
         ifNotDefined('UV1', local('uvUpdated', 2, zero(2, isWGSL), isWGSL)),
         ifNotDefined('NORMAL', local('normalUpdated', 3, zero(3, isWGSL), isWGSL)),
         passInputs(pixels, isWGSL),
-        choose(({ code }, i) => `${code}\n${results[i]}`),
+        choose(({ code }, i) => `${code}\n${assignments[i]}`),
         '}',
       ].join('\n'),
     ),
@@ -93,15 +93,16 @@ const local = (name: string, size: number, value: string, isWGSL: boolean) =>
 
 const readsColor = ({ attributes }: HostText) => attributes.some(({ name }) => name === 'color')
 
-const moved = `positionUpdated = ${shaderNames.position};`
-const turned = `normalUpdated = ${shaderNames.normal};`
-const results = [
-  `${moved} ${turned} tangentUpdated = ${shaderNames.tangent};`,
-  `${moved} ${turned}`,
-  moved,
+const assignPosition = `positionUpdated = ${shaderNames.position};`
+const assignNormal = `normalUpdated = ${shaderNames.normal};`
+/** The statements that assign the results, for each of `textsOf`. */
+const assignments = [
+  `${assignPosition} ${assignNormal} tangentUpdated = ${shaderNames.tangent};`,
+  `${assignPosition} ${assignNormal}`,
+  assignPosition,
 ]
 
-/** The define that a vector of the surface variation depends on. */
+/** Returns the define of a mesh that has this vector of the surface variation. */
 const variationDefine = (name: string) =>
   name.startsWith('normal') ? variationDefines.normal : variationDefines.uv
 
@@ -112,7 +113,7 @@ const declareVariation = (isWGSL: boolean) =>
     )
     .join('\n')
 
-/** A mesh without its surface variation counts as constant. */
+/** Declares variables for the surface variation; they are 0 for a mesh without it, as if normal and uv were constant. */
 const variationLocals = (isWGSL: boolean) =>
   variationNames
     .map((name) => {
@@ -122,7 +123,10 @@ const variationLocals = (isWGSL: boolean) =>
     })
     .join('\n')
 
-/** Attributes that a pass may lack. Its variant has these defines where the mesh has the attribute, and where we declare it. */
+/**
+ * Maps attributes that the shader of a pass may lack → the defines of its variant: `has` if the mesh has the attribute, `adds` if the variant
+ * must also declare it.
+ */
 export const passDefines = {
   normal: { has: 'WARPJET_HAS_NORMAL', adds: 'WARPJET_ADDS_NORMAL' },
   uv: { has: 'WARPJET_HAS_UV', adds: 'WARPJET_ADDS_UV' },
@@ -130,8 +134,8 @@ export const passDefines = {
 }
 
 /**
- * The vertex shader of a pass, with includes resolved, warped after morph targets and before instances and bones. One that is
- * not written like those of Babylon.js stays as it is.
+ * Adds the warp to the vertex shader of a pass, whose includes are resolved: after morph targets, and before instances and bones. Returns
+ * the source unchanged if it is not written like those of Babylon.js.
  */
 export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): string {
   const start = /@vertex|void\s+main\s*\(/.exec(source)
@@ -142,18 +146,18 @@ export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): s
   if (!start || !end || !/\bpositionUpdated\b/.test(source)) return source
   const hasVariable = (name: string) => new RegExp(`(vec\\d|var)\\s+${name}\\b`).test(source)
   const hasNormal = hasVariable('normalUpdated')
-  const [, normal, position] = textsOf(parts.warp, isWGSL)
-  const text = hasNormal ? normal : position
+  const [, withNormal, withNeither] = textsOf(parts.warp, isWGSL)
+  const text = hasNormal ? withNormal : withNeither
   const declareLocal = (
     name: string,
     kind: 'normal' | 'uv' | 'color',
     size: number,
-    missing: string,
+    otherwise: string,
   ) =>
     ifDefined(
       passDefines[kind].has,
       local(name, size, `${isWGSL ? 'vertexInputs.' : ''}${kind}`, isWGSL),
-      local(name, size, missing, isWGSL),
+      local(name, size, otherwise, isWGSL),
     )
   const uv = declareLocal('uvUpdated', 'uv', 2, zero(2, isWGSL))
   const definitions = [
@@ -173,7 +177,7 @@ export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): s
     hasVariable('uvUpdated') ? ifNotDefined('UV1', uv) : uv,
     hasNormal ? '' : declareLocal('normalUpdated', 'normal', 3, zero(3, isWGSL)),
     text.code,
-    results[hasNormal ? 1 : 2],
+    assignments[hasNormal ? 1 : 2],
     '}',
   ]
   return [

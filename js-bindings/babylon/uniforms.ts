@@ -1,51 +1,52 @@
-// The uniforms of a warp in shaders of Babylon.js: their names and types there, and how their numbers are sent.
+// The uniforms of a warp in shaders of Babylon.js: their names and types in the shader, and how their values are sent.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { shaderNames, type HostUniform, type HostWarp } from '../compile/hosts.js'
 
-/** A warp, and the names of its frame constants, which are vec4s. */
 export interface ShaderParts {
   warp: HostWarp
+  /** The names of the warp's frame constants, each a vec4 that the CPU computes once per frame. */
   frame: readonly string[]
 }
 
+/** A uniform as the shader declares it. */
 export interface SentUniform {
   name: string
   type: string
 }
 
-/** Matrices of 3 rows are sent as 4 by 4, since WGSL lays them out with gaps. */
+/** A mat3 is sent as a mat4, since WGSL pads its columns. */
 const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
 
 export const sentName = (label: string) => `${label}Sent`
 
-/** Uniforms but images, and frame constants. The warp's code has other names for them than the shader. */
-const numberUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
+/** Returns all uniforms except images, and the frame constants. The warp's code uses their labels, the shader `sentName`. */
+const numericUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
   ...warp.uniforms.inShader.filter(({ image }) => !image),
   ...frame.map((label) => ({ label, type: 'vec4' as const })),
 ]
 
-/** The uniform of both stages that is -1 if the warp mirrors all of space, and else 1. */
+/** The uniform of both stages that is -1 if the warp mirrors all of space, and otherwise 1. */
 export const orientationUniform: SentUniform = { name: shaderNames.orientation, type: 'float' }
 
-/** The uniforms as shaders declare them. */
+/** Returns the uniforms that the shader declares. */
 export const sentUniforms = (parts: ShaderParts): SentUniform[] => [
   { name: shaderNames.millis, type: 'float' },
-  ...numberUniforms(parts).map(({ label, type }) => ({
+  ...numericUniforms(parts).map(({ label, type }) => ({
     name: sentName(label),
     type: sentType(type),
   })),
 ]
 
-/** Sends the present values of all uniforms but images. */
+/** Sends the current values of all uniforms except images. */
 export function sendUniforms(
   { warp }: ShaderParts,
-  given: { millis: number },
+  inputs: { millis: number },
   setter: NumberSetter,
 ) {
-  setter.updateFloat(shaderNames.millis, given.millis)
+  setter.updateFloat(shaderNames.millis, inputs.millis)
   for (const { label, numbers, image } of warp.uniforms.inShader)
     if (!image) sendNumbers(setter, label, numbers())
-  for (const [label, numbers] of Object.entries(warp.frame(given)))
+  for (const [label, numbers] of Object.entries(warp.frame(inputs)))
     sendNumbers(setter, label, numbers)
 }
 
@@ -77,16 +78,16 @@ const withFourthRow = (n: readonly number[]) => [
   ...[0, 0, 0, 1],
 ]
 
-/** Declares in a shader what the warp's code calls uniforms. */
+/** Declares local variables with the names and types that the uniforms have in the warp's code. */
 export const localUniforms = (parts: ShaderParts, isWGSL: boolean) =>
-  numberUniforms(parts).map((uniform) => localUniform(uniform, isWGSL))
+  numericUniforms(parts).map((uniform) => localUniform(uniform, isWGSL))
 
 function localUniform({ label, type }: Pick<HostUniform, 'label' | 'type'>, isWGSL: boolean) {
   const sent = isWGSL ? `uniforms.${sentName(label)}` : sentName(label)
-  const isNarrow = type === 'mat3'
-  if (!isWGSL) return `${type} ${label} = ${isNarrow ? `mat3(${sent})` : sent};`
+  const isMat3 = type === 'mat3'
+  if (!isWGSL) return `${type} ${label} = ${isMat3 ? `mat3(${sent})` : sent};`
   const columns = [0, 1, 2].map((i) => `${sent}[${i}].xyz`)
-  return `let ${label} = ${isNarrow ? `mat3x3f(${columns.join(', ')})` : sent};`
+  return `let ${label} = ${isMat3 ? `mat3x3f(${columns.join(', ')})` : sent};`
 }
 
 const wgslTypes: Record<string, string> = {
@@ -103,7 +104,7 @@ export const declareUniform = ({ name, type }: SentUniform, isWGSL: boolean) =>
 export const declareAttribute = (name: string, size: 2 | 3 | 4, isWGSL: boolean) =>
   isWGSL ? `attribute ${name}: vec${size}f;` : `attribute vec${size} ${name};`
 
-/** Returns the names and the present images of a warp. */
+/** Returns the names and the current images of a warp. */
 export const texturesOf = ({ warp }: ShaderParts) =>
   warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
     image ? [[label, image() as BaseTexture]] : [],

@@ -1,4 +1,4 @@
-// The surface variation of a mesh, kept as vertex buffers: how its normals and texture coordinates change along the surface.
+// The surface variation of a mesh, in vertex buffers: how its normals and texture coordinates change along the surface.
 import { Buffer, VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Material } from '@babylonjs/core/Materials/material.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
@@ -7,17 +7,17 @@ import { variationAttribute, variationNames, type HostWarp } from '../compile/ho
 import { describe } from '../errors/errors.js'
 import { Place } from '../options/place.js'
 
-/** The kinds of the vertex buffers, first three for the normal, then two for the texture coordinates. */
+/** The kinds of these vertex buffers: three for the normal, then two for the texture coordinates. */
 export const variationKinds = variationNames.map(variationAttribute)
 
-/** Returns the vertex buffers of a mesh that the shader reads for exact normals. */
+/** Returns the kinds of those buffers that a mesh has, if the warp reads them. */
 export const variationOf = ({ varies }: HostWarp, mesh: AbstractMesh) =>
   varies ? variationKinds.filter((kind) => mesh.isVerticesDataPresent(kind)) : []
 
 /**
- * Computes how normal and uv vary over a mesh and adds that to it as vertex buffers, so that the normals of offsets that depend
- * on them, such as along the normal, are exact: `await addSurfaceVariation(mesh)`, once, before the mesh is drawn. Loads
- * 'warpjet/mesh'. Returns the mesh.
+ * Computes how normal and uv vary over a mesh and adds this to the mesh as vertex buffers. Then the warped normals are exact also for
+ * offsets that depend on normal or uv, such as offsets along the normal. Call `await addSurfaceVariation(mesh)` once, before the mesh is
+ * drawn. Loads 'warpjet/mesh'. Returns the mesh.
  *
  * @throws {WarpError} for a mesh without vertices.
  */
@@ -39,12 +39,12 @@ export async function addSurfaceVariation<Kind extends Mesh>(mesh: Kind): Promis
     ...(indices && { indices: Uint32Array.from(indices) }),
   })
   const lists = variationNames.flatMap((name) => variation[`${name}s`] ?? [])
-  // One buffer, since WebGPU allows 8.
+  // All vectors are in one buffer, since WebGPU allows only 8 buffers per draw.
   const stride = 3 * lists.length
   const numbers = new Float32Array(lists.length * positions.length)
-  lists.forEach((list, at) => {
+  lists.forEach((list, index) => {
     for (let i = 0; i < list.length; i += 3)
-      numbers.set(list.subarray(i, i + 3), (i / 3) * stride + 3 * at)
+      numbers.set(list.subarray(i, i + 3), (i / 3) * stride + 3 * index)
   })
   const buffer = new Buffer(mesh.getEngine(), numbers, false, stride)
   lists.forEach((_, i) =>

@@ -24,7 +24,7 @@ import { registerCopies, remember } from './copies.js'
 import { refreshMesh } from './mesh.js'
 import { meshDefines, names, variationDefines } from './names.js'
 import { NormalStages } from './normal-stages.js'
-import { place, rejectUnwarpable, settings, type BabylonWarpOptions } from './options.js'
+import { optionsKind, place, rejectUnwarpable, type BabylonWarpOptions } from './options.js'
 import { codeDefine, installPasses, pluginName, type PassWarp } from './passes.js'
 import { settableValues, type SettableValues } from './settable-values.js'
 import { declarationsOf } from './shader.js'
@@ -33,10 +33,10 @@ import { babylon } from './values.js'
 import { variationOf } from './variation.js'
 
 /**
- * Warps all that a material draws: `new BabylonWarp(material, offset, { uniforms })`. Vertices are those of the mesh after
- * morph targets, before instances and bones. Works with an Engine and with a WebGPUEngine, and in passes that Babylon.js draws
+ * Warps all that a material draws: `new BabylonWarp(material, offset, { uniforms })`. The warp is applied to the vertices of a mesh after
+ * morph targets and before instances and bones. Works with an Engine and with a WebGPUEngine, and in passes that Babylon.js draws
  * with shaders of its own: depth, outline, highlight, glow, G-buffer, GPU picking. The material gets a `ShadowDepthWrapper` for
- * its shadows unless it has one. Rays and culling follow where `refresh(mesh)` is called.
+ * its shadows unless it has one. Rays and culling use the warped mesh after `refresh(mesh)`.
  *
  * @throws {WarpError} for an offset that returns no vec3 or misuses an operation, and for wrong options.
  */
@@ -44,8 +44,10 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   extends MaterialPluginBase
   implements PassWarp
 {
-  /** Maps names → the values of the option `uniforms`, which may be set: `warp.values.height = 0.5`. Throws a `WarpError` for
-   * another name and for a value of another type. */
+  /**
+   * Maps the names of uniforms → their values, which can be set: `warp.values.height = 0.5`. Setting throws a `WarpError` for a name that
+   * the option `uniforms` lacks and for a value of another type.
+   */
   readonly values: SettableValues<Uniforms>
   /** @internal */
   readonly parts: ShaderParts
@@ -55,7 +57,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   private readonly code: WarpCode
   private readonly stages: NormalStages
   private readonly shadows: ShadowDepthWrapper | undefined
-  private readonly memory: { id: string; forget: () => void }
+  private readonly registration: { id: string; forget: () => void }
 
   constructor(
     material: Material,
@@ -63,7 +65,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     private readonly options: BabylonWarpOptions<Uniforms> = {},
   ) {
     rejectUnwarpable(material)
-    const { uniforms, surfaceVariation, normals, fadeNoise } = settings.read(options, place)
+    const { uniforms, surfaceVariation, normals, fadeNoise } = optionsKind.read(options, place)
     const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,
       uniforms,
@@ -75,7 +77,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     const parts: ShaderParts = { warp, frame: Object.keys(warp.frame({ millis: 0 })) }
     const hasPixels = warp.stageOfNormals(normals) === 'pixel'
     const code = codeOf(parts, hasPixels, material.shaderLanguage === ShaderLanguage.WGSL)
-    // Babylon.js finds compiled shaders by their defines, in which the code has to appear.
+    // Babylon.js caches compiled shaders by their defines, so these must contain the number of the code.
     super(
       material,
       pluginName,
@@ -88,9 +90,9 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     this.code = code
     this.stages = new NormalStages(normals, code.pixels)
     this.values = settableValues(warp.uniforms) as never
-    this.memory = remember(this)
+    this.registration = remember(this)
     installPasses()
-    // The manager asks for the code at once, so that all of the above must be set.
+    // This call asks for the code, so that all of the above must be set before it.
     ;(this._pluginManager as unknown as { _addPlugin(plugin: object): void })._addPlugin(this)
     this._enable(true)
     if (!material.shadowDepthWrapper)
@@ -101,8 +103,8 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   }
 
   /**
-   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute them at pixels; other meshes of the
-   * material keep them.
+   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute them at pixels; those of other meshes
+   * with the material are still computed at pixels.
    */
   get normals(): NormalStage {
     return this.stages.stage
@@ -113,7 +115,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     return this.code.number
   }
 
-  /** Milliseconds, which the offset may read. Throws a `WarpError` for anything but a finite number. */
+  /** The input `millis` of the offset function, in milliseconds. Setting throws a `WarpError` for anything but a finite number. */
   get millis() {
     return this.time
   }
@@ -126,7 +128,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     this.time = time
   }
 
-  /** `false` draws the material without the warp. A plugin stays with its material as long as that lives. */
+  /** `false` draws the material without the warp, which cannot be removed from its material. */
   get isEnabled() {
     return this.isOn
   }
@@ -137,13 +139,14 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   }
 
   /**
-   * Lets rays and culling meet a mesh with this material where the warp has it at this moment: call it before a pick, and each
-   * frame for a warp that moves the mesh out of its box. Vertices are moved on the CPU. Normals of a pick stay those of the mesh.
+   * Makes rays and culling use the warped positions that a mesh with this material has at this moment: call it before a pick, and each
+   * frame for a warp that moves the mesh out of its bounding box. Vertices are warped on the CPU. A pick still returns the normals of the
+   * unwarped mesh.
    *
    * @throws {WarpError} for a warp that reads an image or calls a `glsl.fn`.
    */
   refresh(mesh: AbstractMesh) {
-    refreshMesh(this.warp, mesh, this.given)
+    refreshMesh(this.warp, mesh, this.inputs)
   }
 
   override getClassName() {
@@ -156,14 +159,14 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
 
   override prepareDefinesBeforeAttributes(defines: MaterialDefines) {
     if (this.warp.reads('uv')) Object.assign(defines, { _needUVs: true })
-    // The warp transforms the normal.
+    // The normal is always needed, since the warp transforms it.
     Object.assign(defines, { _needNormals: true })
   }
 
   override prepareDefines(defines: MaterialDefines, scene: Scene, mesh: AbstractMesh) {
     const count = variationOf(this.warp, mesh).length
-    const isNeeded = this.warp.varies && this.options.surfaceVariation !== false
-    if (this.isOn && isNeeded && !count)
+    const needsVariation = this.warp.varies && this.options.surfaceVariation !== false
+    if (this.isOn && needsVariation && !count)
       noteApproximation(place.method, 'await addSurfaceVariation(mesh)')
     Object.assign(defines, {
       WARPJET: this.isOn,
@@ -208,14 +211,14 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     if (this.warp.mirrors !== false)
       buffer.updateFloat(
         shaderNames.orientation,
-        this.isOn && this.warp.isMirrored(this.given) ? -1 : 1,
+        this.isOn && this.warp.isMirrored(this.inputs) ? -1 : 1,
       )
     for (const [label, texture] of texturesOf(this.parts)) buffer.setTexture(label, texture)
   }
 
   /** @internal */
   send(setter: NumberSetter) {
-    sendUniforms(this.parts, this.given, setter)
+    sendUniforms(this.parts, this.inputs, setter)
   }
 
   override getCustomCode(type: string) {
@@ -224,10 +227,10 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   }
 
   override serialize(): unknown {
-    return { ...(super.serialize() as object), warpjet: this.memory.id }
+    return { ...(super.serialize() as object), warpjet: this.registration.id }
   }
 
-  /** @internal */
+  /** Warps another material in the same way. @internal */
   copyOnto(material: Material) {
     const copy = new BabylonWarp<Uniforms>(material, this.offset, {
       ...this.options,
@@ -239,13 +242,13 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   }
 
   override dispose() {
-    this.memory.forget()
+    this.registration.forget()
     if (this.shadows && this._material.shadowDepthWrapper === this.shadows)
       this._material.shadowDepthWrapper = null
     this.shadows?.dispose()
   }
 
-  private get given() {
+  private get inputs() {
     return { millis: this.millis }
   }
 }

@@ -12,10 +12,10 @@ import { subdivide } from '../mesh/subdivide.js'
 import { optional, positiveNumber, wholeNumber, type Kind } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
 import { triangleLimit } from '../wasm/mesh-tables.js'
-import { areOneFile, withWriteErrors } from './files.js'
+import { areSameFile, withWriteErrors } from './files.js'
 import { Progress, count } from './progress.js'
 import { numeric, readArguments } from './usage.js'
-import { choiceOf, glslFlags, readWarp, withFileInErrors } from './warp-file.js'
+import { readWarp, sourceFlags, sourceOptionsOf, withFileInErrors } from './warp-file.js'
 
 const triangles = wholeNumber({
   min: 1,
@@ -23,31 +23,31 @@ const triangles = wholeNumber({
   maxName: triangleLimit.toLocaleString('en-US'),
 })
 
-/** The kind of the option `--set`, such as `mouse=10,20`. */
-const settings: Kind<Uniforms, readonly string[]> = {
-  read: (given, place) =>
+/** The kind of the option `--set`, with values such as `mouse=10,20`. */
+const uniformSettings: Kind<Uniforms, readonly string[]> = {
+  read: (values, place) =>
     Object.fromEntries(
-      ((given ?? []) as readonly string[]).map((each) => parseSetting(each, place)),
+      ((values ?? []) as readonly string[]).map((setting) => parseSetting(setting, place)),
     ),
 }
 
-function parseSetting(given: string, place: Place): [name: string, value: number | number[]] {
-  const [, name, text] = /^([^=]+)=(.*)$/s.exec(given) ?? []
-  const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)))
+function parseSetting(setting: string, place: Place): [name: string, value: number | number[]] {
+  const [, name, list] = /^([^=]+)=(.*)$/s.exec(setting) ?? []
+  const numbers = list?.split(',').map((text) => (text.trim() === '' ? NaN : Number(text)))
   if (name === undefined || !numbers!.every(Number.isFinite))
-    throw place.expected('a name and numbers, as in --set millis=1200,', describe(given))
+    throw place.expected('a name and numbers, as in --set millis=1200,', describe(setting))
   return [name, numbers!.length === 1 ? numbers![0]! : numbers!]
 }
 
 export async function bake(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments(
+  const { values, files, usageError } = readArguments(
     'bake',
     args,
     ['a model', 'a warp.js or a file of GLSL or WGSL'],
     {
       output: { type: 'string', short: 'o' },
-      ...glslFlags,
-      set: { type: 'string', multiple: true, kind: settings },
+      ...sourceFlags,
+      set: { type: 'string', multiple: true, kind: uniformSettings },
       subdivide: { type: 'string', kind: numeric(optional(positiveNumber())) },
       'max-triangles': { type: 'string', kind: numeric(optional(triangles)) },
       'normal-map': { type: 'string', kind: numeric(optional(wholeNumber(sizeRange))) },
@@ -57,25 +57,27 @@ export async function bake(args: string[]): Promise<void> {
   )
   const [model, file] = files as [string, string]
   const { output } = values
-  if (output === undefined) throw wrong('bake needs -o and the name of the file to write.')
-  if (!/\.glb$/i.test(output)) throw wrong(`bake: expected a .glb file for -o, got "${output}".`)
-  if (await areOneFile(output, model)) throw wrong('bake does not overwrite the model itself.')
+  if (output === undefined) throw usageError('bake needs -o and the name of the file to write.')
+  if (!/\.glb$/i.test(output))
+    throw usageError(`bake: expected a .glb file for -o, got "${output}".`)
+  if (await areSameFile(output, model))
+    throw usageError('bake does not overwrite the model itself.')
   const { set: uniforms, subdivide: tolerance, 'max-triangles': maxTriangles } = values
   const { 'normal-map': size, frames } = values
   if (maxTriangles !== undefined && tolerance === undefined)
-    throw wrong('--max-triangles needs --subdivide, which is missing.')
+    throw usageError('--max-triangles needs --subdivide, which is missing.')
   if (frames !== undefined && size === undefined)
-    throw wrong('--frames needs --normal-map, which is missing.')
+    throw usageError('--frames needs --normal-map, which is missing.')
 
   const progress = new Progress(values.quiet)
-  const { offset, uniforms: declared } = await readWarp(file, choiceOf(values), uniforms)
-  // Baking needs no shader code, and computes the gradients of normals and uvs itself.
+  const { offset, uniforms: declared } = await readWarp(file, sourceOptionsOf(values), uniforms)
+  // With `surfaceVariation`, normals are exact: bakeWarp and subdivide compute the gradients of normals and uvs themselves.
   const warp = await withFileInErrors(file, () =>
     compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
   )
   rejectMissingUniforms(file, warp, { ...declared, ...uniforms })
 
-  let mesh = removeOtherImages(await loadMesh(model))
+  let mesh = removeUnsupportedImage(await loadMesh(model))
   for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
   progress.step(`${model}: ${sizeOf(mesh)}`)
   if (tolerance) {
@@ -103,8 +105,8 @@ export async function bake(args: string[]): Promise<void> {
   progress.step(`${output}: ${count(bytes.length, 'byte')}`)
 }
 
-/** Removes an image that a GLB file may not contain, and adds a warning. */
-function removeOtherImages(mesh: Mesh): Mesh {
+/** If a GLB file may not contain the mesh's image, removes it and adds a warning. */
+function removeUnsupportedImage(mesh: Mesh): Mesh {
   const { material, warnings = [] } = mesh
   const picture = material?.baseColorTexture
   if (!picture || isPngOrJpeg(picture.bytes)) return mesh
@@ -116,7 +118,7 @@ function removeOtherImages(mesh: Mesh): Mesh {
   }
 }
 
-/** Checks the first bytes of a file, like exportGLB. */
+/** Tests the first bytes of a file, like exportGLB. */
 const isPngOrJpeg = (bytes: Uint8Array) =>
   [
     [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a],
@@ -126,14 +128,14 @@ const isPngOrJpeg = (bytes: Uint8Array) =>
 const sizeOf = ({ positions, indices }: Mesh) =>
   `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`
 
-/** Returns the same warp, which also reports how many vertices it has moved. */
+/** Returns the warp with an `evaluate` that also prints the total number of vertices evaluated. */
 function withProgress(warp: CompiledWarp, progress: Progress): CompiledWarp {
   let vertices = 0
   return {
     ...warp,
     evaluate(mesh, options) {
       vertices += mesh.positions.length / 3
-      progress.update(`Subdividing: ${count(vertices, 'vertex', 'vertices')} tried`)
+      progress.update(`Subdividing: ${count(vertices, 'vertex', 'vertices')} evaluated`)
       return warp.evaluate(mesh, options)
     },
   }
@@ -142,9 +144,9 @@ function withProgress(warp: CompiledWarp, progress: Progress): CompiledWarp {
 function rejectMissingUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find(({ name }) => !Object.hasOwn(uniforms, name))
   if (!missing) return
-  // GLSL source converts other types by `float(n)`, or reads them in halves.
+  // A uniform that is no float in GLSL source has a name with a conversion, such as `float(n)` or that of one half of its bits.
   const name = /^\w+\(([^ )]+)/.exec(missing.name)?.[1] ?? missing.name
   throw new WarpError(
-    `${file} reads ${name}; add --set ${name}=<number>; if it is an image, only a GPU can run this warp.`,
+    `${file} reads ${name}; add --set ${name}=<number>. Warps that read an image can only be evaluated on a GPU.`,
   )
 }

@@ -3,12 +3,12 @@ import { writeFile } from 'node:fs/promises'
 import { compileWarp } from '../compile/compile-warp.js'
 import type { Declared } from '../core/module/result.js'
 import { targetKind } from '../core/module/serialized-module.js'
-import { areOneFile, withWriteErrors } from './files.js'
+import { areSameFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'
-import { choiceOf, glslFlags, readWarp, withFileInErrors } from './warp-file.js'
+import { readWarp, sourceFlags, sourceOptionsOf, withFileInErrors } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments(
+  const { values, files, usageError } = readArguments(
     'emit',
     args,
     ['a warp.js or a file of GLSL or WGSL'],
@@ -16,15 +16,15 @@ export async function emit(args: string[]): Promise<void> {
       target: { type: 'string', kind: targetKind },
       tangents: { type: 'boolean', default: false },
       'surface-variation': { type: 'boolean' },
-      ...glslFlags,
+      ...sourceFlags,
       output: { type: 'string', short: 'o' },
     },
   )
   const [file] = files as [string]
   const { output } = values
-  if (output !== undefined && (await areOneFile(output, file)))
-    throw wrong('emit does not overwrite the warp itself.')
-  const { offset, uniforms } = await readWarp(file, choiceOf(values))
+  if (output !== undefined && (await areSameFile(output, file)))
+    throw usageError('emit does not overwrite the warp itself.')
+  const { offset, uniforms } = await readWarp(file, sourceOptionsOf(values))
   const { target, tangents, 'surface-variation': surfaceVariation } = values
   const warp = await withFileInErrors(file, () =>
     compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),

@@ -2,7 +2,7 @@
 import { stat } from 'node:fs/promises'
 import { WarpError } from '../errors/errors.js'
 
-/** Runs `work`, which writes `file`; converts its errors to messages. */
+/** Runs `work`, which writes `file`; if it fails, throws a `WarpError` with the reason. */
 export async function withWriteErrors(file: string, work: () => Promise<void>): Promise<void> {
   try {
     await work()
@@ -12,18 +12,20 @@ export async function withWriteErrors(file: string, work: () => Promise<void>): 
   }
 }
 
+/** Describes a code of a system error. */
 export function reasonOf(code: string | undefined): string {
   if (code === 'ENOENT') return 'the folder does not exist'
   if (code === 'ENOSPC') return 'the disk is full'
   return `the system reports ${code}`
 }
 
-/** Returns whether both names refer to the same file, also through links. */
-export async function areOneFile(a: string, b: string): Promise<boolean> {
+/** Returns whether both names refer to the same file, directly or through links. */
+export async function areSameFile(a: string, b: string): Promise<boolean> {
   const [first, second] = await Promise.all([identityOf(a), identityOf(b)])
   return first !== undefined && first === second
 }
 
+/** Returns a string that is unique for a file; `undefined` if it does not exist. */
 async function identityOf(file: string): Promise<string | undefined> {
   try {
     const { dev, ino } = await stat(file, { bigint: true })

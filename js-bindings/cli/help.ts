@@ -5,7 +5,7 @@ export const help = `warpjet warps 3D models with a function of their vertices.
 
   npx warpjet emit warp.js --target glsl300       prints the warp as shader code
   npx warpjet bake model.glb warp.js -o out.glb   writes the warped model to a file
-  npx warpjet derive scene.glsl --by p            prints a function of GLSL or WGSL with its derivatives
+  npx warpjet derive scene.glsl --by p            prints a function with the derivatives of one in GLSL or WGSL
   npx warpjet info model.glb                      describes a model
 
 \`npx warpjet <command> --help\` lists the options. Models are .glb, .gltf, .obj or .stl. Compressed models need the
@@ -49,13 +49,13 @@ Moves every vertex of the model like the shader, transforms normals and tangents
   --max-iterations <n>      max number of iterations of a loop whose end depends on data
   --set <name>=<value>      sets a uniform of the warp: --set millis=1200, --set mouse=10,20; can be repeated, and
                             overrides the exports of warp.js
-  --subdivide <tolerance>   first splits triangles where the warp bends them, until the result is within this distance
-                            of the smooth shape, in units of the model
+  --subdivide <tolerance>   first splits triangles where the warp bends them, until the warped triangles are within this
+                            distance of the smooth warped surface, in units of the model
   --max-triangles <n>       max number of triangles with --subdivide (default: ${defaultTriangles})
   --normal-map <size>       also writes the normals between the vertices, as a normal map of this many texels square, such
                             as 1024, so that a coarse model is lit like a fine one; needs uvs that do not overlap
-  --frames <kind>           with --normal-map, how the program that draws the model uses it: normalized like three.js
-                            (default), or mikktspace like Blender
+  --frames <kind>           with --normal-map, how the program that draws the model interpolates tangent frames: normalized
+                            like three.js (default), or mikktspace like Blender
   -q, --quiet               prints no progress`,
 
   derive: `npx warpjet derive <file> [options]

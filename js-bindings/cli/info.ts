@@ -20,22 +20,22 @@ function describe(mesh: Mesh): Record<string, string> {
     (name) => mesh[name]?.length,
   )
   return {
-    triangles: whole(indices ? indices.length / 3 : vertices / 3),
-    vertices: whole(vertices),
+    triangles: formatInteger(indices ? indices.length / 3 : vertices / 3),
+    vertices: formatInteger(vertices),
     ...(vertices > 0 && {
-      size: max.map((high, i) => formatFloat(high - min[i]!)).join(' × '),
+      size: max.map((maxCoordinate, i) => formatFloat(maxCoordinate - min[i]!)).join(' × '),
       from: min.map(formatFloat).join(', '),
       to: max.map(formatFloat).join(', '),
     }),
     attributes: ['positions', ...attributes].join(', '),
     ...(material && { 'base color': material.baseColor.map(formatFloat).join(', ') }),
     ...(material?.baseColorTexture && {
-      texture: `${material.baseColorTexture.mimeType}, ${whole(material.baseColorTexture.bytes.length)} bytes`,
+      texture: `${material.baseColorTexture.mimeType}, ${formatInteger(material.baseColorTexture.bytes.length)} bytes`,
     }),
   }
 }
 
-const whole = (number: number) => number.toLocaleString('en-US')
+const formatInteger = (number: number) => number.toLocaleString('en-US')
 const formatFloat = (number: number) => String(Number(number.toPrecision(4)))
 
 function extent(positions: Float32Array): [min: number[], max: number[]] {

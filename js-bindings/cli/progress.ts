@@ -1,12 +1,13 @@
 // Prints progress on stderr, so that stdout has only the result.
 import { printable } from './printable.js'
 
-export const count = (number: number, one: string, many = `${one}s`) =>
-  `${number.toLocaleString('en-US')} ${number === 1 ? one : many}`
+/** Writes a number with its noun, such as `1,200 vertices`. */
+export const count = (number: number, singular: string, plural = `${singular}s`) =>
+  `${number.toLocaleString('en-US')} ${number === 1 ? singular : plural}`
 
 export class Progress {
-  private shown = -Infinity
-  private isOpen = false
+  private lastUpdate = -Infinity
+  private hasTemporaryLine = false
 
   constructor(private readonly isQuiet: boolean) {}
 
@@ -19,15 +20,15 @@ export class Progress {
 
   /** Removes a line that `update` printed. */
   clear() {
-    if (this.isOpen) process.stderr.write('\r\x1b[K')
-    this.isOpen = false
+    if (this.hasTemporaryLine) process.stderr.write('\r\x1b[K')
+    this.hasTemporaryLine = false
   }
 
-  /** Prints a line that the next one replaces, at most 10 times per second, if stderr is a terminal. */
+  /** Prints a temporary line, which the next line replaces. Does so at most 10 times per second, and only if stderr is a terminal. */
   update(text: string) {
-    if (this.isQuiet || !process.stderr.isTTY || performance.now() < this.shown + 100) return
-    this.shown = performance.now()
-    this.isOpen = true
+    if (this.isQuiet || !process.stderr.isTTY || performance.now() < this.lastUpdate + 100) return
+    this.lastUpdate = performance.now()
+    this.hasTemporaryLine = true
     process.stderr.write(`\r\x1b[K${text}`)
   }
 }

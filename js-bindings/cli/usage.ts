@@ -15,7 +15,7 @@ export class UsageError extends Error {
   }
 }
 
-/** Maps options in JavaScript to those of the command line. */
+/** Maps options of JavaScript functions → options of the command line. */
 const flags: Readonly<Record<string, string>> = {
   function: '--function',
   returns: '--returns',
@@ -25,7 +25,7 @@ const flags: Readonly<Record<string, string>> = {
   surfaceVariation: '--surface-variation',
 }
 
-/** Renames the options in a message for users of the command line. */
+/** Replaces the options that a message names by those of the command line. */
 export const withFlags = (message: string) =>
   message.replace(/(?:the|its) option "?(\w+)"?/g, (all, name: string) => flags[name] ?? all)
 
@@ -46,7 +46,10 @@ type Values<Known extends Flags> = {
       : undefined
 }
 
-/** Parses the options and file names of a command. `files` describes the file names, one by one; all of them are required. */
+/**
+ * Parses the options and file names of a command. `files` describes each required file. Returns the values of the options, the file names,
+ * and `usageError`, which makes an error in the use of this command.
+ */
 export function readArguments<const Known extends Flags>(
   command: string,
   args: string[],
@@ -55,37 +58,37 @@ export function readArguments<const Known extends Flags>(
 ) {
   const parsed = parse(command, args, options)
   const { positionals } = parsed
-  const wrong = (message: string) => new UsageError(message, `${command} `)
+  const usageError = (message: string) => new UsageError(message, `${command} `)
   if (positionals.length > files.length)
-    throw wrong(
+    throw usageError(
       `${command}: expected ${files.join(' and ')}, and nothing more, got "${positionals[files.length]}".`,
     )
   const missing = files[positionals.length]
-  if (missing) throw wrong(`${command} needs ${missing}.`)
+  if (missing) throw usageError(`${command} needs ${missing}.`)
   try {
-    return { values: readFlags(command, options, parsed.values), files: positionals, wrong }
+    return { values: readFlags(command, options, parsed.values), files: positionals, usageError }
   } catch (error) {
-    throw error instanceof WarpError ? wrong(error.message) : error
+    throw error instanceof WarpError ? usageError(error.message) : error
   }
 }
 
 const readFlags = <Known extends Flags>(
   command: string,
   options: Known,
-  given: Readonly<Record<string, unknown>>,
+  values: Readonly<Record<string, unknown>>,
 ) =>
   Object.fromEntries(
     Object.entries(options).map(([name, { kind }]) => [
       name,
-      kind ? kind.read(given[name], new Place(command, `--${name}`)) : given[name],
+      kind ? kind.read(values[name], new Place(command, `--${name}`)) : values[name],
     ]),
   ) as Values<Known>
 
-/** Converts a kind of numbers to a kind of strings that contain a number. */
+/** Converts a kind of numbers to a kind of strings that contain such a number. */
 export const numeric = <Value>({ read }: Kind<Value, number>): Kind<Value, string> => ({
-  read(given, place) {
-    const number = typeof given === 'string' && given.trim() ? Number(given) : NaN
-    return read(Number.isNaN(number) ? given : number, place)
+  read(text, place) {
+    const number = typeof text === 'string' && text.trim() ? Number(text) : NaN
+    return read(Number.isNaN(number) ? text : number, place)
   },
 })
 
@@ -93,7 +96,7 @@ function parse<const Known extends Flags>(command: string, args: string[], optio
   try {
     return parseArgs({ args, options, allowPositionals: true })
   } catch (error) {
-    // The first sentence of Node names the option; the others are about the option's syntax in general.
+    // The first sentence of Node's message names the option; the others explain the syntax of options in general.
     const [message] = (error as Error).message.split(/\. |\n/)
     throw new UsageError(`${command}: ${message!.replace(/\.$/, '')}.`, `${command} `)
   }

@@ -10,7 +10,7 @@ import { maxIterationLimit } from '../glsl-source/options.js'
 import { optional, wholeNumber } from '../options/kinds.js'
 import { numeric } from './usage.js'
 
-/** The exports of a file. */
+/** The contents of a file. */
 export interface WarpFile {
   /** The default export, or the only function. */
   offset: OffsetFunction
@@ -18,15 +18,15 @@ export interface WarpFile {
   uniforms: UniformOptions | undefined
 }
 
-/** Options of the command line about a GLSL file. */
-export interface GlslChoice {
+/** Options for `glslOffset` and `wgslOffset` from the command line. */
+export interface SourceOptions {
   function?: string | undefined
   returns?: string | undefined
   maxIterations?: number | undefined
 }
 
-/** The command line's flags for `GlslChoice`. */
-export const glslFlags = {
+/** The flags of the command line for `SourceOptions`. */
+export const sourceFlags = {
   function: { type: 'string' },
   returns: { type: 'string' },
   'max-iterations': {
@@ -35,38 +35,38 @@ export const glslFlags = {
   },
 } as const
 
-export const choiceOf = (values: {
+export const sourceOptionsOf = (values: {
   function?: string | undefined
   returns?: string | undefined
   'max-iterations'?: number | undefined
-}): GlslChoice => ({
+}): SourceOptions => ({
   function: values.function,
   returns: values.returns,
   maxIterations: values['max-iterations'],
 })
 
 /**
- * Imports a JavaScript file, or parses the file if its name is that of a GLSL or WGSL file: then its uniforms have the types declared in the
- * source, and the values passed here.
+ * Imports a JavaScript file, or parses a GLSL or WGSL file, whose uniforms have the types declared in the source and the values passed
+ * here. The extension of the file name decides the language.
  */
 export async function readWarp(
   file: string,
-  choice: GlslChoice = {},
+  options: SourceOptions = {},
   values: object = {},
 ): Promise<WarpFile> {
   if (isSource(file)) {
     const offsetOf = isWgsl(file) ? wgslOffset : glslOffset
     return {
-      offset: offsetOf(await readText(file), removeUndefined(choice)),
-      uniforms: uniformsOfText(values),
+      offset: offsetOf(await readText(file), removeUndefined(options)),
+      uniforms: removeInputs(values),
     }
   }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
-  const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
-  if (typeof module.default === 'function') return found(module.default)
+  const warpFile = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
+  if (typeof module.default === 'function') return warpFile(module.default)
   const functions = Object.values(module).filter((value) => typeof value === 'function')
-  if (functions.length === 1) return found(functions[0])
+  if (functions.length === 1) return warpFile(functions[0])
   throw new WarpError(
     functions.length
       ? `${file} exports ${functions.length} functions; export the offset function as default.`
@@ -74,8 +74,8 @@ export async function readWarp(
   )
 }
 
-/** Removes the inputs, which need no declaration. */
-const uniformsOfText = (values: object) =>
+/** Removes the values of inputs, such as `millis`, which are not declared as uniforms. */
+const removeInputs = (values: object) =>
   Object.fromEntries(
     Object.entries(values).filter(([name]) => !Object.hasOwn(inputSizes, name)),
   ) as UniformOptions
@@ -106,32 +106,32 @@ async function load(file: string): Promise<Record<string, unknown>> {
   const neverResolves = Symbol()
   const module = await Promise.race([
     import(/* @vite-ignore */ url).catch((error: unknown) => {
-      throw new WarpError(messageFor(file, url, error))
+      throw new WarpError(importErrorMessage(file, url, error))
     }),
-    // Without this, Node would exit silently when nothing is left to do.
+    // Without this promise, Node would exit silently when nothing is left to do.
     new Promise<symbol>((resolve) => process.once('beforeExit', () => resolve(neverResolves))),
   ])
   if (module !== neverResolves) return module
   throw new WarpError(`${file} never finishes loading: its top-level await never resolves.`)
 }
 
-function messageFor(file: string, url: string, error: unknown): string {
+function importErrorMessage(file: string, url: string, error: unknown): string {
   if (!(error instanceof Error)) return `${file} cannot be run: it throws ${describe(error)}.`
   const { code, name, message } = error as Error & { code?: string }
-  const first = String(message).split('\n')[0]!
+  const firstLine = String(message).split('\n')[0]!
   if (
     code === 'ERR_MODULE_NOT_FOUND' &&
-    first.includes(resolve(file)) &&
-    !first.includes('imported from ' + resolve(file))
+    firstLine.includes(resolve(file)) &&
+    !firstLine.includes('imported from ' + resolve(file))
   )
     return `The file ${file} does not exist.`
   // Node before 20.19 treats a .js file as CommonJS unless a package.json says otherwise.
-  if (name === 'SyntaxError' && /\bexport\b/.test(first))
+  if (name === 'SyntaxError' && /\bexport\b/.test(firstLine))
     return `${file} is an ES module; name it .mjs, or put "type": "module" into its package.json.`
-  return `${file} cannot be run: ${name}: ${first.replace(url, file)}`
+  return `${file} cannot be run: ${name}: ${firstLine.replace(url, file)}`
 }
 
-/** Runs `work`, which calls code of a file, and adds the file and line to the message of an error. */
+/** Runs `work`, which calls functions of a file, and adds the file and line to the message of an error. */
 export async function withFileInErrors<Result>(file: string, work: () => Result): Promise<Result> {
   try {
     return work()
@@ -143,14 +143,15 @@ export async function withFileInErrors<Result>(file: string, work: () => Result)
     if (!(error instanceof Error)) throw new WarpError(`${file} throws ${describe(error)}.`)
     const { name, message } = error
     const line = lineOf(file, error)
-    const place = line && ` (line ${line})`
-    throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${place}`)
+    const location = line && ` (line ${line})`
+    throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${location}`)
   }
 }
 
+/** Returns the number of the innermost line of the file in the stack of an error; empty if there is none. */
 function lineOf(file: string, { stack = '' }: Error): string {
   const url = pathToFileURL(resolve(file)).href
-  const at = stack.indexOf(url)
-  const [, line] = at < 0 ? [] : (/^:(\d+)/.exec(stack.slice(at + url.length)) ?? [])
+  const start = stack.indexOf(url)
+  const [, line] = start < 0 ? [] : (/^:(\d+)/.exec(stack.slice(start + url.length)) ?? [])
   return line ?? ''
 }

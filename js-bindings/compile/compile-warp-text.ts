@@ -11,7 +11,7 @@ const place = new Place('compileWarp')
 
 /**
  * Compiles an offset function into statements that move a vertex and transform its normal, like `compileWarp` of 'warpjet' and
- * with the same options, but `evaluate` and the other methods for the CPU throw a `WarpError` here.
+ * with the same options, except that `evaluate` and the other methods for the CPU throw a `WarpError`.
  */
 export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
@@ -20,10 +20,10 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   callback.read(offset, place)
   const settings = readWarpOptions(options, place)
   const warp = new OffsetWarp(place, offset as OffsetFunction, settings)
-  return { ...textsOf(warp, settings), ...unavailable }
+  return { ...textsOf(warp, settings), ...unavailableMethods }
 }
 
-const unavailable = Object.fromEntries(
+const unavailableMethods = Object.fromEntries(
   ['evaluate', 'evaluateAt', 'bounds', 'foldover'].map((method) => [
     method,
     () => {

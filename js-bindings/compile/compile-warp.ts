@@ -1,4 +1,4 @@
-// `compileWarp`: from an offset function to a warp, as shader code and on the CPU.
+// `compileWarp`: compiles an offset function to shader code and for the CPU.
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { callback } from '../options/kinds.js'
@@ -25,8 +25,8 @@ const place = new Place('compileWarp')
  * outwards even if the warp mirrors all of space. With `tangents: true` they also declare `vec4 warpedTangent`: its xyz has length
  * 1 and is perpendicular to the warped normal; its w is that of the input tangent, negated if the warp mirrors all of space.
  *
- * `color` counts as constant over the surface; `normal` and `uv` do too unless the option `surfaceVariation` is set: the warped
- * normal then ignores how the offset depends on them. The same warp runs on the CPU by `evaluate` and its companions.
+ * The warped normal ignores how the offset depends on `color`, which is treated as constant over the surface. So are `normal` and `uv`,
+ * unless the option `surfaceVariation` is set. `evaluate` and the other methods evaluate the same warp on the CPU.
  *
  * Throws a `WarpError` if the offset is not a function, does not return a vec3, or misuses an operation, and for wrong options.
  */

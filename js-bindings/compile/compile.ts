@@ -1,4 +1,4 @@
-// Any expressions, as shader code and on the CPU: `compile`, and glsl-autodiff's `gen`.
+// Compiles any expressions, to shader code and for the CPU: `compile`, and glsl-autodiff's `gen`.
 import { createBuilder } from '../core/expression/builder.js'
 import { Expression, toExpression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
@@ -19,7 +19,7 @@ import {
 import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
 import { evaluate, type Numbers } from '../cpu/double.js'
 import { describe } from '../errors/errors.js'
-import { readOperators } from '../errors/operators.js'
+import { translateOperators } from '../errors/operators.js'
 import { boolean, callback as callbackKind, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -46,9 +46,9 @@ export function compile(
 ): CompiledExpressions {
   callbackKind.read(callback, place)
   const { target } = compileOptions.read(options, place)
-  const read = readOperators(callback, { method: 'compile' })
+  const translated = translateOperators(callback, { method: 'compile' })
   const module = withSession(target, (session) => {
-    const results: unknown = read(createBuilder(session) as unknown as Glsl)
+    const results: unknown = translated(createBuilder(session) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || !isRecord(results))
       throw place.error(
         `the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
@@ -77,7 +77,7 @@ export interface GenSettings extends CompileOptions {
   /** The number of nested operations at which an expression becomes a variable. Default: 8, and expressions that read many
    * variables are split too, so that few are live at a time. */
   maxDepthPerVariable?: number
-  /** `true`: comments say which line of your code each statement comes from. */
+  /** If true, comments say which line of your code each statement comes from. */
   debug?: boolean
 }
 
@@ -97,9 +97,9 @@ const genSettings = object({
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
   callbackKind.read(callback, genPlace)
   const { target, maxDepthPerVariable, debug } = genSettings.read(settings, genPlace)
-  const read = readOperators(callback, { method: 'gen' })
+  const translated = translateOperators(callback, { method: 'gen' })
   const run = (session: Session): [SerializedModule, unknown] => {
-    const returned: unknown = read(createBuilder(session) as unknown as Glsl)
+    const returned: unknown = translated(createBuilder(session) as unknown as Glsl)
     if (isUnfinished(returned))
       throw genPlace.error('the function must be neither async nor a generator.')
     return [session.finish(), returned]

@@ -20,14 +20,14 @@ export interface Emits {
    * Writes the statements for a fragment shader that compute the normal at a pixel, `vec3 warpedNormal`, and with `tangents: true`
    * `vec4 warpedTangent`. Their inputs are the position, normal, uv and color before the warp, and the gradients of
    * `surfaceVariation`, as the vertex shader passes them to pixels: in the space of the offset, interpolated, the normal with its
-   * length restored. Only what the normal needs is among the statements. Noise fades where a wave covers less than four pixels, unless the
+   * length restored. The statements compute only what the normal needs. Noise fades where a wave covers less than four pixels, unless the
    * option `fadeNoise` is `false` or the language is GLSL ES 1.00. Where the center of a pixel is outside of the mesh, numbers stay in the
-   * domain of operations such as `sqrt`, except in that language. Both take derivatives on the screen: insert the code outside of
-   * branches, and do not declare its varyings `centroid`. Use `highp` in GLSL ES 1.00. Default: the language and the
+   * domain of operations such as `sqrt`, except in that language. For these two purposes the code takes screen-space derivatives: insert
+   * it outside of branches, and do not declare its varyings `centroid`. Use `highp` in GLSL ES 1.00. Default: the language and the
    * names of the options of `compileWarp`. Throws a `WarpError` for a warp with `normals: false`.
    */
   emitFragment(target?: Target, options?: TextOptions): WarpText
-  /** Where normals are computed: as the option says or, for `'auto'`, as the warp makes advisable. `false` if they are left out. */
+  /** The stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. `false` if normals are left out. */
   readonly normals: NormalStage | false
   /**
    * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` are
@@ -46,23 +46,23 @@ function stageOf(warp: OffsetWarp, option: boolean | NormalsOption): NormalStage
   return option === true ? 'vertex' : warp.stageOfNormals(option)
 }
 
-function withoutHostParts({ parameters: _, frame: __, ...text }: HostText): WarpText {
+function publicText({ parameters: _, frame: __, ...text }: HostText): WarpText {
   return text
 }
 
 export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Emits {
   const { target } = options
   const normals = stageOf(warp, options.normals!)
-  const ofNormal: Result[] = ['normal', ...(options.tangents ? (['tangent'] as const) : [])]
-  const results: Result[] = ['offset', 'position', ...(normals === 'vertex' ? ofNormal : [])]
-  const text = withoutHostParts(warp.text(target!, results))
+  const normalResults: Result[] = ['normal', ...(options.tangents ? (['tangent'] as const) : [])]
+  const results: Result[] = ['offset', 'position', ...(normals === 'vertex' ? normalResults : [])]
+  const text = publicText(warp.text(target!, results))
   if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
   return {
     ...text,
     normals,
     emit(given, names) {
       const target = targetKind.read(given, emitPlace.part('the target'))
-      return withoutHostParts(warp.text(target, results, textOptions.read(names, emitPlace)))
+      return publicText(warp.text(target, results, textOptions.read(names, emitPlace)))
     },
     emitFragment(given = target!, names) {
       if (!normals)
@@ -70,8 +70,8 @@ export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Em
           'the warp was compiled with "normals: false", which leaves normals out; compile it without.',
         )
       const target = targetKind.read(given, fragmentPlace.part('the target'))
-      const read = textOptions.read(names, fragmentPlace)
-      return withoutHostParts(warp.fragmentText(target, ofNormal, read))
+      const options = textOptions.read(names, fragmentPlace)
+      return publicText(warp.fragmentText(target, normalResults, options))
     },
     frameUniforms(given = {}) {
       checkUniforms(framePlace, given, warp.variableNames())

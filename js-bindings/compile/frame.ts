@@ -20,8 +20,8 @@ export const isFrameUniform = ({ name }: { name: string }) => /^warpjetFrame\d+$
 const noConstants: FrameConstants = {}
 
 /**
- * Returns a function that computes the constants. Its argument `read` returns the numbers of an input, and is called only for
- * inputs that the constants depend on. While these numbers stay the same, the same object is returned.
+ * Returns a function that computes the constants. That function takes `read`, which returns the numbers of an input, and calls it only
+ * for inputs on which the constants depend. While these numbers stay the same, it returns the same object.
  */
 export function frameOf(module: SerializedModule, isFrameConstant: IsFrameConstant) {
   const frame = makeFrame(module, isFrameConstant)
@@ -32,9 +32,9 @@ export function frameOf(module: SerializedModule, isFrameConstant: IsFrameConsta
   return (read: (variable: Variable) => readonly number[]): FrameConstants => {
     const numbers = needed.map(read)
     if (last && areSame(numbers, last.numbers)) return last.constants
-    const given = numbers.values()
+    const remaining = numbers.values()
     const inputs = program.inputs.flatMap((variable, i) =>
-      isRead[i] ? [...given.next().value!] : Array<number>(sizeOf(variable)).fill(0),
+      isRead[i] ? [...remaining.next().value!] : Array<number>(sizeOf(variable)).fill(0),
     )
     const values = runInDouble(program, inputs, 4 * count)
     const constants = Object.fromEntries(
@@ -45,7 +45,7 @@ export function frameOf(module: SerializedModule, isFrameConstant: IsFrameConsta
   }
 }
 
-/** Compares the numbers of the same inputs. */
+/** Compares two lists of numbers of the same inputs. */
 const areSame = (a: readonly (readonly number[])[], b: readonly (readonly number[])[]) =>
   a.every((list, i) => list.every((number, k) => Object.is(number, b[i]![k])))
 

@@ -1,4 +1,4 @@
-// The option `uniforms` in a host: the name of each uniform in the shader, and its value now, as numbers or as the host's image.
+// The option `uniforms` in a host: the name of each uniform in the shader, and its current value, as numbers or as the host's image.
 import { imageShape, typeOf, type ShapeName } from '../core/expression/shapes.js'
 import {
   uniformsKind,
@@ -18,16 +18,16 @@ export interface HostUniform {
   /** Its name in the shader. */
   label: string
   type: ShapeName
-  /** Returns its numbers now, column by column; empty for an image. */
+  /** Returns its current numbers, column by column; empty for an image. */
   numbers: () => number[]
-  /** Present for an image: returns its present image. */
+  /** Returns the current image. Present for an image only. */
   image?: () => unknown
 }
 
 const plainNumbers: HostValues = { isImage: () => false, toNumbers: (value) => value }
 
 export class HostUniforms {
-  /** Maps the user's names to uniforms, with their present values. */
+  /** Maps the user's names to uniforms, with their current values. */
   readonly declared: DeclaredUniforms
   /** The uniforms of the shader. Those for the sampling of an image follow the image. */
   readonly inShader: readonly HostUniform[]
@@ -53,7 +53,7 @@ export class HostUniforms {
   /** Returns the name of a uniform in the shader. */
   readonly labelOf = (name: string): string => this.labels.get(name)!
 
-  /** Returns the present value; that of a function is what it returns. */
+  /** Returns the current value of a uniform; if it is a function, what the function returns. */
   get(name: string): unknown {
     const value = this.values[name]
     return isCallable(value) ? (value as () => unknown)() : value
@@ -64,18 +64,19 @@ export class HostUniforms {
     return this.values[name]
   }
 
-  /** Sets and checks a value, so that an error has the user's line in its stack. */
+  /** Sets a value. It is checked now, so that an error has the user's line in its stack. */
   set(name: string, value: unknown) {
     if (!this.declared.has(name)) throw this.unknown(name)
     this.read(name, value)
     this.values[name] = value
   }
 
+  /** Returns the error about a name that is not a uniform of the warp. */
   unknown(name: string): WarpError {
     return unknownUniform(this.place, name, this.names)
   }
 
-  /** Reads a value that a call passes in place of the present one. */
+  /** Returns the numbers of a value that a call passes in place of the current one. */
   numbersFor(name: string, value: unknown): number[] {
     return numbersFor(this.place.uniform(name), this.declared.get(name)!.shape, value)
   }
@@ -99,7 +100,7 @@ export class HostUniforms {
     )
   }
 
-  /** Replaces values of the host's classes. */
+  /** Replaces values of the host's classes by plain ones. */
   private plain(option: object) {
     return Object.fromEntries(
       Object.entries(option).map(([name, given]: [string, unknown]) => [
@@ -114,7 +115,7 @@ export class HostUniforms {
     return isImage(value) ? { width: 1, height: 1, image: value } : toNumbers(value)
   }
 
-  /** Reads the value anew each time, since an array may change in place, and another value may be set. */
+  /** Returns properties that read the value anew each time, since an array may change in place, and another value may be set. */
   private liveValue(name: string, { shape }: DeclaredUniform): Partial<DeclaredUniform> {
     const read = () => this.read(name, this.values[name], shape)
     read()
@@ -129,9 +130,9 @@ export class HostUniforms {
 
   /** Returns the numbers of a value, or the host's image. */
   private read(name: string, value: unknown, shape = this.declared.get(name)!.shape): unknown {
-    const now = this.toPlain(isCallable(value) ? (value as () => unknown)() : value)
-    if (shape !== imageShape) return numbersFor(this.place.uniform(name), shape, now)
-    const { image } = (now ?? {}) as { image?: unknown }
+    const plain = this.toPlain(isCallable(value) ? (value as () => unknown)() : value)
+    if (shape !== imageShape) return numbersFor(this.place.uniform(name), shape, plain)
+    const { image } = (plain ?? {}) as { image?: unknown }
     if (image) return image
     throw this.place.uniform(name).expected(`a texture of ${this.host!.name}`, describe(value))
   }
@@ -148,17 +149,17 @@ export class HostUniforms {
   private samplingOf(label: string, read: () => unknown): HostUniform[] {
     const { sampling } = this.host ?? {}
     if (!sampling?.read) return []
-    const now = () => sampling.read!(read() as never)
+    const currentSampling = () => sampling.read!(read() as never)
     const names = samplingUniforms(label)
     const settings: HostUniform = {
       label: names.settings,
       type: 'vec3',
-      numbers: () => samplingNumbers(now()),
+      numbers: () => samplingNumbers(currentSampling()),
     }
     const transform: HostUniform = {
       label: names.transform,
       type: 'mat3',
-      numbers: () => [...now().transform!],
+      numbers: () => [...currentSampling().transform!],
     }
     return sampling.hasTransform ? [settings, transform] : [settings]
   }
@@ -167,5 +168,5 @@ export class HostUniforms {
 const isRecord = (option: unknown): option is object =>
   typeof option === 'object' && option !== null && !isList(option)
 
-/** Undoes `toPlain` for an image. Images of p5 are not wrapped. */
+/** Returns the image that `toPlain` has wrapped. Images of p5 are not wrapped. */
 const hostImage = (value: object): unknown => ('image' in value ? value.image : value)

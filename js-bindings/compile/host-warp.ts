@@ -1,13 +1,13 @@
-// `HostWarp`: everything that an adapter needs from a warp, so that it contains only what is particular to its host.
+// `HostWarp`: everything that an adapter needs from a warp, so that the adapter contains only what is particular to its host.
+import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import { vertexInputs, type InputName } from '../core/inputs/inputs.js'
-import { allowNonFinite, countVertices, type Box, type Vertices } from '../core/inputs/vertices.js'
+import { allowNonFinite, type Box, type Vertices } from '../core/inputs/vertices.js'
 import { lazily } from '../core/module/lazily.js'
 import { ResultSet } from '../core/module/result-set.js'
-import { makePhases, makeProgram, type Program } from '../core/module/serialized-module.js'
+import { costOf, makePhases, makeProgram, type Program } from '../core/module/serialized-module.js'
 import { bounds } from '../cpu/bounds.js'
 import type { Bounds, CpuWarp } from '../cpu/cpu-warp.js'
 import { createCpuWarp } from '../cpu/create-cpu-warp.js'
-import type { Sink } from '../cpu/machine-code.js'
 import { positionsAlone } from '../cpu/results.js'
 import { runOnVertices } from '../cpu/vertex-run.js'
 import { warpProgram, type WarpProgram } from '../cpu/warp-program.js'
@@ -20,14 +20,16 @@ type CpuResult = 'position' | 'offset'
 /** The approximate number of instructions that `quickBounds` may run. */
 const quickBudget = 20_000
 
-/** The points at which waves and noises of the warped position are evaluated; they say how far apart samples may be. */
+/** The arguments of the waves and noises in the warped position, called phases. They determine how far apart samples may be. */
 export interface SurfacePhases {
-  /** For each phase, its numbers per vertex, and how far it may move between samples. */
-  readonly phases: readonly { readonly size: number; readonly step: number }[]
+  /** The numbers per vertex of each phase. */
+  readonly sizes: readonly number[]
+  /** The distance that each phase may move between samples. */
+  readonly steps: readonly number[]
   /** The numbers per vertex of all phases. */
   readonly size: number
-  /** Writes the phases of all vertices. */
-  evaluate(vertices: Vertices, given: DrawValues, into: Float32Array): void
+  /** Writes the phases of the first `count` vertices. */
+  evaluate(vertices: Vertices, count: number, drawValues: DrawValues, into: Float32Array): void
 }
 
 export class HostWarp extends OffsetWarp {
@@ -36,79 +38,96 @@ export class HostWarp extends OffsetWarp {
     offset: lazily(() => createCpuWarp(this.programs('offset'))),
   }
 
-  /** Returns the warp on the CPU, with the user's names. With `'offset'` it returns offsets instead of warped positions. */
+  /** Returns the warp on the CPU, with the user's names. If `result` is `'offset'`, it evaluates offsets instead of warped positions. */
   cpu(result: CpuResult = 'position'): CpuWarp {
     return this.onCpu[result]()
   }
 
-  /** `true` if the CPU can evaluate it; `false` if it calls a `glsl.fn` or reads an image. */
+  /** True if the CPU can evaluate the warp; false if it calls a `glsl.fn` or reads an image. */
   get canRunOnCpu(): boolean {
-    return this.running().program() !== undefined
+    return this.positionProgram().program() !== undefined
   }
 
-  /** `true` if it mirrors all of space, so that the back of a triangle is its outer side; `undefined` if that depends on uniforms. */
+  /** True if the warp mirrors all of space, so that the back of a triangle is its outer side; `undefined` if that depends on uniforms. */
   get mirrors(): boolean | undefined {
-    return this.running().mirrors()
+    return this.positionProgram().mirrors()
   }
 
-  /** Tests whether it mirrors all of space with these values. */
-  isMirrored(given: DrawValues): boolean {
-    return this.running().isMirrored(this.place, given as never)
+  /** Tests whether the warp mirrors all of space with these values. */
+  isMirrored(drawValues: DrawValues): boolean {
+    return this.positionProgram().isMirrored(this.place, drawValues as never)
   }
 
   /**
-   * Like `bounds` of `cpu(result)`, but wider for some warps and much faster, since hosts need bounds in each frame. For a sum of octaves
-   * of noise, those of `cpu()` take more than a tenth of a second and are not narrower.
+   * Returns bounds like `bounds` of `cpu(result)`, but much faster and, for some warps, wider, since hosts need bounds in each frame. For a
+   * sum of octaves of noise, the bounds of `cpu()` take more than a tenth of a second and are not narrower.
    */
-  quickBounds(result: CpuResult, box: Box, given: DrawValues): Bounds {
-    return bounds(this.cpu(result)[warpProgram], box, { uniforms: given as never }, quickBudget)
+  quickBounds(result: CpuResult, box: Box, drawValues: DrawValues): Bounds {
+    return bounds(
+      this.cpu(result)[warpProgram],
+      box,
+      { uniforms: drawValues as never },
+      quickBudget,
+    )
   }
 
-  /** Like `evaluate` of `cpu()`, but accepts vertices that are not finite, since hosts draw those too. */
-  evaluate(vertices: Vertices, given: DrawValues) {
-    return this.cpu().evaluate(allowNonFinite(vertices), { uniforms: given as never })
+  /** Evaluates like `evaluate` of `cpu()`, but accepts vertices that are not finite, since hosts draw those too. */
+  evaluate(vertices: Vertices, drawValues: DrawValues) {
+    return this.cpu().evaluate(allowNonFinite(vertices), { uniforms: drawValues as never })
   }
 
-  /** Writes warped positions into an array, and computes nothing else. */
-  evaluatePositions(vertices: Vertices, given: DrawValues, into: Float32Array) {
-    const sinks = [{ values: into, results: positionsAlone.numbers }]
-    this.runOn(this.running(), vertices, given, positionsAlone, sinks)
+  /** Estimates the operations on single floats in the warped position of a vertex. */
+  readonly operations = lazily(
+    () => costOf(this.recorded.module, [onSurface(warpResults.position)]).operations,
+  )
+
+  /** Returns the values with those of functions among the uniforms, so that several evaluations use the same ones. */
+  withUniformsNow(drawValues: DrawValues): DrawValues {
+    return snapshotUniforms(this.place, this.uniforms.declared, drawValues)!
+  }
+
+  /** Writes the warped positions of the first `count` vertices into an array, and computes nothing else. */
+  evaluatePositions(vertices: Vertices, count: number, drawValues: DrawValues, into: Float32Array) {
+    this.runOn(this.positionProgram(), vertices, count, drawValues, positionsAlone, into)
   }
 
   /** Returns the phases of the warped position; `undefined` if it has none, or if only the GPU can evaluate it. */
   readonly surfacePhases = lazily((): SurfacePhases | undefined => {
     const { module, inputs } = this.recorded
     const varying = Object.keys(vertexInputs).map((name) => inputs[name as InputName])
-    const made = this.canRunOnCpu ? makePhases(module, [warpResults.position], varying) : undefined
-    if (!made) return undefined
-    const { phases } = made
-    const size = phases.reduce((sum, each) => sum + each.size, 0)
+    const madePhases = this.canRunOnCpu
+      ? makePhases(module, [warpResults.position], varying)
+      : undefined
+    if (!madePhases) return undefined
+    const sizes = madePhases.phases.map((each) => each.size)
+    const steps = madePhases.phases.map((each) => each.step)
+    const size = sizes.reduce((sum, each) => sum + each, 0)
     const results = new ResultSet(Array.from({ length: size }, (_, i) => i))
-    const program = this.withUserNames(made.program)
-    const running: WarpProgram = {
+    const program = this.withUserNames(madePhases.program)
+    const phaseProgram: WarpProgram = {
       ...this.programs('position'),
-      // Frame constants are those of the shader code, which phases are not part of.
+      // Frame constants belong to the shader code, which does not compute phases.
       frameConstants: undefined,
       program: () => program,
     }
-    const evaluate: SurfacePhases['evaluate'] = (vertices, given, into) =>
-      this.runOn(running, vertices, given, results, [{ values: into, results: results.numbers }])
-    return { phases, size, evaluate }
+    const evaluate: SurfacePhases['evaluate'] = (vertices, count, drawValues, into) =>
+      this.runOn(phaseProgram, vertices, count, drawValues, results, into)
+    return { sizes, steps, size, evaluate }
   })
 
   private runOn(
     program: WarpProgram,
     vertices: Vertices,
-    given: DrawValues,
+    count: number,
+    drawValues: DrawValues,
     results: ResultSet,
-    sinks: readonly Sink[],
+    into: Float32Array,
   ) {
-    const mesh = allowNonFinite(vertices)
-    const count = countVertices(this.place, mesh)
-    runOnVertices(program, this.place, mesh, count, given as never, results, sinks)
+    const sinks = [{ values: into, results: results.numbers }]
+    runOnVertices(program, this.place, vertices, count, drawValues as never, results, sinks)
   }
 
-  private running() {
+  private positionProgram() {
     return this.cpu()[warpProgram]
   }
 
@@ -120,14 +139,15 @@ export class HostWarp extends OffsetWarp {
     const results = hasNormals ? [normal, tangent, determinant] : []
     return {
       declared: this.uniforms.declared,
-      frameConstants: this.isFrameConstant && ((place, given) => this.frame(given, place)),
+      frameConstants:
+        this.isFrameConstant && ((place, drawValues) => this.frame(drawValues, place)),
       program: lazily(() => this.withUserNames(this.program(warpResults[result], ...results))),
       directionProgram: lazily(() => this.program(warpResults.position, direction)),
-      // It calls no function of the host, so that there is always a program.
+      // The orientation calls no function of the host, so there is always a program.
       orientationProgram: lazily(() => this.program(orientation)!),
       hasNormals,
       varies,
-      // A host warns when the warp is made.
+      // A host has warned when the warp was made.
       isAccepted: settings.isAccepted || this.host !== undefined,
       // The tangent is first: a shader may read it from the attribute of another input.
       inputs: { tangent: inputs.tangent, ...(inputs as Record<string, number>) },

@@ -1,4 +1,4 @@
-// The façade for adapters of hosts: their only import from core, compile and cpu.
+// The façade for adapters of hosts, which import nothing else from core, compile and cpu.
 export { HostWarp } from './host-warp.js'
 export type { Host } from './host.js'
 export type { FrameConstants } from './frame.js'

@@ -1,4 +1,4 @@
-// The sampling of an image by its host, as uniforms.
+// Describes how a host samples an image, in uniforms.
 import { hostWraps, samplingUniforms } from '../core/expression/sampling.js'
 
 export { samplingUniforms }
@@ -8,14 +8,14 @@ export interface ImageSampling {
   wrap: readonly [Wrap, Wrap]
   /** `true` if the filter returns the nearest texel. */
   isNearest: boolean
-  /** Present if the host has one: the mat3 for texture coordinates, column by column. */
+  /** The mat3 by which texture coordinates are multiplied, column by column. Present if the host has one. */
   transform?: readonly number[]
 }
 
-/** Other modes of a host count as `'clamp'`. */
+/** A mode of wrapping. Other modes of a host are treated as `'clamp'`. */
 export type Wrap = keyof typeof hostWraps
 
-/** Returns the numbers of the uniform `settings`. */
+/** Returns the numbers of the uniform `samplingUniforms(…).settings`. */
 export const samplingNumbers = ({ wrap: [u, v], isNearest }: ImageSampling): number[] => [
   hostWraps[u],
   hostWraps[v],

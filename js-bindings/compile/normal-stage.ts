@@ -19,14 +19,14 @@ const maxOperations = 4000
 /** The typical length of an edge: that of p5's sphere, of radius 1 and with 24 segments. */
 const typicalEdge = 0.25
 
-/** A warp bends strongly if interpolated normals are off by more than this at more than one edge in ten, in degrees. */
+/** A warp bends strongly if interpolated normals are off by more than this, in degrees, at more than one edge in ten. */
 const maxAngle = 1
 
 const edgeCount = 40
 
 /**
- * Returns the stage that `'auto'` means: `'pixel'` if the normal takes at most `maxOperations` per pixel, and the warp contains noise
- * or bends strongly. A warp that only the GPU can evaluate gets `'vertex'`. `numbersOf` returns the present numbers of a uniform.
+ * Returns the stage that `'auto'` selects: `'pixel'` if the normal takes at most `maxOperations` per pixel, and the warp contains noise
+ * or bends strongly. A warp that only the GPU can evaluate gets `'vertex'`. `numbersOf` returns the current numbers of a uniform.
  */
 export function stageFor(
   recorded: RecordedWarp,
@@ -48,8 +48,8 @@ export function stageFor(
 type ValueAt = (point: readonly number[]) => readonly number[]
 
 /**
- * Returns the function for an input. `numbers` are those of a uniform, read once by the caller, since code of the user may compute them;
- * missing for inputs of a draw call, which are then 1.
+ * Returns the function that returns the numbers of an input. `numbers` are those of a uniform, which the caller reads only once, since
+ * user code may compute them. They are missing for inputs of a draw call, which are taken to be 1.
  */
 function valueOnSphere(
   { number, shape: [columns, rows] }: Variable,
@@ -86,7 +86,7 @@ function bendsStrongly(program: Program, values: readonly ValueAt[]): boolean {
       values.flatMap((valueAt) => valueAt(point)),
       3,
     )
-  const angles = edges().map(([start, end]) => {
+  const angles = makeEdges().map(([start, end]) => {
     const middle = scale(add(start, end), 0.5)
     return degreesBetween(add(normalAt(start), normalAt(end)), normalAt(middle))
   })
@@ -97,7 +97,7 @@ function bendsStrongly(program: Program, values: readonly ValueAt[]): boolean {
 type Edge = readonly [start: number[], end: number[]]
 
 /** Returns edges that are spread over the unit sphere, in all directions: a Fibonacci lattice. */
-function edges(): Edge[] {
+function makeEdges(): Edge[] {
   const goldenAngle = Math.PI * (3 - Math.sqrt(5))
   return Array.from({ length: edgeCount }, (_, i): Edge => {
     const z = 1 - (2 * i + 1) / edgeCount
@@ -105,8 +105,8 @@ function edges(): Edge[] {
     const start = onSphere(longitude, Math.asin(z))
     const east = [-Math.sin(longitude), Math.cos(longitude), 0]
     const north = cross(start, east)
-    const along = add(scale(east, Math.cos(direction)), scale(north, Math.sin(direction)))
-    return [start, add(scale(start, Math.cos(typicalEdge)), scale(along, Math.sin(typicalEdge)))]
+    const heading = add(scale(east, Math.cos(direction)), scale(north, Math.sin(direction)))
+    return [start, add(scale(start, Math.cos(typicalEdge)), scale(heading, Math.sin(typicalEdge)))]
   })
 }
 
@@ -126,7 +126,7 @@ const cross = ([x, y, z]: readonly number[], [u, v, w]: readonly number[]) => [
   x! * v! - y! * u!,
 ]
 
-/** Returns the angle, or 0 where a vector is zero or not finite. */
+/** Returns the angle between two vectors, or 0 if one is zero or not finite. */
 function degreesBetween(a: readonly number[], b: readonly number[]): number {
   const crossed = cross(a, b)
   const angle = Math.atan2(Math.sqrt(dot(crossed, crossed)), dot(a, b))

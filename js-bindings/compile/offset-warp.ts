@@ -11,7 +11,7 @@ import {
   type Target,
 } from '../core/module/serialized-module.js'
 import type { OffsetFunction } from '../core/types/types.js'
-import { own } from '../options/guards.js'
+import { ownProperty } from '../options/guards.js'
 import { callback } from '../options/kinds.js'
 import { finiteDouble, readNumbers } from '../options/numbers.js'
 import type { Place } from '../options/place.js'
@@ -28,9 +28,9 @@ import { writeWarp, type HostText } from './warp-text.js'
 export interface HostOptions extends RecordOptions {
   /** Missing for `compileWarp`, whose shader code is for any host. */
   host?: Host
-  /** The option `uniforms`, as the user wrote it. */
+  /** The option `uniforms` as the user passed it. */
   uniforms?: object | undefined
-  /** `true` if shader code reads frame constants. Default: `true` for a host. */
+  /** True if shader code reads frame constants. Default: true for a host. */
   perFrame?: boolean | undefined
 }
 
@@ -88,11 +88,11 @@ export class OffsetWarp {
   }
 
   /** Returns the numbers of uniforms and of the draw call's inputs that the warped position of a vertex depends on. */
-  state(given: DrawValues): number[] {
-    return this.inputsRead().flatMap((variable) => this.stateOf(variable, given))
+  state(drawValues: DrawValues): number[] {
+    return this.inputsRead().flatMap((variable) => this.stateOf(variable, drawValues))
   }
 
-  /** Returns where the normal is computed, which `'auto'` leaves to the warp. */
+  /** Returns the stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. */
   stageOfNormals(option: NormalsOption): NormalStage {
     return option === 'auto'
       ? stageFor(this.recorded, this.isFrameConstant, ({ name }) =>
@@ -101,9 +101,9 @@ export class OffsetWarp {
       : option
   }
 
-  /** Returns the numbers of a uniform, by its name in the shader: those of a value that the draw call gives, or the present ones. */
-  uniformNumbers(label: string, given: DrawValues): readonly number[] {
-    return this.numbersNow(this.userName(label), label, given)
+  /** Returns the numbers of a uniform, by its name in the shader: those of a value that the draw call passes, or the current ones. */
+  uniformNumbers(label: string, drawValues: DrawValues): readonly number[] {
+    return this.numbersNow(this.userName(label), label, drawValues)
   }
 
   text(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
@@ -115,7 +115,7 @@ export class OffsetWarp {
 
   /**
    * Writes the code of a fragment shader, in which noise that is finer than a pixel fades, and a pixel on the border of a mesh stays in the
-   * domain of the warp. Neither is so in GLSL ES 1.00: derivatives on the screen need an extension there.
+   * domain of the warp. In GLSL ES 1.00 the code does neither, since screen-space derivatives need an extension there.
    */
   fragmentText(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
     const hasScreenDerivatives = target !== 'glsl100'
@@ -128,8 +128,8 @@ export class OffsetWarp {
   }
 
   /** Returns the constants of a frame: the same object while the values stay the same. */
-  frame(given: DrawValues, place = this.place): FrameConstants {
-    return this.frameConstants()((variable) => this.numbersOf(place, variable, given))
+  frame(drawValues: DrawValues, place = this.place): FrameConstants {
+    return this.frameConstants()((variable) => this.numbersOf(place, variable, drawValues))
   }
 
   /** Returns the user's names of uniforms and of other variables of the shader. */
@@ -185,12 +185,12 @@ export class OffsetWarp {
     return ({ name, number }) => numbers.has(number) || labels.has(name)
   }
 
-  private stateOf({ number, name: label }: Variable, given: DrawValues): readonly number[] {
-    return this.numbersNow(this.drawNames().get(number) ?? this.userName(label), label, given)
+  private stateOf({ number, name: label }: Variable, drawValues: DrawValues): readonly number[] {
+    return this.numbersNow(this.drawNames().get(number) ?? this.userName(label), label, drawValues)
   }
 
-  private numbersNow(name: string, label: string, given: DrawValues): readonly number[] {
-    const value = own(given, name)
+  private numbersNow(name: string, label: string, drawValues: DrawValues): readonly number[] {
+    const value = ownProperty(drawValues, name)
     if (value === undefined) return this.byLabel().get(label)?.numbers() ?? []
     return this.uniforms.declared.has(name)
       ? this.uniforms.numbersFor(name, value)
@@ -200,24 +200,24 @@ export class OffsetWarp {
   private numbersOf(
     place: Place,
     { number, name: label, shape: [columns, rows] }: Variable,
-    given: DrawValues,
+    drawValues: DrawValues,
   ): readonly number[] {
     const name = this.drawNames().get(number) ?? this.userName(label)
-    const value = own(given, name)
+    const value = ownProperty(drawValues, name)
     const uniform = this.uniforms.declared.get(name)
     if (value === undefined && uniform) return uniform.numbers(place)
     const sampling = this.byLabel().get(label)
     if (value === undefined && sampling) return sampling.numbers()
     if (value === undefined)
       throw place.error(`the warp reads "${name}"; pass a value, as in { ${name}: 0 }.`)
-    const at = place.uniform(name)
+    const uniformPlace = place.uniform(name)
     return uniform
-      ? numbersFor(at, uniform.shape, value)
-      : readNumbers(at, value, columns * rows, { test: finiteDouble })
+      ? numbersFor(uniformPlace, uniform.shape, value)
+      : readNumbers(uniformPlace, value, columns * rows, { test: finiteDouble })
   }
 
   /** Throws for an input that the host lacks. */
-  private rejectMissing({ name: host, inputs: known, advice = {} }: Host) {
+  private rejectMissing({ name: host, inputs: provided, advice = {} }: Host) {
     const { inputs, settings } = this.recorded
     const results: Result[] = settings.tangents
       ? ['position', 'normal', 'tangent']
@@ -233,7 +233,7 @@ export class OffsetWarp {
           `the offset reads "${label}" by glsl.param, which no shader of ${host} declares; read it as uniforms.${label}, with the option { uniforms: { ${label}: … } }.`,
         )
       }
-      if (!(input in drawInputs) || known.includes(input as DrawInput)) continue
+      if (!(input in drawInputs) || provided.includes(input as DrawInput)) continue
       const remedy =
         advice[input as DrawInput] ??
         `declare it, as in { uniforms: { my${input[0]!.toUpperCase()}${input.slice(1)}: ${drawInputs[input as DrawInput] === 1 ? 1 : '[0, 0]'} } }`

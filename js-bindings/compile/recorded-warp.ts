@@ -18,11 +18,11 @@ export interface RecordedWarp {
   settings: Settings
   /** Maps an input's name to its number in the module. */
   inputs: Readonly<Record<InputName, number>>
-  /** `true` if the warped normal depends on how normal and uv vary over the surface. */
+  /** True if the warped normal depends on how normal and uv vary over the surface. */
   varies: boolean
-  /** `true` if shader code treats them as constant nevertheless, and no option accepts that. */
+  /** True if shader code treats normal and uv as constant nevertheless, and no option of the user accepts that. */
   isApproximate: boolean
-  /** The number of the offset's Jacobian among the results, if the settings ask for it. */
+  /** The number of the offset's Jacobian among the results. Present if the settings request it. */
   jacobian: number | undefined
   /** The number of the first of the results `other0`, `other1` … */
   firstOther: number
@@ -52,23 +52,23 @@ export const onSurface = (result: number) =>
 export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): RecordedWarp {
   const { place, target, names, normals, surfaceVariation, isAccepted, debug } = settings
   const record = (session: Session): RecordedWarp => {
-    const given: Record<string, Expression> = {}
+    const inputExpressions: Record<string, Expression> = {}
     for (const [name, label] of Object.entries(names)) {
-      given[name] = session.input(
+      inputExpressions[name] = session.input(
         label,
         [1, inputSizes[name as InputName]],
         `${place.method} names.${name}`,
       )
       session.inputNames.set(label, name)
     }
-    const offset = readOffset(session, place, offsetFunction(warpInputs(session, given)))
-    const operands = warpOperands.map((name) => given[name]!)
+    const offset = readOffset(session, place, offsetFunction(warpInputs(session, inputExpressions)))
+    const operands = warpOperands.map((name) => inputExpressions[name]!)
     const { varies } = session.warp(place, [offset, ...operands], normals, !surfaceVariation)
     const inputs = Object.fromEntries(
-      Object.entries(given).map(([name, input]) => [name, session.numberOf(input)]),
+      Object.entries(inputExpressions).map(([name, input]) => [name, session.numberOf(input)]),
     ) as RecordedWarp['inputs']
     const isApproximate = varies && !surfaceVariation && !isAccepted
-    if (settings.jacobian) addJacobian(session, offset, given.position!)
+    if (settings.jacobian) addJacobian(session, offset, inputExpressions.position!)
     const others = settings.others()
     for (const [i, each] of others.entries()) session.output(`other${i}`, each, place)
     const module = session.finish()
@@ -89,15 +89,15 @@ function addJacobian(session: Session, offset: Expression, position: Expression)
 }
 
 function readOffset(session: Session, place: Place, offset: unknown): Expression {
-  const wrong = (got: string) =>
+  const resultError = (got: string) =>
     place.error(
       `the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned ${got}.`,
     )
-  if (offset === undefined) throw wrong('undefined (is its "return" missing?)')
-  if (offset instanceof Promise) throw wrong('a promise (leave its "async" out)')
-  if (!isExpression(offset)) throw wrong(describe(offset))
+  if (offset === undefined) throw resultError('undefined (is its "return" missing?)')
+  if (offset instanceof Promise) throw resultError('a promise (leave its "async" out)')
+  if (!isExpression(offset)) throw resultError(describe(offset))
   const vector = toExpression(session, offset, place.part('the offset'))
   const [columns, rows] = session.shapeOf(vector)
-  if (columns !== 1 || rows !== 3) throw wrong(describeShape([columns, rows]))
+  if (columns !== 1 || rows !== 3) throw resultError(describeShape([columns, rows]))
   return vector
 }

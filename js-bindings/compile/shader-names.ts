@@ -1,5 +1,5 @@
-// The names of a warp's variables in the shaders of a host. All begin with warpjet, so that they collide with no others. Expressions that are
-// the same in all hosts.
+// The names of a warp's variables in the shaders of a host, which begin with warpjet so that they collide with no others; and expressions
+// that are the same in all hosts.
 
 export const shaderNames = {
   offset: 'warpjetOffset',
@@ -12,9 +12,9 @@ export const shaderNames = {
   millis: 'warpjetMillis',
 } as const
 
-/** Returns the vector that passes a normal to pixels: interpolation shortens the normal, but not its length. `vec4` is the type's name. */
+/** Returns the vector that passes a normal and its length to pixels, since interpolation shortens the normal. `vec4` is the type's name. */
 export const withLength = (normal: string, vec4: string) => `${vec4}(${normal}, length(${normal}))`
 
-/** Returns an expression, in GLSL and in WGSL, for the normal with the length that it has at vertices, from `withLength`, interpolated. */
+/** Returns an expression, in GLSL and in WGSL, for the normal with its length at vertices, from the interpolated vector of `withLength`. */
 export const restoreLength = (passed: string) =>
   `${passed}.xyz * (${passed}.w / max(length(${passed}.xyz), 1e-30))`

@@ -8,10 +8,10 @@ import { lazyObject } from '../core/lazy-object.js'
 import type { WarpInputs } from '../core/types/types.js'
 import { didYouMean, throwingPrototype } from '../errors/nearest.js'
 
-const part = (session: Session, vector: Expression, i: number) =>
+const componentOf = (session: Session, vector: Expression, i: number) =>
   session.swizzle('xyz'[i]!, vector, [i])
 
-/** Maps names from other shaders → ours, for "did you mean". */
+/** Maps names that users know from other tools → ours, for "did you mean". */
 const meant = {
   time: 'millis',
   frameCount: 'millis',
@@ -23,12 +23,12 @@ const meant = {
 }
 
 /** The inputs that an offset function gets by their own names. */
-const givenNames = Object.keys(inputSizes).filter(
+const inputNames = Object.keys(inputSizes).filter(
   (name) => name !== 'tangent' && !(name in variationInputs),
 )
 
 /** Components with names of their own. */
-const namedParts = {
+const namedComponents = {
   mouseX: ['mouse', 0],
   mouseY: ['mouse', 1],
   width: ['size', 0],
@@ -36,7 +36,7 @@ const namedParts = {
 } as const
 
 const offsetInputs = new Map(
-  ['glsl', ...givenNames, ...Object.keys(namedParts)].map((name) => [name, true]),
+  ['glsl', ...inputNames, ...Object.keys(namedComponents)].map((name) => [name, true]),
 )
 
 export function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
@@ -44,9 +44,9 @@ export function warpInputs(session: Session, inputs: Record<string, Expression>)
   const glsl = createBuilder(session)
   const make = (name: string) => {
     if (name === 'glsl') return glsl
-    const [vector, i] = namedParts[name as keyof typeof namedParts] ?? []
+    const [vector, i] = namedComponents[name as keyof typeof namedComponents] ?? []
     // Inputs can be called, as millis() in p5 and as components can.
-    return callable(name, vector ? part(session, inputs[vector]!, i!) : inputs[name]!)
+    return callable(name, vector ? componentOf(session, inputs[vector]!, i!) : inputs[name]!)
   }
   const names = [...offsetInputs.keys()]
   const unknown = (name: string) =>

@@ -36,32 +36,32 @@ export interface WarpOptions<
   /** Names for the results, as in `{ position: 'moved' }`. */
   outputs?: OutputNames
   /**
-   * Where normals are computed: `true` or `'vertex'` in `code`, `'pixel'` only in the code of `emitFragment`, for you to insert in the
-   * fragment shader, and `'auto'` at one of both, depending on the warp: see `normals` of the result. `false` leaves normals out.
+   * The stage that computes normals. `true` or `'vertex'`: in `code`. `'pixel'`: only in the code of `emitFragment`, for you to insert in the
+   * fragment shader. `'auto'`: in one of the two, depending on the warp; `normals` of the result says which. `false` leaves normals out.
    * @default true
    */
   normals?: boolean | NormalsOption
   /**
-   * `false` keeps the full strength of noise in the code of `emitFragment` where its waves cover less than four pixels, and noise that is
-   * finer than a pixel sparkles. GLSL ES 1.00 always keeps it.
+   * If true, noise in the code of `emitFragment` fades where its waves cover less than four pixels. If false, it keeps its full strength
+   * there, and noise that is finer than a pixel sparkles. In GLSL ES 1.00 it always keeps its full strength.
    * @default true
    */
   fadeNoise?: boolean
-  /** `true` also transforms the tangent, a vec4 as in glTF. */
+  /** If true, the tangent, a vec4 as in glTF, is transformed, too. */
   tangents?: boolean
   /**
-   * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
+   * If true, the shader must have the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
    * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
-   * them; the code reads only those that the normal of this offset needs. Otherwise normal and uv count as constant; `false` accepts that
-   * without a warning.
+   * them; the code reads only those that the normal of this offset needs. Otherwise normal and uv are treated as constant; `false`
+   * silences the warning about that.
    */
   surfaceVariation?: boolean
   /**
-   * `true`: everything that is constant during a frame is computed on the CPU, in double precision, by `frameUniforms`, and the
-   * code reads it as uniforms `warpjetFrame0`, …: so float32 stays precise even if a page runs for weeks.
+   * If true, everything that is constant during a frame is computed on the CPU, in double precision, by `frameUniforms`, and the
+   * code reads it from uniforms `warpjetFrame0`, …, so that float32 stays precise even if a page runs for weeks.
    */
   perFrame?: boolean
-  /** `true`: comments say which lines of your code each statement comes from. */
+  /** If true, comments say which lines of your code each statement comes from. */
   debug?: boolean
 }
 
@@ -71,7 +71,7 @@ export interface TextOptions {
   outputs?: OutputNames | undefined
 }
 
-/** The options that decide what is recorded and written. */
+/** The options that determine what is recorded and written. */
 export interface RecordOptions extends TextOptions {
   target?: Target | undefined
   /** `false` leaves the normal out of the recording; all other values record it. */
@@ -80,9 +80,9 @@ export interface RecordOptions extends TextOptions {
   tangents?: boolean | undefined
   surfaceVariation?: boolean | undefined
   debug?: boolean | undefined
-  /** `true` also records the Jacobian of the offset. */
+  /** If true, the Jacobian of the offset is recorded, too. */
   jacobian?: boolean | undefined
-  /** Returns more numbers that the call of the offset function has computed, which become the results `other0`, `other1` … */
+  /** Returns further numbers, which the call of the offset function has computed. They become the results `other0`, `other1` … */
   others?: (() => readonly Expression[]) | undefined
 }
 
@@ -128,7 +128,7 @@ export function readWarpOptions(given: unknown, place: Place) {
   return options
 }
 
-/** The options with their defaults. */
+/** The options with defaults filled in. */
 export type Settings = ReturnType<typeof settingsOf>
 
 export function settingsOf(place: Place, options: RecordOptions, defaults = publicOutputs) {
@@ -148,7 +148,7 @@ export function settingsOf(place: Place, options: RecordOptions, defaults = publ
   return { place, target, debug, fadeNoise, ...recorded, isAccepted, names, outputs }
 }
 
-/** Names of results in texts that the user reads. */
+/** The names of results in shader code that is written for users. */
 const publicOutputs: Record<keyof OutputNames, string> = {
   offset: 'offset',
   position: 'warpedPosition',

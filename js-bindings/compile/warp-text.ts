@@ -38,7 +38,7 @@ export function writeWarp(
   const names: Record<string, string> = { ...settings.names, ...withoutUndefined(options.names) }
   const outputs = { ...settings.outputs, ...withoutUndefined(options.outputs) }
   rejectSplitInputs(inputs, settings.names, names)
-  // The module has the names of the recording. Passes names that differ from these, and expressions such as ( p ).xy.
+  // The module contains the names of the recording. We pass names that differ from these, and expressions such as ( p ).xy.
   const renamed = Object.entries(inputs)
     .filter(([name]) => names[name] !== settings.names[name] || !/^\w+$/.test(names[name]!))
     .map(([name, number]): [number, string] => [number, names[name]!])
@@ -46,7 +46,7 @@ export function writeWarp(
     code,
     declarations,
     stats,
-    inputs: read,
+    inputs: inputsRead,
   } = writeText(module, target, {
     inputs: renamed,
     results: results.map((result) => [
@@ -58,12 +58,12 @@ export function writeWarp(
     reflectsAtBorders: options.reflectsAtBorders,
   })
   const numbers = new Set<number>(Object.values(inputs))
-  const others = read.filter(({ number }) => !numbers.has(number))
+  const others = inputsRead.filter(({ number }) => !numbers.has(number))
   const frame = uniqueDeclared(others.filter(isFrameUniform))
   const parameters = uniqueDeclared(others.filter((variable) => !isFrameUniform(variable)))
   const selectInputs = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
     (Object.keys(sizes) as (keyof typeof inputs)[]).flatMap((name) => {
-      const input = read.find(({ number }) => number === inputs[name])
+      const input = inputsRead.find(({ number }) => number === inputs[name])
       return input ? toDeclared({ ...input, name }) : []
     })
   const uniforms = selectInputs(drawInputs)
@@ -79,7 +79,7 @@ export function writeWarp(
   }
 }
 
-/** Returns the name that a result `other0` has in shader code. */
+/** Returns the name in shader code of a result such as `other0`. */
 export const otherName = (result: string) => `warpjet${result[0]!.toUpperCase()}${result.slice(1)}`
 
 /** Throws if a parameter is named like an input that has another name in the shader: `uniforms` would list that name twice. */
@@ -97,7 +97,7 @@ function rejectNamesakes(
       )
 }
 
-const emit = new Place('emit')
+const emitPlace = new Place('emit')
 
 /** Throws if inputs that had one name when the warp was recorded, and so are one input, have different names now. */
 function rejectSplitInputs(
@@ -110,7 +110,7 @@ function rejectSplitInputs(
     const other = first.get(number) ?? name
     first.set(number, other)
     if (names[name] !== names[other])
-      throw emit.error(
+      throw emitPlace.error(
         `${other} and ${name} were one input, "${recordedNames[name]}", when the offset was compiled; use one name for both again, or compile it with these names.`,
       )
   }

@@ -6,7 +6,7 @@ interface Lazy {
   make: (name: string) => unknown
 }
 
-/** Makes every value appear to exist, however it is accessed. Assigned and deleted values stay assigned and deleted. */
+/** Makes every value appear to exist, however it is accessed. A value that was assigned or deleted is not made again. */
 class Handler implements ProxyHandler<object> {
   private readonly made = new Set<PropertyKey>()
 
@@ -51,8 +51,8 @@ class Handler implements ProxyHandler<object> {
 
   ownKeys(target: object) {
     const { names } = this.lazy
-    const isThere = (name: string) => !this.made.has(name) || Object.hasOwn(target, name)
-    return [...new Set([...[...names.keys()].filter(isThere), ...Reflect.ownKeys(target)])]
+    const exists = (name: string) => !this.made.has(name) || Object.hasOwn(target, name)
+    return [...new Set([...[...names.keys()].filter(exists), ...Reflect.ownKeys(target)])]
   }
 }
 

@@ -4,7 +4,7 @@ import type { Range } from '../core/inputs/vertices.js'
 import type { Program } from '../core/module/serialized-module.js'
 import { evaluation, type Program as LoadedProgram } from '../wasm/evaluation.js'
 
-/** Does `work` with a program that is loaded into the wasm, and unloads it. */
+/** Loads a program into the wasm, calls `work` with it, and unloads it. */
 export const withProgram = <Result>(
   { words, instructions }: Program,
   work: (program: LoadedProgram) => Result,
@@ -19,8 +19,8 @@ export const inputsRead = (program: Program, wanted: readonly number[]): boolean
   )
 
 /**
- * Returns the range of each wanted result. `ranges` has the range of each component of the program's inputs. With a lower `budget`, the
- * approximate number of instructions that may be run, ranges get wider.
+ * Returns the range of each wanted result. `ranges` has the range of each component of the program's inputs. `budget` is the approximate
+ * number of instructions that may be run: the lower it is, the wider the ranges get.
  */
 export const boundProgram = (
   program: Program,

@@ -25,11 +25,11 @@ export function bounds(
     color: Array<Range>(4).fill([0, 1]),
   }
   const plan = planInputs(warp, program, positionsAlone)
-  const given = originsOf(place, warp, plan, uniforms).flatMap(
+  const inputRanges = originsOf(place, warp, plan, uniforms).flatMap(
     ({ input, numbers }) =>
       // Inputs that only transform the normal have no range: they do not move the vertex.
       (input && ranges[input]) ?? numbers.map((x): Range => [x, x]),
   )
-  const found = boundProgram(program, given, positionsAlone.numbers, budget)
-  return { min: found.map(([low]) => low), max: found.map(([, high]) => high) }
+  const resultRanges = boundProgram(program, inputRanges, positionsAlone.numbers, budget)
+  return { min: resultRanges.map(([low]) => low), max: resultRanges.map(([, high]) => high) }
 }

@@ -11,10 +11,10 @@ export interface EvaluationOptions {
 
 export interface EvaluateOptions extends EvaluationOptions {
   /**
-   * Arrays of yours that receive the results. Each must be at least as long as its result; missing ones are created. The same
-   * arrays are returned, in this object if it holds no others. They may be inputs or share memory with inputs, but two results
-   * that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or a
-   * result would overwrite an input that has yet to be read, which is copied first.
+   * Arrays of yours that receive the results. Each must be at least as long as its result; missing ones are created. `evaluate` returns
+   * the same arrays, in this object if it holds no others. They may be inputs or share memory with inputs, but two results
+   * that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or an input
+   * must be copied because a result would overwrite it before it is read.
    */
   out?: Partial<WarpedVertices> | undefined
 }
@@ -33,16 +33,16 @@ export interface WarpedPoint {
 
 export interface InverseOptions
   extends Partial<Record<'normal' | 'uv' | 'color', ArrayLike<number>>>, EvaluationOptions {
-  /** The start of the search, best the position that was found for the point a moment ago. Default: the point itself. */
+  /** The start of the search, ideally the position that was found for the point a moment ago. Default: the point itself. */
   near?: ArrayLike<number> | undefined
 }
 
 export interface WarpInverse {
   /** The position that the warp moves to the point: of several, the one that the search from `near` reaches. */
   position: number[]
-  /** `true` if the warp turns space inside out there, det(I + J) <= 0. Then it moves other positions to the point too, which are
-   * found from another `near`, unless the warp mirrors all of space or the point is exactly on a crease. Other positions may exist if
-   * it is `false` too: of three layers of a fold, only the middle one is inside out. */
+  /** True if the warp turns space inside out at the position, det(I + J) <= 0. Then the warp moves other positions to the point too, which
+   * are found from another `near`, unless the warp mirrors all of space or the point is exactly on a crease. Other positions may also exist
+   * if this is false: of three layers of a fold, only the middle one is inside out. */
   isFolded: boolean
 }
 
@@ -55,7 +55,7 @@ export interface Bounds {
 export interface Foldover {
   /** 1 for each vertex where the warp turns space inside out, det(I + J) <= 0, or where the determinant is NaN; otherwise 0. If the
    * offset depends on normal or uv, space means the thin layer around the surface in which these are constant along each normal:
-   * its two sides are swapped there. */
+   * where the mask is 1, the two sides of that layer are swapped. */
   mask: Uint8Array
   /** The number of ones in `mask`. */
   count: number
@@ -91,8 +91,8 @@ export interface CpuWarp {
    * `position` is the point, up to float32. In double precision, the distance is at most 1e-9 of the point's distance from the
    * origin, plus 1e-10 for rounding. Returns one position, and whether it is in a fold; `undefined` if the search finds none, which
    * does not prove that there is none. The search is Newton's method with the exact Jacobian, in double precision, damped by
-   * halving each step until it gets closer, and by intermediate goals where that fails. Other inputs, such as the normal, count as
-   * constant. Throws for a warp compiled with `normals: false`, which has no Jacobian.
+   * halving each step until it gets closer, and by intermediate goals where that fails. Other inputs, such as the normal, are treated
+   * as constant. Throws for a warp compiled with `normals: false`, which has no Jacobian.
    */
   inverseAt(point: ArrayLike<number>, options?: InverseOptions): WarpInverse | undefined
   /** Finds the vertices where the warp turns the surface inside out. */

@@ -2,7 +2,7 @@
 import type { Variable } from '../core/expression/shapes.js'
 import { inputNumbers } from '../core/inputs/input-numbers.js'
 import type { Program } from '../core/module/serialized-module.js'
-import { own } from '../options/guards.js'
+import { ownProperty } from '../options/guards.js'
 import { finiteDouble } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { getCore } from '../wasm/core.js'
@@ -15,12 +15,12 @@ const totalSize = (variables: readonly Variable[]) =>
 
 const place = new Place('evaluate')
 
-/** Evaluates `program`. `given` maps an input → its value. An input that is not in `read`, since it cancels out in the code, is 0. */
+/** Evaluates `program`. `inputs` maps an input → its value. An input that is not in `read`, since it cancels out in the code, is 0. */
 export function evaluate(
   program: Program | undefined,
   read: readonly Variable[],
   outputs: readonly Variable[],
-  given: Readonly<Record<string, Numbers>>,
+  inputs: Readonly<Record<string, Numbers>>,
 ): Record<string, number | number[]> {
   if (!program)
     throw place.error(
@@ -28,20 +28,25 @@ export function evaluate(
     )
   const names = new Set(read.map(({ name }) => name))
   const numbers = program.inputs.flatMap((input) =>
-    names.has(input.name) ? numbersOf(input, given) : Array<number>(sizeOf(input)).fill(0),
+    names.has(input.name) ? numbersOf(input, inputs) : Array<number>(sizeOf(input)).fill(0),
   )
   const results = runInDouble(program, numbers, totalSize(outputs))
-  let at = 0
+  let start = 0
   return Object.fromEntries(
     outputs.map((output) => {
-      const values = results.slice(at, (at += sizeOf(output)))
+      const values = results.slice(start, (start += sizeOf(output)))
       return [output.name, values.length === 1 ? values[0]! : values]
     }),
   )
 }
 
-const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] =>
-  inputNumbers(place.part(`"${input.name}"`), input, own(given ?? {}, input.name), finiteDouble)
+const numbersOf = (input: Variable, inputs: Readonly<Record<string, Numbers>>): number[] =>
+  inputNumbers(
+    place.part(`"${input.name}"`),
+    input,
+    ownProperty(inputs ?? {}, input.name),
+    finiteDouble,
+  )
 
 /** Returns the first `resultCount` results of a program, from the numbers of its inputs. */
 export const runInDouble = (

@@ -13,7 +13,7 @@ import { missingInput, programOf, rejectWithoutNormals, type WarpProgram } from 
 const place = new Place('inverseAt')
 const inverseOptions = ['near', 'normal', 'uv', 'color', 'uniforms']
 
-/** Results of the program of directions: the warped position and the warped direction. */
+/** Results of `directionProgram`: the warped position and the warped direction. */
 const positionAndDirection = new ResultSet([0, 1, 2, 3, 4, 5])
 
 const unitVectors: readonly Triple[] = [
@@ -41,13 +41,15 @@ export function inverseAt(
     if (value) return readNumbers(place.part(`the ${input}`), value, vertexInputs[input])
     throw missingInput(place, input, input)
   })
-  const given = (position: Triple, direction: Triple) =>
+  const inputNumbers = (position: Triple, direction: Triple) =>
     origins.flatMap(({ input }, i) => {
       if (input === 'position') return position
       return input === 'tangent' ? [...direction, 1] : shared[i]!
     })
   const warpAt = (position: Triple): Warped => {
-    const runs = unitVectors.map((direction) => runInDouble(program, given(position, direction), 6))
+    const runs = unitVectors.map((direction) =>
+      runInDouble(program, inputNumbers(position, direction), 6),
+    )
     return {
       position: runs[0]!.slice(0, 3) as Triple,
       columns: runs.map((run) => run.slice(3)) as Warped['columns'],

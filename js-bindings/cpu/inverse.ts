@@ -84,14 +84,14 @@ class InverseSearch {
     return this.evaluations >= this.limit
   }
 
-  /** Like `from`, but limited to `maxFromElsewhere` evaluations. */
-  fromElsewhere(start: Triple): Sample | undefined {
+  /** Searches like `searchFrom`, but with at most `maxFromElsewhere` evaluations. */
+  searchFromElsewhere(start: Triple): Sample | undefined {
     this.limit = this.evaluations + maxFromElsewhere
-    return this.from(start)
+    return this.searchFrom(start)
   }
 
-  /** Searches from `start`; `undefined` if that fails. */
-  from(start: Triple): Sample | undefined {
+  /** Searches from `start`; returns `undefined` if that fails. */
+  searchFrom(start: Triple): Sample | undefined {
     let sample = this.sample(start)
     if (!isFinite3(sample.to.position)) return undefined
     // The first goal is the target itself. Where Newton's method fails, the next goal is half as far; after a success, twice as far.
@@ -107,25 +107,25 @@ class InverseSearch {
     return undefined
   }
 
-  /** Newton's method, damped: each step is halved until it gets closer to the goal. */
+  /** Runs Newton's method, damped: each step is halved until it gets closer to the goal. */
   private dampedNewton(start: Sample, goal: Triple): Sample | undefined {
     let sample = start
-    let left = distance(sample.to.position, goal)
+    let distanceLeft = distance(sample.to.position, goal)
     for (let steps = 0; steps < maxSteps && !this.isAtLimit; steps++) {
-      if (left <= tolerance(precision, sample, goal)) return sample
+      if (distanceLeft <= tolerance(precision, sample, goal)) return sample
       const step = solve3x3(sample.to.columns, minus(goal, sample.to.position))
       if (!isFinite3(step)) return undefined
       let next: Sample | undefined
-      let rest = Infinity
-      for (let t = 1; t >= 2 ** -maxHalvings && !(rest < left); t /= 2) {
+      let nextDistance = Infinity
+      for (let t = 1; t >= 2 ** -maxHalvings && !(nextDistance < distanceLeft); t /= 2) {
         next = this.sample(along(sample.from, t, step))
-        rest = distance(next.to.position, goal)
+        nextDistance = distance(next.to.position, goal)
       }
       // A distance that no step reduces is due to rounding, or to a fold.
-      if (!(rest < left))
-        return left <= tolerance(relativeTolerance, sample, goal) ? sample : undefined
+      if (!(nextDistance < distanceLeft))
+        return distanceLeft <= tolerance(relativeTolerance, sample, goal) ? sample : undefined
       sample = next!
-      left = rest
+      distanceLeft = nextDistance
     }
     return undefined
   }
@@ -150,12 +150,12 @@ function* startsAround(warp: Warp, target: Triple, near: Triple) {
     for (const direction of neighbours) yield along(target, share * reach, direction)
 }
 
-/** Finds the position that the search from `near` leads to, or else another one. The warp moves it to the target, within the tolerance above. */
+/** Finds a position that the warp moves to the target, within the tolerance above: the one that the search from `near` reaches, or else another. */
 export function findInverse(warp: Warp, target: Triple, near: Triple) {
   const search = new InverseSearch(warp, target)
-  let found = search.from(near)
+  let found = search.searchFrom(near)
   if (!found)
     for (const start of startsAround(warp, target, near))
-      if (search.isOver || (found = search.fromElsewhere(start))) break
+      if (search.isOver || (found = search.searchFromElsewhere(start))) break
   return found && { position: [...found.from], isFolded: !(determinantOf(found.to.columns) > 0) }
 }

@@ -1,5 +1,5 @@
-// A program as machine code: a wasm module whose bytes the C++ of the evaluation writes. It uses the memory of the evaluation, and
-// holds none between two runs.
+// A program as machine code: a wasm module whose bytes the C++ of the evaluation module writes. It uses the memory of the evaluation
+// module, and holds none of it between two runs.
 import type { Program } from '../core/module/serialized-module.js'
 import {
   evaluation,
@@ -27,17 +27,17 @@ export const sizeOf = ({ results }: Sink) => results.length
 /** The number of vertices per batch: only one batch is in the wasm's memory at a time, whatever the size of the mesh. */
 export const batchSize = 4096
 
-/** The exports of the module; src/eval/machine_code.hpp documents them. */
+/** The exports of the written module; src/eval/machine_code.hpp documents them. */
 interface Code {
-  start(memory: number, at: number): void
+  start(memory: number, start: number): void
   run(memory: number, end: number): void
 }
 
-/** Machine code of a program for some results, and for inputs that are uniform or not as when it was made. */
+/** Machine code of a program for some of its results. Each input must be uniform or per vertex as it was when the code was made. */
 export class MachineCode {
   /** Views of the results of full batches, and of the last batch. */
   private readonly batches = new Views()
-  private readonly lasts = new Views()
+  private readonly lastBatches = new Views()
 
   private constructor(
     readonly core: Evaluation,
@@ -45,8 +45,8 @@ export class MachineCode {
     private readonly written: WrittenCode,
   ) {}
 
-  /** Returns `null` if the program is too long. Throws if the engine compiles no code. */
-  static of(
+  /** Compiles a program; returns `null` if it is too long. Throws if the engine compiles no code. */
+  static compile(
     program: Program,
     wanted: readonly number[],
     inputs: readonly Stream[],
@@ -67,38 +67,43 @@ export class MachineCode {
   /** Evaluates vertices. Creates no garbage if it has run with the same arrays before. */
   run(vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
     const { core, written } = this
-    const at = core._malloc(written.sharedAt + written.shared.byteLength)
+    const address = core._malloc(written.sharedAt + written.shared.byteLength)
     try {
-      this.runAt(at, vertices, inputs, sinks)
+      this.runAt(address, vertices, inputs, sinks)
     } finally {
-      if (!core.isBroken) core._free(at)
+      if (!core.isBroken) core._free(address)
     }
   }
 
-  private runAt(at: number, vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
+  private runAt(
+    address: number,
+    vertices: number,
+    inputs: readonly Stream[],
+    sinks: readonly Sink[],
+  ) {
     const { core, code } = this
     const { inputsAt, resultsAt, shared, sharedAt } = this.written
     const floats = core.HEAPF32
-    core.HEAPU32.set(shared, (at + sharedAt) / 4)
+    core.HEAPU32.set(shared, (address + sharedAt) / 4)
     for (let i = 0; i < inputs.length; i++) {
       const { values, size, isUniform } = inputs[i]!
-      if (isUniform) copy(floats, (at + inputsAt[i]!) / 4, values, 0, size)
+      if (isUniform) copy(floats, (address + inputsAt[i]!) / 4, values, 0, size)
     }
-    code.start(at, 0)
+    code.start(address, 0)
     for (let first = 0; first < vertices; first += batchSize) {
       const count = Math.min(batchSize, vertices - first)
       for (let i = 0; i < inputs.length; i++) {
         const { values, size, isUniform } = inputs[i]!
-        if (!isUniform) copyFours(floats, (at + inputsAt[i]!) / 4, values, first, count, size)
+        if (!isUniform) copyFours(floats, (address + inputsAt[i]!) / 4, values, first, count, size)
       }
-      code.run(at, 16 * Math.ceil(count / 4))
-      const views = count === batchSize ? this.batches : this.lasts
+      code.run(address, 16 * Math.ceil(count / 4))
+      const views = count === batchSize ? this.batches : this.lastBatches
       for (let i = 0; i < sinks.length; i++) {
         const { values, results } = sinks[i]!
         const size = results.length
-        const from = (at + resultsAt[i]!) / 4
+        const from = (address + resultsAt[i]!) / 4
         if (count * size < minViewLength) copy(values, first * size, floats, from, count * size)
-        else values.set(views.of(i, floats, from, count * size), first * size)
+        else values.set(views.get(i, floats, from, count * size), first * size)
       }
     }
   }
@@ -108,11 +113,11 @@ export class MachineCode {
 class Views {
   private readonly views: Float32Array[] = []
 
-  /** Returns the previous view of index `i` if it is the same part, as it mostly is. A view becomes empty if the memory grows. */
-  of(i: number, floats: Float32Array, at: number, count: number): Float32Array {
+  /** Returns the view of index `i`: the previous one if it shows the same part, as it mostly does. A view becomes empty if the memory grows. */
+  get(i: number, floats: Float32Array, start: number, count: number): Float32Array {
     const last = this.views[i]
-    if (last?.length === count && last.byteOffset === 4 * at) return last
-    return (this.views[i] = floats.subarray(at, at + count))
+    if (last?.length === count && last.byteOffset === 4 * start) return last
+    return (this.views[i] = floats.subarray(start, start + count))
   }
 }
 
@@ -125,7 +130,7 @@ interface Batches {
   views: readonly Float32Array[]
 }
 
-/** Maps an array → its views, since most arrays are passed again. */
+/** Maps an array → its views. They are cached, since most arrays are passed again. */
 const batchesOf = new WeakMap<Float32Array, Batches>()
 
 function batchOf(values: Float32Array, size: number, first: number): Float32Array {
@@ -145,7 +150,7 @@ function splitIntoBatches(values: Float32Array, size: number): Batches {
   return { length, size, views }
 }
 
-/** Copies vertices, and repeats the last one up to a multiple of 4: SIMD evaluates 4 at a time, and is slow on denormals. */
+/** Copies vertices, and repeats the last one up to a multiple of 4: SIMD evaluates 4 at a time, and would be slow on leftover denormals. */
 function copyFours(
   to: Float32Array,
   at: number,

@@ -1,4 +1,4 @@
-// Reads the inputs of a warp's program on the CPU, from vertices, or from uniforms, which are checked here.
+// Reads the inputs of a warp's program on the CPU: from vertices, and from uniforms, which this file checks.
 import type { Variable } from '../core/expression/shapes.js'
 import { withDeclared, type DeclaredUniform } from '../core/inputs/declared-uniforms.js'
 import { inputNumbers } from '../core/inputs/input-numbers.js'
@@ -7,8 +7,8 @@ import { isWhole, numbersFor, scalarOrArray } from '../core/inputs/uniform-value
 import { checkUniforms, type Uniforms } from '../core/inputs/vertices.js'
 import type { ResultSet } from '../core/module/result-set.js'
 import type { Program } from '../core/module/serialized-module.js'
-import { isList, own } from '../options/guards.js'
-import { takeNumbers } from '../options/numbers.js'
+import { isList, ownProperty } from '../options/guards.js'
+import { copyNumbers } from '../options/numbers.js'
 import type { Place } from '../options/place.js'
 import { inputsRead } from './analyse-program.js'
 import type { Stream } from './machine-code.js'
@@ -20,7 +20,7 @@ interface Input {
   variable: Variable
   /** Present for an input that differs by vertex. */
   input?: VertexInput
-  /** `true` if the results depend on it. */
+  /** True if the results depend on the input. */
   isRead: boolean
 }
 
@@ -45,10 +45,10 @@ const plans = new WeakMap<Program, Map<ResultSet, InputPlan>>()
 
 /** Returns the plan for a program and results, which is made once. */
 export function planInputs(warp: WarpProgram, program: Program, wanted: ResultSet): InputPlan {
-  let ofProgram = plans.get(program)
-  if (!ofProgram) plans.set(program, (ofProgram = new Map<ResultSet, InputPlan>()))
-  let plan = ofProgram.get(wanted)
-  if (!plan) ofProgram.set(wanted, (plan = makePlan(warp, program, wanted)))
+  let byResults = plans.get(program)
+  if (!byResults) plans.set(program, (byResults = new Map<ResultSet, InputPlan>()))
+  let plan = byResults.get(wanted)
+  if (!plan) byResults.set(wanted, (plan = makePlan(warp, program, wanted)))
   return plan
 }
 
@@ -89,38 +89,38 @@ function originOf(input: Input): Origin {
 
 /**
  * Returns the sources of the program's inputs in order, with checked uniforms. The caller owns them until it calls
- * `releaseOrigins`; if a uniform's function evaluates the same warp in between, that call gets other ones.
+ * `releaseOrigins`; if a uniform's function evaluates the same warp in between, that call gets other origins.
  */
 export function originsOf(
   place: Place,
   { declared, frameConstants }: WarpProgram,
   plan: InputPlan,
-  given: Uniforms | undefined,
+  passed: Uniforms | undefined,
 ): Origin[] {
-  checkUniforms(place, given, plan.known)
+  checkUniforms(place, passed, plan.known)
   const origins = plan.origins.take()
-  let uniforms: Readonly<Record<string, unknown>> | undefined = given
+  let uniforms: Readonly<Record<string, unknown>> | undefined = passed
   let frame: Readonly<Record<string, readonly number[]>> | undefined
   if (frameConstants) {
-    uniforms = withDeclared(place, declared, given, plan.parameters)
+    uniforms = withDeclared(place, declared, passed, plan.parameters)
     frame = frameConstants(place, uniforms)
   } else
     for (const [name, { shape }] of plan.unread) {
-      const value = given && own(given, name)
+      const value = passed && ownProperty(passed, name)
       if (value !== undefined) numbersFor(place.uniform(name), shape, value)
     }
   for (const origin of origins) {
     const { variable, input, isRead, numbers } = origin
     if (input) continue
     const { name } = variable
-    const computed = frame && own(frame, name)
+    const computed = frame && ownProperty(frame, name)
     if (computed) {
-      // They may be infinite or NaN, as after a division by a uniform that is 0.
+      // Frame constants may be infinite or NaN, as after a division by a uniform that is 0.
       for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as readonly number[])[i]!
       continue
     }
     const uniform = frameConstants ? undefined : declared.get(name)
-    const value = uniforms && own(uniforms, name)
+    const value = uniforms && ownProperty(uniforms, name)
     if (value !== undefined) fill(place, origin, value, uniform)
     else if (uniform) fill(place, origin, valueOf(place, uniform), uniform, true)
     else if (isRead)
@@ -141,21 +141,21 @@ export function releaseOrigins(plan: InputPlan, origins: Origin[]) {
   plan.origins.giveBack(origins)
 }
 
-/** Copies a value into the numbers of an origin. `isOwn` says that it is the uniform's own value. */
+/** Copies a value into the numbers of an origin. `isDeclared` is true if the value comes from the option `uniforms`. */
 function fill(
   place: Place,
   { variable, numbers }: Origin,
   value: unknown,
   uniform: DeclaredUniform | undefined,
-  isOwn = false,
+  isDeclared = false,
 ) {
   // The fast path, which allocates nothing. An array of one number is not a value of a declared uniform.
   const isPlain = !variable.read && !(uniform && (isWhole(uniform) || isSingle(value)))
-  if (isPlain && takeNumbers(numbers, value)) return
-  const at = place.uniform(variable.name)
-  const checked = uniform ? numbersFor(at, uniform.shape, value, isOwn) : value
-  const read = inputNumbers(at, variable, checked)
-  for (let i = 0; i < read.length; i++) numbers[i] = read[i]!
+  if (isPlain && copyNumbers(numbers, value)) return
+  const uniformPlace = place.uniform(variable.name)
+  const checked = uniform ? numbersFor(uniformPlace, uniform.shape, value, isDeclared) : value
+  const converted = inputNumbers(uniformPlace, variable, checked)
+  for (let i = 0; i < converted.length; i++) numbers[i] = converted[i]!
 }
 
 const valueOf = (place: Place, { value, numbers }: DeclaredUniform) =>

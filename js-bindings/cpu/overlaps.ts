@@ -18,7 +18,7 @@ export function rejectShared(names: readonly string[], sinks: readonly Sink[], v
     }
 }
 
-/** Copies inputs that a result would overwrite before they are read, since vertices are evaluated in batches. */
+/** Copies inputs that a result would overwrite before they are read: vertices are evaluated in batches. */
 export function copyOverwritten(
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -37,9 +37,9 @@ function isOverwritten({ values, size }: Stream, sinks: readonly Sink[], vertice
     const { values: to, results } = sinks[i]!
     if (to.buffer !== values.buffer) continue
     // A result that starts no later and has no more bytes per vertex only overwrites vertices that have been read.
-    const isBehind =
+    const overwritesOnlyRead =
       to.byteOffset <= values.byteOffset && 4 * results.length <= size * values.BYTES_PER_ELEMENT
-    if (!isBehind && overlap(values, size, to, results.length, vertices)) return true
+    if (!overwritesOnlyRead && overlap(values, size, to, results.length, vertices)) return true
   }
   return false
 }
@@ -49,7 +49,7 @@ type Typed = Pick<Float32Array, 'buffer' | 'byteOffset' | 'BYTES_PER_ELEMENT'>
 const isTyped = (values: ArrayLike<number>): values is ArrayLike<number> & Typed =>
   ArrayBuffer.isView(values)
 
-/** Tests two arrays of one buffer, with `sizeOfA` and `sizeOfB` numbers per vertex. */
+/** Tests whether two arrays of one buffer, with `sizeOfA` and `sizeOfB` numbers per vertex, overlap. */
 const overlap = (a: Typed, sizeOfA: number, b: Typed, sizeOfB: number, vertices: number) =>
   a.byteOffset < endOf(b, sizeOfB, vertices) && b.byteOffset < endOf(a, sizeOfA, vertices)
 

@@ -1,5 +1,5 @@
 // The results of a warp on the CPU: their numbers in the program, and the arrays that receive them.
-import { noteChecked } from '../core/inputs/vertices.js'
+import { markChecked } from '../core/inputs/vertices.js'
 import { ResultSet } from '../core/module/result-set.js'
 import { describe } from '../errors/errors.js'
 import { Place } from '../options/place.js'
@@ -14,7 +14,7 @@ export interface WarpedVertices {
   /** Present if normals were passed: 3 floats per vertex. The length is 1, or 0 where the warp collapses the surface. */
   normals?: Float32Array
   /**
-   * Present if normals and tangents were passed: 4 floats per vertex. The last one is that of the input, or its negative if
+   * Present if normals and tangents were passed: 4 floats per vertex. The last one is that of the input tangent, or its negative if
    * the warp mirrors all of space.
    */
   tangents?: Float32Array
@@ -60,7 +60,7 @@ export const positionsAlone = new ResultSet(resultNumbers.positions)
 /** The result of `foldover`. */
 export const determinantAlone = new ResultSet(resultNumbers.determinant)
 
-/** Takes sinks for the caller's arrays, or for new ones. If a getter or a uniform's function evaluates too, it gets others. */
+/** Takes sinks from the pool, for the caller's arrays or for new ones. If a getter or a uniform's function evaluates too, it gets other sinks. */
 export function takeSinks(
   results: VertexResults,
   vertices: number,
@@ -77,7 +77,7 @@ export function takeSinks(
   return sinks
 }
 
-/** Returns sinks to the pool, and their arrays to the caller, in the object `out` if it holds exactly these. */
+/** Gives sinks back to the pool, and returns their arrays, in the object `out` if it holds exactly these. */
 export function releaseSinks(
   results: VertexResults,
   sinks: Sink[],
@@ -85,7 +85,7 @@ export function releaseSinks(
 ): WarpedVertices {
   const warped = out && hasExactly(out, sinks) ? out : arraysByName(results.names, sinks)
   for (const sink of sinks) {
-    noteChecked(sink.values)
+    markChecked(sink.values)
     sink.values = noValues
   }
   results.sinks.giveBack(sinks)
@@ -103,11 +103,11 @@ const arraysByName = (names: readonly string[], sinks: readonly Sink[]) =>
   Object.fromEntries(names.map((name, i) => [name, sinks[i]!.values]))
 
 /** Returns the caller's array for a result, or a new one. */
-function arrayFor(name: string, length: number, given: unknown): Float32Array {
-  if (given === undefined) return new Float32Array(length)
-  if (given instanceof Float32Array && given.length >= length) return given
+function arrayFor(name: string, length: number, array: unknown): Float32Array {
+  if (array === undefined) return new Float32Array(length)
+  if (array instanceof Float32Array && array.length >= length) return array
   throw new Place('evaluate', `out.${name}`).expected(
     `a Float32Array of at least ${length} numbers`,
-    given instanceof Float32Array ? `one of ${given.length}` : describe(given),
+    array instanceof Float32Array ? `one of ${array.length}` : describe(array),
   )
 }

@@ -1,5 +1,5 @@
 // Evaluates programs at many vertices: by machine code where the engine compiles it, otherwise by the interpreter of the
-// evaluation. Both give the same bits.
+// evaluation module. Machine code and interpreter give the same bits.
 import type { ResultSet } from '../core/module/result-set.js'
 import type { Program } from '../core/module/serialized-module.js'
 import { WarpError } from '../errors/errors.js'
@@ -25,8 +25,8 @@ export function runProgram(
 }
 
 /**
- * The minimum number of vertices for machine code in the first run of a program. Making it takes 2 to 3 times as long as preparing
- * the interpreter, and running it two thirds of the interpreter's time.
+ * The minimum number of vertices for machine code in the first run of a program. Making the code takes 2 to 3 times as long as preparing
+ * the interpreter; running it takes two thirds of the interpreter's time.
  */
 const minVerticesForCode = 30_000
 
@@ -62,7 +62,7 @@ function machineCodeOf(
   const { code } = use
   if (code === null || code?.core === evaluation.get()) return code
   try {
-    return (use.code = MachineCode.of(program, wanted.numbers, inputs, sinks))
+    return (use.code = MachineCode.compile(program, wanted.numbers, inputs, sinks))
   } catch (error) {
     if (error instanceof WarpError) throw error
     isForbidden = true

@@ -13,7 +13,7 @@ export interface WarpProgram {
   frameConstants?:
     | ((
         place: Place,
-        given: Readonly<Record<string, unknown>>,
+        values: Readonly<Record<string, unknown>>,
       ) => Readonly<Record<string, readonly number[]>>)
     | undefined
   program: () => Program | undefined
@@ -22,9 +22,9 @@ export interface WarpProgram {
   /** Computes -1 if the warp mirrors all of space, otherwise 1. It reads no vertex. */
   orientationProgram: () => Program
   hasNormals: boolean
-  /** `true` if the warped normal depends on how normal and uv vary over the surface. */
+  /** True if the warped normal depends on how normal and uv vary over the surface. */
   varies: boolean
-  /** `true` if the user accepts that they count as constant nevertheless. */
+  /** True if the user accepts that normal and uv are treated as constant nevertheless. */
   isAccepted: boolean
   /** Maps an input of the warp → its number in the module. */
   inputs: Record<string, number>
@@ -34,7 +34,7 @@ export interface WarpProgram {
 export interface RunningProgram extends WarpProgram {
   /** Tests whether the warp mirrors all of space, so that the back of each triangle is its outer side. */
   isMirrored: (place: Place, uniforms: Uniforms | undefined) => boolean
-  /** Like `isMirrored`, but without uniforms: `undefined` if it depends on them. */
+  /** Returns the result of `isMirrored` that is the same for all uniforms; `undefined` if it depends on them. */
   mirrors: () => boolean | undefined
 }
 

@@ -1,5 +1,5 @@
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { asOwn } from '../errors/operators.js'
+import { markLibraryFunction } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { warpsOf } from './warps.js'
 
@@ -11,7 +11,7 @@ export function add<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]
 ): OffsetFunction<Uniforms> {
   const all = warpsOf(new Place('add'), warps)
-  return asOwn((inputs) =>
+  return markLibraryFunction((inputs) =>
     all.map((offsetAt) => offsetAt(inputs)).reduce((sum, offset) => sum.add(offset)),
   )
 }

@@ -38,13 +38,13 @@ export interface BendOptions {
  * out. Throws a `WarpError` for unknown options and wrong values.
  */
 export function bend(options?: BendOptions): OffsetFunction {
-  const read = readOptions('bend', options, kinds)
+  const computed = readOptions('bend', options, kinds)
   const { axis: about = 'z', from, to, along } = options ?? {}
   const isAboutY = Math.abs(constantDirection(about)?.[1] ?? 0) === 1
   const line = along ?? (isAboutY ? 'x' : 'y')
   rejectParallel(constantDirection(about), constantDirection(line))
   rejectEmptyRange(from, to)
-  const values = { ...read, along: read.along ?? axis().read(line, place) }
+  const values = { ...computed, along: computed.along ?? axis().read(line, place) }
   return withFormula(values, (inputs, values) => {
     const { axis, center, angle, from, to } = values
     const fromCenter = inputs.position.sub(center)
@@ -59,7 +59,7 @@ export function bend(options?: BendOptions): OffsetFunction {
 
     // The end of the arc: s' sin θ / θ and s' (1 - cos θ) / θ, which avoid an infinite radius.
     const isSmall = turn.mult(turn).lt(0.1)
-    // 1 / θ where we use it, and finite everywhere, which `bounds` needs.
+    // 1 / θ where it is used. Elsewhere it is finite, since `bounds` evaluates it too.
     const inverse = turn.div(turn.mult(turn).max(0.1))
     const ahead = onArc.mult(isSmall.ifElse(sineSeries(turn), sin.mult(inverse)))
     const aside = onArc.mult(isSmall.ifElse(versineSeries(turn), cos.neg().add(1).mult(inverse)))

@@ -1,5 +1,5 @@
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { asOwn } from '../errors/operators.js'
+import { markLibraryFunction } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { number, type NumberOption } from './kinds.js'
 import { warpsOf } from './warps.js'
@@ -17,5 +17,5 @@ export function blend<Uniforms extends UniformValues = {}>(
   const place = new Place('blend')
   const [first, second] = warpsOf(place, [from, to])
   const amountAt = number(0.5).read(amount, place.part('the amount'))
-  return asOwn((inputs) => first!(inputs).mix(second!(inputs), amountAt(inputs)))
+  return markLibraryFunction((inputs) => first!(inputs).mix(second!(inputs), amountAt(inputs)))
 }

@@ -1,5 +1,5 @@
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { asOwn } from '../errors/operators.js'
+import { markLibraryFunction } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { inputsAt } from './places.js'
 import { warpsOf } from './warps.js'
@@ -8,7 +8,7 @@ import { warpsOf } from './warps.js'
  * Applies one warp after another: the second acts on the result of the first, and so on. It gets the moved position, and as
  * `normal` the unit normal of the surface at that stage, zero where the previous warps have collapsed it; all other inputs
  * are those of the vertex. The normal is transformed by the exact derivative of all previous warps, so
- * `chain(twist(), inflate())` inflates the twisted shape; if previous warps read `normal`, `uv` or `color`, these count as
+ * `chain(twist(), inflate())` inflates the twisted shape; if previous warps read `normal`, `uv` or `color`, these are treated as
  * constant in that derivative.
  *
  * A moved position is not an input, so you cannot differentiate with respect to it: `glsl.derivative(x, position.x())` throws a
@@ -20,7 +20,7 @@ export function chain<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]
 ): OffsetFunction<Uniforms> {
   const [first, ...others] = warpsOf(new Place('chain'), warps)
-  return asOwn((inputs) =>
+  return markLibraryFunction((inputs) =>
     others.reduce(
       (offset, offsetAt) => offset.add(offsetAt(inputsAt(inputs, inputs.position.add(offset)))),
       first!(inputs),

@@ -1,11 +1,11 @@
 // Makes the offset function of a deformer from its options.
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
-import { asOwn } from '../errors/operators.js'
+import { markLibraryFunction } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { object, type Kinds, type KindsOf, type ValuesOf } from '../options/schema.js'
 import type { Computed } from './kinds.js'
 
-/** The arguments of a formula: computed values are replaced by their results. */
+/** The arguments of a formula: in `Values`, options that are functions of the inputs are replaced by their results. */
 export type Evaluated<Values> = {
   [Name in keyof Values]: Values[Name] extends Computed<infer Value>
     ? Value
@@ -39,10 +39,10 @@ export const withFormula = <Values extends object>(
   values: Values,
   formula: Formula<Values>,
 ): OffsetFunction =>
-  asOwn((inputs) => {
-    const made = Object.entries(values).map(([name, value]: [string, unknown]) => [
+  markLibraryFunction((inputs) => {
+    const evaluated = Object.entries(values).map(([name, value]: [string, unknown]) => [
       name,
       typeof value === 'function' ? (value as Computed<unknown>)(inputs) : value,
     ])
-    return formula(inputs, Object.fromEntries(made) as Evaluated<Values>)
+    return formula(inputs, Object.fromEntries(evaluated) as Evaluated<Values>)
   })

@@ -9,7 +9,7 @@ import type {
   WarpInputs,
 } from '../core/types/types.js'
 import { describe, describeShape } from '../errors/describe.js'
-import { asOwn, readOperators } from '../errors/operators.js'
+import { markLibraryFunction, translateOperators } from '../errors/operators.js'
 import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
 import { Place } from '../options/place.js'
 import { isExpression, type OptionInputs, type OrFunction } from './kinds.js'
@@ -32,24 +32,24 @@ interface Space {
  * origin of the warp are those of the space that M maps to. As for `chain`, you cannot differentiate with respect to that position.
  *
  * Throws a `WarpError` if an argument is not a matrix or a function, if the linear part of a constant matrix has determinant 0 and,
- * when the warp is made, if it does not return a vec3. If a computed matrix has determinant 0, points do not move.
+ * when the warp is made, if `warp` does not return a vec3. If a computed matrix has determinant 0, points do not move.
  */
 export function inSpace<Uniforms extends UniformValues = {}>(
   matrix: MatrixOption,
   warp: OffsetFunction<Uniforms>,
 ): OffsetFunction<Uniforms> {
-  if (!isCallable(matrix) && !isExpression(matrix)) rejectNoMatrix(matrix)
+  if (!isCallable(matrix) && !isExpression(matrix)) rejectNonMatrix(matrix)
   const offsetAt = warpKind.read(warp, place.argument(2))
-  return asOwn((inputs) => {
+  return markLibraryFunction((inputs) => {
     const { glsl } = inputs
-    const given: unknown = isCallable(matrix)
-      ? readOperators(matrix, { method: 'inSpace' })(inputs as OptionInputs)
+    const value: unknown = isCallable(matrix)
+      ? translateOperators(matrix, { method: 'inSpace' })(inputs as OptionInputs)
       : matrix
-    const { linear, shift } = spaceOf(inputs, given)
+    const { linear, shift } = spaceOf(inputs, value)
     const determinant = linear.determinant()
     const surface = surfaceOf(inputs)
-    const isMirror = isList(given) ? isLeftHanded(given) : undefined
-    const side = isMirror === false ? surface.side : determinant.sign().mult(surface.side ?? 1)
+    const isMirroring = isList(value) ? isLeftHanded(value) : undefined
+    const side = isMirroring === false ? surface.side : determinant.sign().mult(surface.side ?? 1)
     const inside = inputsAt(inputs, linear.mult(inputs.position).add(shift), {
       ...surface,
       ...(side !== undefined && { side }),
@@ -61,14 +61,14 @@ export function inSpace<Uniforms extends UniformValues = {}>(
 
 function spaceOf({ glsl, position }: WarpInputs, matrix: unknown): Space {
   if (!isExpression(matrix)) {
-    rejectNoMatrix(matrix)
+    rejectNonMatrix(matrix)
     const columns = [0, 4, 8, 12].map((i) => glsl.vec3(matrix[i]!, matrix[i + 1]!, matrix[i + 2]!))
     return { linear: glsl.mat3(...columns.slice(0, 3)), shift: columns[3]! }
   }
   const { session } = position as unknown as Expression
   const [columns, rows] = session.shapeOf(matrix as unknown as Expression)
   if (columns !== rows || columns < 3)
-    throw wrong(columns > 1 ? 'a matrix of another size' : describeShape([columns, rows]))
+    throw matrixError(columns > 1 ? 'a matrix of another size' : describeShape([columns, rows]))
   return columns === 3
     ? { linear: matrix as unknown as Mat3, shift: glsl.vec3(0) }
     : spaceOfMat4(glsl, matrix as unknown as Mat4)
@@ -79,15 +79,18 @@ const spaceOfMat4 = (glsl: Glsl, matrix: Mat4): Space => ({
   shift: matrix.column(3).xyz(),
 })
 
-function rejectNoMatrix(matrix: unknown): asserts matrix is ArrayLike<number> {
-  if (!isList(matrix)) throw wrong(describe(matrix))
+function rejectNonMatrix(matrix: unknown): asserts matrix is ArrayLike<number> {
+  if (!isList(matrix)) throw matrixError(describe(matrix))
   const numbers = Array.from(matrix)
-  if (numbers.length !== 16) throw wrong(`an array of ${numbers.length}`)
+  if (numbers.length !== 16) throw matrixError(`an array of ${numbers.length}`)
   const other = numbers.findIndex((x) => !isFiniteFloat(x))
-  if (other >= 0) throw wrong(`an array with ${describe(numbers[other])}`)
+  if (other >= 0) throw matrixError(`an array with ${describe(numbers[other])}`)
   const lastRow = [3, 7, 11, 15].map((i) => numbers[i])
   if (lastRow.some((x, i) => x !== (i === 3 ? 1 : 0)))
-    throw wrong(`one with the last row ${lastRow.join(', ')}`, ', with the last row 0, 0, 0, 1')
+    throw matrixError(
+      `one with the last row ${lastRow.join(', ')}`,
+      ', with the last row 0, 0, 0, 1',
+    )
   if (isFlat([0, 4, 8].map((i) => numbers.slice(i, i + 3))))
     throw place.error(
       'the matrix has the determinant 0, so it has no inverse; no axis may be scaled by 0.',
@@ -115,7 +118,7 @@ function volumeOf(columns: number[][]): number {
 
 const place = new Place('inSpace')
 
-const wrong = (got: string, more = '') =>
+const matrixError = (got: string, more = '') =>
   place
     .part('the matrix')
     .expected(

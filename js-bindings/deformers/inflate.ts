@@ -12,9 +12,9 @@ export interface InflateOptions {
 /**
  * Moves points by direction · amount, along their normals by default. The new normals account for how the normal varies
  * over the surface if the mesh has this information: by `addSurfaceVariation(shape)` in p5, or by `surfaceVariation` of
- * 'warpjet/mesh'. Otherwise the normal counts as constant, which is exact if all points move by the same amount; if the
- * amount varies, its own slope still counts, and the error is proportional to amount · curvature. Throws a `WarpError` for
- * unknown options and wrong values.
+ * 'warpjet/mesh'. Otherwise the normal is treated as constant, which is exact if all points move by the same amount. If the
+ * amount varies, normals still account for its slope, and their error is proportional to amount · curvature. Throws a `WarpError`
+ * for unknown options and wrong values.
  */
 export const inflate = (options?: InflateOptions): OffsetFunction =>
   deformer(

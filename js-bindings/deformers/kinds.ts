@@ -3,8 +3,8 @@
 import type { Expression } from '../core/expression/expression.js'
 import type { Shape } from '../core/expression/shapes.js'
 import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
-import { describe, describeShape, isExpression as hasItsShape } from '../errors/describe.js'
-import { readOperators } from '../errors/operators.js'
+import { describe, describeShape, isExpression as isAnyExpression } from '../errors/describe.js'
+import { translateOperators } from '../errors/operators.js'
 import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
 import { wholeNumber, type Kind } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
@@ -27,7 +27,7 @@ export type Triple = readonly [Operand, Operand, Operand]
 export type AxisOption = OrFunction<AxisName | Vec3 | Triple>
 export type AxisName = 'x' | 'y' | 'z'
 
-export const isExpression = (value: unknown): value is Scalar | Vec3 => hasItsShape(value)
+export const isExpression = (value: unknown): value is Scalar | Vec3 => isAnyExpression(value)
 
 /** A value that is made inside of a warp. */
 export type Computed<Value> = (inputs: WarpInputs) => Value
@@ -46,25 +46,28 @@ interface Settings<Value> {
 
 const shapes = { 1: 'an expression of one number', 3: 'a vec3' }
 
-/** The kind of an option that may be computed. Constants are checked when it is read, computed values when they are made. */
+/** Returns the kind of an option that may be computed. Constants are checked when the option is read, computed values when they are made. */
 const computedKind = <Given, Value>(settings: Settings<Value>): Kind<Computed<Value>, Given> => ({
   read(option, place) {
-    const { default: standard, expected, rows, acceptsConstant, make } = settings
-    const given = option === undefined ? standard : option
-    const compute = isCallable(given) ? readOperators(given, { method: `${place}` }) : undefined
-    const wrong = (got: string) =>
+    const { default: defaultValue, expected, rows, acceptsConstant, make } = settings
+    const valueOrFunction = option === undefined ? defaultValue : option
+    const compute = isCallable(valueOrFunction)
+      ? translateOperators(valueOrFunction, { method: `${place}` })
+      : undefined
+    const valueError = (got: string) =>
       compute
         ? place.error(
             `expected the function of ${place.subject} to return ${expected} or ${shapes[rows]}, got ${got}.`,
           )
         : place.expected(`${expected}, ${shapes[rows]}, or a function that returns one`, got)
-    if (!compute && !isExpression(given) && !acceptsConstant(given)) throw wrong(describe(given))
+    if (!compute && !isExpression(valueOrFunction) && !acceptsConstant(valueOrFunction))
+      throw valueError(describe(valueOrFunction))
     return (inputs) => {
-      const value: unknown = compute ? compute(inputs as never) : given
+      const value: unknown = compute ? compute(inputs as never) : valueOrFunction
       if (isExpression(value)) {
         const shape = shapeOf(value, inputs, place)
-        if (`${shape}` !== `1,${rows}`) throw wrong(describeShape(shape))
-      } else if (!acceptsConstant(value)) throw wrong(describe(value))
+        if (`${shape}` !== `1,${rows}`) throw valueError(describeShape(shape))
+      } else if (!acceptsConstant(value)) throw valueError(describe(value))
       return make(inputs.glsl, value as never)
     }
   },
@@ -79,9 +82,9 @@ function shapeOf(value: unknown, inputs: WarpInputs, place: Place): Shape {
   )
 }
 
-export const number = (standard?: number) =>
+export const number = (defaultValue?: number) =>
   computedKind<NumberOption, Scalar>({
-    default: standard,
+    default: defaultValue,
     expected: 'a number',
     rows: 1,
     acceptsConstant: isFiniteFloat,
@@ -89,16 +92,16 @@ export const number = (standard?: number) =>
   })
 
 /** The kind of seeds: a whole number. */
-export const seed = (standard: number) =>
-  wholeNumber({ min: -maxSeed, max: maxSeed, default: standard })
+export const seed = (defaultValue: number) =>
+  wholeNumber({ min: -maxSeed, max: maxSeed, default: defaultValue })
 
 /** The minimum of computed values: formulas divide by them. */
 const minComputed = 1e-6
 
 /** The kind of a number above 0. */
-export const positive = (standard: number) =>
+export const positive = (defaultValue: number) =>
   computedKind<NumberOption, Scalar>({
-    default: standard,
+    default: defaultValue,
     expected: 'a number above 0',
     rows: 1,
     acceptsConstant: (value) => isFiniteFloat(value) && value > 0,
@@ -111,9 +114,9 @@ const isTriple = (value: unknown): value is Triple =>
   value.length === 3 &&
   Array.from(value).every((x) => isFiniteFloat(x) || isExpression(x))
 
-export const vector = (standard: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0, 0]) =>
+export const vector = (defaultValue: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0, 0]) =>
   computedKind<VectorOption, Vec3>({
-    default: standard,
+    default: defaultValue,
     expected: 'an array of 3 finite numbers',
     rows: 3,
     acceptsConstant: isTriple,
@@ -131,9 +134,9 @@ export function constantDirection(value: unknown): number[] | undefined {
 }
 
 /** The kind of a direction, which is normalized. */
-export const axis = (standard?: AxisName) =>
+export const axis = (defaultValue?: AxisName) =>
   computedKind<AxisOption, Vec3>({
-    default: standard,
+    default: defaultValue,
     expected: '"x", "y", "z" or an array of 3 finite numbers that are not all 0',
     rows: 3,
     acceptsConstant: (value) =>

@@ -1,5 +1,5 @@
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { asOwn } from '../errors/operators.js'
+import { markLibraryFunction } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { number, type NumberOption } from './kinds.js'
 import { warpsOf } from './warps.js'
@@ -17,5 +17,5 @@ export function mask<Uniforms extends UniformValues = {}>(
   const place = new Place('mask')
   const [offsetAt] = warpsOf(place, [warp])
   const weightAt = number().read(weight, place.part('the weight'))
-  return asOwn((inputs) => offsetAt!(inputs).mult(weightAt(inputs)))
+  return markLibraryFunction((inputs) => offsetAt!(inputs).mult(weightAt(inputs)))
 }

@@ -5,16 +5,16 @@ import type { Glsl, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
 interface Surface {
   position: Vec3
   normal: Vec3
-  /** 1 or -1, for an even or odd number of mirroring spaces in between. */
+  /** 1 or -1, for an even or odd number of mirroring spaces between the vertex and the position. */
   side?: Scalar | number
 }
 
-/** An internal method of the builder: returns -1 if the offset mirrors all of space, 1 if none, 0 if it may mirror parts of it. */
+/** An internal method of the builder: returns -1 if the offset mirrors all of space, 1 if it mirrors none of it, and 0 if it may mirror parts. */
 interface Orienting {
   orientation(offset: Vec3, normal: Vec3, position: Vec3): Scalar
 }
 
-/** Maps the position that a warp gets to its surface, unless that position is the vertex itself. */
+/** Maps the computed position that a warp gets → the surface from which it was computed. */
 const surfaces = new WeakMap<Vec3, Surface>()
 
 export const surfaceOf = (inputs: WarpInputs): Surface =>
@@ -39,11 +39,11 @@ export function inputsAt(
   })
 }
 
-/** Returns the outward unit normal at `place`. If the orientation of the whole offset is unknown, that of its spaces counts. */
+/** Returns the outward unit normal at `place`. If the orientation of the whole offset is unknown, the orientation of its spaces is used. */
 function outwardNormal(glsl: Glsl, place: Vec3, { position, normal, side }: Surface): Vec3 {
   const offset = place.sub(position)
   const warpedNormal = glsl.adjustNormal(offset, normal, position)
   if (side === undefined) return warpedNormal
-  const known = (glsl as unknown as Orienting).orientation(offset, normal, position)
-  return warpedNormal.mult(known.eq(0).ifElse(side, 1))
+  const orientation = (glsl as unknown as Orienting).orientation(offset, normal, position)
+  return warpedNormal.mult(orientation.eq(0).ifElse(side, 1))
 }

@@ -2,7 +2,7 @@
 import type { Expression } from '../core/expression/expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { describe, describeShape } from '../errors/describe.js'
-import { readOperators } from '../errors/operators.js'
+import { translateOperators } from '../errors/operators.js'
 import { callable, type Kind } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
 import { isExpression, type Computed } from './kinds.js'
@@ -11,16 +11,16 @@ const offsetFunction = callable<OffsetFunction>('an offset function, such as twi
 
 /** The kind of an offset function, whose result is checked when it is called. */
 export const warp: Kind<Computed<Vec3>, OffsetFunction> = {
-  read(given, place) {
-    const offset = readOperators(offsetFunction.read(given, place), { method: place.method })
+  read(passed, place) {
+    const offset = translateOperators(offsetFunction.read(passed, place), { method: place.method })
     return (inputs) => offsetOf(offset, inputs, place)
   },
 }
 
 /** Reads the arguments of a composition, at least one offset function. */
-export function warpsOf(place: Place, given: readonly unknown[]): Computed<Vec3>[] {
-  if (given.length === 0) throw place.expected('at least one offset function', 'none')
-  return given.map((each, i) => warp.read(each, place.argument(i + 1)))
+export function warpsOf(place: Place, passed: readonly unknown[]): Computed<Vec3>[] {
+  if (passed.length === 0) throw place.expected('at least one offset function', 'none')
+  return passed.map((each, i) => warp.read(each, place.argument(i + 1)))
 }
 
 function offsetOf(warp: OffsetFunction, inputs: WarpInputs, place: Place): Vec3 {

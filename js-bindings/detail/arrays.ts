@@ -1,4 +1,5 @@
 // Arrays of numbers.
+import type { Vertices } from '../core/inputs/vertices.js'
 
 /** The length of the diagonal of a box around positions. */
 export function diagonalOf(positions: ArrayLike<number>): number {
@@ -20,3 +21,29 @@ export function copyInto(to: ArrayLike<number> | undefined, from: Float32Array):
 
 export const areEqual = (a: readonly number[], b: readonly number[]) =>
   a.length === b.length && a.every((x, i) => x === b[i])
+
+/** Copies the vertices of these numbers, in order, into arrays that are as long. */
+export function gather(from: Vertices, numbers: Uint32Array, to: Vertices) {
+  const vertices = from.positions.length / 3
+  for (const name in to) {
+    const [source, target] = [from, to].map((each) => each[name as 'positions'] as Float32Array)
+    copyVertices(source!, numbers, target!, Math.trunc(target!.length / vertices))
+  }
+}
+
+function copyVertices(from: Float32Array, numbers: Uint32Array, to: Float32Array, size: number) {
+  let at = 0
+  for (let i = 0; i < numbers.length; i++) {
+    const first = size * numbers[i]!
+    for (let k = 0; k < size; k++) to[at++] = from[first + k]!
+  }
+}
+
+/** Copies positions, in order, to the vertices of these numbers. */
+export function scatter(from: Float32Array, numbers: Uint32Array, to: Float32Array) {
+  let at = 0
+  for (let i = 0; i < numbers.length; i++) {
+    const first = 3 * numbers[i]!
+    for (let k = 0; k < 3; k++) to[first + k] = from[at++]!
+  }
+}

@@ -123,11 +123,14 @@ export function createDetail(
   if (isCurved && !given.normals)
     throw place.part('normals').expected('3 numbers per vertex, which a curved mesh needs,', 'none')
   const divided = new DetailedMesh(host, { positions, attributes, indices, isCurved })
+  const numbers: number[] = []
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {
       const { uniforms = {}, tolerance } = updateOptions.read(options, updatePlace)
       const all = (Array.isArray(views) ? views : [views]) as readonly DetailView[]
-      return divided.update(uniforms, all.flatMap(numbersOf), tolerance)
+      numbers.length = 0
+      for (const view of all) addNumbers(numbers, view)
+      return divided.update(uniforms, numbers, tolerance)
     },
     get positions() {
       return divided.values(-1)
@@ -190,12 +193,12 @@ const viewOptions = object({
 
 const viewKind = record<DetailView>('a view such as { matrix, width, height }')
 
-/** Returns the numbers of a view: see `DetailViews`. */
-function numbersOf(given: DetailView): DetailViews {
+/** Adds the numbers of a view: see `DetailViews`. */
+function addNumbers(all: DetailViews, given: DetailView) {
   const view = viewKind.read(given, updatePlace.argument(1))
   const { matrix, width, height, side } = viewOptions.read(view, updatePlace)
   const numbers = readNumbers(updatePlace.option('matrix'), matrix, 16, {
     layout: ', column by column,',
   })
-  return [...numbers, width / 2, height / 2, facings[side]]
+  all.push(...numbers, width / 2, height / 2, facings[side])
 }

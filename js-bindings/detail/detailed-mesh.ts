@@ -1,9 +1,10 @@
 // A mesh that is divided as finely as its warped surface needs it on the screen (src/detail).
-import type { HostWarp } from '../compile/host-warp.js'
+import type { HostWarp, SurfacePhases } from '../compile/host-warp.js'
 import type { DrawValues } from '../compile/offset-warp.js'
-import type { Vertices } from '../core/inputs/vertices.js'
+import type { VertexInput } from '../core/inputs/inputs.js'
+import { arrayNames, type Vertices } from '../core/inputs/vertices.js'
 import { details, type Detail, type DetailModule } from '../wasm/detail.js'
-import { areEqual, copyInto, diagonalOf } from './arrays.js'
+import { areEqual, copyInto, diagonalOf, gather, scatter } from './arrays.js'
 
 export interface DetailAttribute {
   /** The array that it is for the warp; missing if the warp doesn't read it. */
@@ -69,10 +70,26 @@ const minPiecesAcross = 8
 /** Cutting ends after this many passes: each can split an edge into 32. */
 const maxPasses = 4
 
+/** The phases of a warp without waves and noises. */
+const noPhases: SurfacePhases = { sizes: [], steps: [], size: 0, evaluate: () => undefined }
+
+/** Warps with fewer operations take less time for all samples than it takes to choose some. */
+const minOperations = 300
+
+/** All samples are warped if a frame lacks more than this share of them. */
+const maxShare = 0.75
+
 export class DetailedMesh {
   private held: Held | undefined
   private samples: Vertices = { positions: new Float32Array() }
   private inSpace = new Float32Array()
+  /** The samples in the space of the offset, and the values for which the vertices are warped now. */
+  private placed = this.samples
+  private given: DrawValues = {}
+  /** The number of samples, of the first ones, that are warped whether views show them or not. */
+  private warpedFirst = 0
+  /** Some of the samples, one after another, that are warped beside those. */
+  private chosen: Vertices = { positions: new Float32Array() }
   private warped = new Float32Array()
   private phases = new Float32Array()
   /** The inputs of the warp for which the samples are warped now; `undefined` if they are not. */
@@ -105,16 +122,21 @@ export class DetailedMesh {
   ): boolean {
     if (!this.held || this.held.bound.isBroken) this.start()
     const { detail } = this.held!
-    const state = this.stateOf(given, place)
+    const now = this.warp.withUniformsNow(given)
+    const state = this.stateOf(now, place)
     const seen = [...views, tolerance]
     if (!this.state || !areEqual(state, this.state)) {
-      this.cut(given, toSpace)
-      this.warp.evaluatePositions(this.inOffsetSpace(toSpace), given, this.warped)
-      detail.warped().set(this.warped)
+      this.cut(now, toSpace)
+      this.placed = this.inOffsetSpace(toSpace)
+      this.given = now
+      detail.forgetSamples()
+      const isCheap = this.warp.operations() < minOperations
+      this.warpFirst(isCheap ? detail.sampleCount() : detail.vertexCount())
       this.state = state
     } else if (areEqual(seen, this.views)) return false
     this.views = seen
-    const isChanged = detail.update(views, tolerance)
+    this.warpMissing(detail.show(views))
+    const isChanged = detail.update(tolerance)
     if (isChanged) this.version++
     return isChanged
   }
@@ -222,13 +244,11 @@ export class DetailedMesh {
   /** Cuts the mesh until no edge is longer than samples allow, which changes with the inputs of the warp. */
   private cut(given: DrawValues, toSpace: ToSpace | undefined) {
     const { detail } = this.held!
-    const { phases = [], size = 0, evaluate } = this.warp.surfacePhases() ?? {}
-    const sizes = phases.map((each) => each.size)
-    const steps = phases.map(({ step }) => step)
+    const { sizes, steps, size, evaluate } = this.warp.surfacePhases() ?? noPhases
     for (let pass = 0; pass < maxPasses; pass++) {
-      const length = size * detail.sampleCount()
-      if (this.phases.length !== length) this.phases = new Float32Array(length)
-      evaluate?.(this.inOffsetSpace(toSpace), given, this.phases)
+      const count = detail.cutSampleCount()
+      if (this.phases.length !== size * count) this.phases = new Float32Array(size * count)
+      evaluate(this.inOffsetSpace(toSpace), count, given, this.phases)
       detail.phases(size).set(this.phases)
       if (!detail.cut(this.maxLength, sizes, steps)) return
       this.readSamples()
@@ -236,17 +256,47 @@ export class DetailedMesh {
     }
   }
 
+  /** Warps the first samples, of which the vertices are the first. */
+  private warpFirst(count: number) {
+    const { warped } = this
+    this.warp.evaluatePositions(this.placed, count, this.given, warped)
+    this.held!.detail.warped().set(warped.subarray(0, 3 * count))
+    this.warpedFirst = count
+  }
+
+  /** Warps samples that views may show. */
+  private warpMissing(numbers: Uint32Array) {
+    const { detail } = this.held!
+    const count = detail.sampleCount()
+    if (!numbers.length || this.warpedFirst === count) return
+    if (numbers.length > maxShare * count) return this.warpFirst(count)
+    gather(this.placed, numbers, this.chosen)
+    this.warp.evaluatePositions(this.chosen, numbers.length, this.given, this.warped)
+    scatter(this.warped, numbers, detail.warped())
+  }
+
   private readSamples() {
     const { detail } = this.held!
-    const { samples } = this
-    samples.positions = copyInto(samples.positions, detail.sample(0))
-    this.base.attributes.forEach(({ input }, i) => {
-      if (input) samples[input] = copyInto(samples[input], detail.sample(i + 1))
-    })
+    const { samples, chosen } = this
+    const read = (name: keyof Vertices, attribute: number) => {
+      samples[name] = copyInto(samples[name], detail.sample(attribute))
+      const { length } = samples[name]
+      if (!this.isRead(name)) return
+      if (chosen[name]?.length !== length) chosen[name] = new Float32Array(length)
+    }
+    read('positions', 0)
+    this.base.attributes.forEach(({ input }, i) => input && read(input, i + 1))
     const { length } = samples.positions
     if (this.warped.length === length) return
     this.inSpace = new Float32Array(length)
     this.warped = new Float32Array(length)
+  }
+
+  /** Tests whether the warp reads an array. */
+  private isRead(name: keyof Vertices) {
+    return Object.entries(arrayNames).some(
+      ([input, array]) => array === name && this.warp.reads(input as VertexInput),
+    )
   }
 
   private inOffsetSpace(toSpace: ToSpace | undefined): Vertices {

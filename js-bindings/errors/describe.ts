@@ -1,4 +1,4 @@
-/** Tests for an expression by its properties: several scripts of a page may each have a copy of the class. */
+/** Tests for an expression by its properties, since several scripts of a page may each have a copy of the class. */
 export const isExpression = (value: unknown): boolean =>
   ((typeof value === 'object' && value !== null) || typeof value === 'function') &&
   'session' in value &&
@@ -25,12 +25,12 @@ export function describe(value: unknown): string {
 export const isClass = (value: Function): boolean =>
   Object.getOwnPropertyDescriptor(value, 'prototype')?.writable === false
 
-/** Describes an expression of a shape in a message. */
+/** Describes an expression by its shape, in a message. */
 export function describeShape([columns, rows]: readonly [number, number]): string {
   return columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
 }
 
-/** Puts the beginning of a string on one line. */
+/** Returns the first 60 characters of a string, on one line. */
 export function shorten(text: string): string {
   return text.slice(0, 60).replace(/\s+/g, ' ')
 }

@@ -1,7 +1,10 @@
 // Suggestions for unknown names.
 import { WarpError } from './errors.js'
 
-/** Returns the Damerau-Levenshtein distance: the minimum number of letters to insert, delete, change or swap with the next. */
+/**
+ * Returns the Damerau-Levenshtein distance: the min number of edits that turn a into b, each of which inserts, deletes or changes a letter,
+ * or swaps two neighbours.
+ */
 function distance(a: string, b: string) {
   const rows = [Array.from({ length: b.length + 1 }, (_, j) => j)]
   for (let i = 1; i <= a.length; i++) {
@@ -25,16 +28,16 @@ function distance(a: string, b: string) {
 /** Returns the name among `names` that is nearest to `name`; `undefined` if none is near. */
 export function nearest(name: string, names: Iterable<string>): string | undefined {
   const word = name.toLowerCase()
-  let found: string | undefined
+  let best: string | undefined
   let minDistance = Math.max(1, Math.floor(name.length / 3)) + 0.5
-  for (const each of names) {
-    const known = each.toLowerCase()
-    const isPart =
+  for (const candidate of names) {
+    const known = candidate.toLowerCase()
+    const isPrefix =
       word.length > 2 && known.length > 2 && (word.startsWith(known) || known.startsWith(word))
-    const wordDistance = Math.min(distance(word, known), isPart ? 1.2 : Infinity)
-    if (wordDistance < minDistance) [found, minDistance] = [each, wordDistance]
+    const wordDistance = Math.min(distance(word, known), isPrefix ? 1.2 : Infinity)
+    if (wordDistance < minDistance) [best, minDistance] = [candidate, wordDistance]
   }
-  return found
+  return best
 }
 
 /** Properties that JavaScript, promises, consoles, frameworks and tests read from any object. */
@@ -57,7 +60,7 @@ const probedNames = new Set([
   '$$typeof',
 ])
 
-/** Makes the end of a prototype chain, which throws a `WarpError` for a name that no object before it has. */
+/** Makes an object for the end of a prototype chain. Reading a name that no object of the chain has throws a `WarpError`. */
 export const throwingPrototype = (message: (name: string, object: object) => string): object =>
   new Proxy(
     {},
@@ -75,13 +78,13 @@ export const throwingPrototype = (message: (name: string, object: object) => str
     },
   )
 
-/** Suggests the nearest name, or says `otherwise`. `meant` maps names from other libraries → ours. */
+/** Suggests the nearest name, or returns `otherwise` if none is near. `synonyms` maps names of other libraries → names of this one. */
 export function didYouMean(
   name: string,
   names: Iterable<string>,
   otherwise: string,
-  meant: Readonly<Record<string, string>> = {},
+  synonyms: Readonly<Record<string, string>> = {},
 ) {
-  const near = Object.hasOwn(meant, name) ? meant[name] : nearest(name, names)
-  return near ? `did you mean ${near}?` : otherwise
+  const suggestion = Object.hasOwn(synonyms, name) ? synonyms[name] : nearest(name, names)
+  return suggestion ? `did you mean ${suggestion}?` : otherwise
 }

@@ -4,16 +4,16 @@ export const operatorsKey = Symbol.for('warpjet.operators')
 /** The property by which a guard of p5's adapter refers to the function that it wraps. */
 export const guardedKey = Symbol.for('warpjet.guarded')
 
-const ownKey = Symbol.for('warpjet.own')
+const libraryFunctionKey = Symbol.for('warpjet.own')
 
-/** Marks a function of the library, whose source must not be translated. */
-export const asOwn = <F extends object>(f: F): F =>
-  Object.defineProperty(f, ownKey, { value: true })
+/** Marks a function of the library, whose source must not be translated. Returns the function. */
+export const markLibraryFunction = <F extends object>(f: F): F =>
+  Object.defineProperty(f, libraryFunctionKey, { value: true })
 
-export const isOwnFunction = (f: object): boolean => ownKey in f
+export const isLibraryFunction = (f: object): boolean => libraryFunctionKey in f
 
 /** Options for translating operators. */
-export interface ReadOptions {
+export interface TranslationOptions {
   /** The name of the called function in messages. */
   method?: string
   /** Maps the name of a variable → its value. */
@@ -22,10 +22,11 @@ export interface ReadOptions {
   sketch?: object | undefined
 }
 
-type Reader = <F extends Function>(offset: F, scope?: object, options?: ReadOptions) => F
+type Translate = <F extends Function>(offset: F, scope?: object, options?: TranslationOptions) => F
 
 /** Returns the function with its operators translated, if the page has 'warpjet/operators'; otherwise the function itself. */
-export function readOperators<F extends Function>(offset: F, options: ReadOptions): F {
-  const read = Reflect.get(globalThis, operatorsKey) as Reader | undefined
-  return read && !isOwnFunction(offset) ? read(offset, options.scope ?? {}, options) : offset
+export function translateOperators<F extends Function>(offset: F, options: TranslationOptions): F {
+  const translate = Reflect.get(globalThis, operatorsKey) as Translate | undefined
+  if (!translate || isLibraryFunction(offset)) return offset
+  return translate(offset, options.scope ?? {}, options)
 }

@@ -8,27 +8,29 @@ import type { Vec4, WarpInputs } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { describe, describeShape } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
-import { instanceID, textsAsFloats } from './function-text.js'
+import { floatConversions, instanceID } from './function-text.js'
 import { Columns, Halves, halvesOf, type GlslValue } from './halves.js'
 import type { External, Named } from './listing.js'
 import { article } from './options.js'
 import type { ReplayInputs } from './replay.js'
 
-const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
+/** Inputs that source cannot name. */
+const hiddenInputs = new Set(['tangent', ...Object.keys(variationInputs)])
 
-/** The inputs of an offset function, each with its type in GLSL. */
+/** Maps the inputs that source can name → their types in GLSL. */
 export const inputTypes: Readonly<Record<string, string>> = Object.assign(
   Object.create(null) as object,
   Object.fromEntries(
     Object.entries({ ...inputSizes, mouseX: 1, mouseY: 1, width: 1, height: 1 })
-      .filter(([name]) => !hidden.has(name))
+      .filter(([name]) => !hiddenInputs.has(name))
       .map(([name, size]) => [name, size === 1 ? 'float' : `vec${size}`]),
   ),
 )
 
-/** Options of `texture()` in GLSL: for an image with `HostSampling`, and for one whose sampler is known only in the shader. */
-const asHostSamples = { transform: false }
-const samplerOptions = { wrap: 'sampler' }
+/** Options for `texture()` of GLSL, from an image that has a `HostSampling`. */
+const hostSamplingOptions = { transform: false }
+/** Options for `texture()` of GLSL, from an image whose sampler is known only in the shader. */
+const shaderSamplerOptions = { wrap: 'sampler' }
 
 /** The inputs of an offset function, all optional. */
 export type Inputs = Partial<WarpInputs>
@@ -48,17 +50,17 @@ export function bindExternals(
 ): Pick<ReplayInputs, 'external' | 'texture' | 'imageSize'> {
   const declared = (inputs.uniforms ?? {}) as unknown as Record<string, unknown>
   const isDeclared = (name: string) => Object.hasOwn(declared, name)
-  const made = new Map<number, GlslValue>()
-  const find = (external: External): GlslValue => {
+  const values = new Map<number, GlslValue>()
+  const findValue = (external: External): GlslValue => {
     const { name, type, isAttribute } = external
     if (!isAttribute && isDeclared(name)) {
-      if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
+      if (isInteger(type)) (declared as WithMark)[markWhole]?.(name)
       return toDeclaredValue(place, glsl, external, declared[name])
     }
     if (isAttribute && name === instanceID)
       return inputNamed(inputs, 'instance') ?? parameterOf(place, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
-    // The parts of `size` and `mouse` have names, such as height, to which the source may give another meaning.
+    // The components of `size` and `mouse` have names, such as height, that mean something else for an attribute of the source.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) {
       rejectInputName(place, glsl, external)
@@ -75,33 +77,36 @@ export function bindExternals(
   const imageSize = (index: number) =>
     (glsl.val!(0).session as Session).imageSize(String(imageOf(index)))
   const external = (index: number) => {
-    let value = made.get(index)
-    if (!value) made.set(index, (value = find(externals[index]!)))
+    let value = values.get(index)
+    if (!value) values.set(index, (value = findValue(externals[index]!)))
     return value
   }
-  // Reads uniforms whose values cancel out too, so that `evaluate` accepts values for them.
+  // Uniforms that cancel out in the result are read too, so that `evaluate` accepts values for them.
   for (const [index, { name, type, isAttribute }] of externals.entries())
     if (!isAttribute && isParameter(type) && !isDeclared(name) && !Object.hasOwn(inputSizes, name))
       external(index)
   return {
     external,
-    texture(index, at, isFetched) {
+    texture(index, coordinates, isFetched) {
       const image = imageOf(index)
       const { samplings } = glsl.val!(0).session as Session
       if (!isFetched)
         return glsl.texture!(
           image,
-          at,
-          samplings.has(String(image)) ? asHostSamples : samplerOptions,
+          coordinates,
+          samplings.has(String(image)) ? hostSamplingOptions : shaderSamplerOptions,
         )
-      const uv = glsl.div!(glsl.add!(at, 0.5), imageSize(index))
+      const uv = glsl.div!(glsl.add!(coordinates, 0.5), imageSize(index))
       return glsl.texture!(image, uv, { filter: 'nearest', wrap: 'clamp', transform: false })
     },
     imageSize,
   }
 }
 
-/** Throws for a uniform with the name of an input: in the shader of a warp, that name is the input. */
+/**
+ * Throws for a uniform with a name that the shader of a warp uses for an input, or, in WGSL, with a name of GLSL such as gl_VertexID, which
+ * WGSL lacks.
+ */
 function rejectInputName(place: Place, glsl: Builder, { name }: Named) {
   const [root = ''] = /^\w+/.exec(name) ?? []
   const { target, inputNames } = glsl.val!(0).session as Session
@@ -111,7 +116,7 @@ function rejectInputName(place: Place, glsl: Builder, { name }: Named) {
       `the uniform ${root} has the name of an input, ${input}; rename it in the source, such as my${root[0]!.toUpperCase()}${root.slice(1)}.`,
     )
   if (root.startsWith('gl_') && target === 'wgsl')
-    throw place.error(`WGSL has no ${root}; pass its value by a uniform.`)
+    throw place.error(`WGSL has no ${root}; pass its value in a uniform.`)
 }
 
 function toDeclaredValue(
@@ -130,22 +135,22 @@ function toDeclaredValue(
       .expected('a number or an expression', describe(declared))
   if (typeof declared === 'number' && /^u?int$/.test(type)) return halvesOf(glsl, declared)
   const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
-  const given = value.session.shapeOf(value)
-  if (`${given}` === `${shape}`) return value
-  // Four numbers of the option are a vec4, unless the source declares a matrix.
-  if (type === 'mat2' && `${given}` === '1,4') {
+  const declaredShape = value.session.shapeOf(value)
+  if (`${declaredShape}` === `${shape}`) return value
+  // Four numbers in the option `uniforms` have become a vec4, although the source declares a matrix.
+  if (type === 'mat2' && `${declaredShape}` === '1,4') {
     const { x, y, z, w } = value as unknown as Vec4
     return glsl.mat2!(x(), y(), z(), w())
   }
   throw place.error(
-    `the uniform ${name}: expected ${article(type)}, as declared in the source, got ${describeShape(given)}.`,
+    `the uniform ${name}: expected ${article(type)}, as declared in the source, got ${describeShape(declaredShape)}.`,
   )
 }
 
-const isWhole = (type: string) => /^(?:u?int|[iu]vec\d)$/.test(type)
+const isInteger = (type: string) => /^(?:u?int|[iu]vec\d)$/.test(type)
 
-/** Mirrors the property that inputs/uniform-expressions.ts defines. */
-interface Marking {
+/** The method that core/inputs/uniform-expressions.ts defines: it marks a uniform as one that holds integers. */
+interface WithMark {
   [markWhole]?: (name: string) => void
 }
 
@@ -153,30 +158,30 @@ const parameterTypes = /^(float|vec|mat|u?int|bool|[iub]vec)(\d?)$/
 const matrixTypes = /^mat(\d)x(\d)$/
 const isParameter = (type: string) => parameterTypes.test(type) || matrixTypes.test(type)
 
-/** Returns an expression for a variable of the host's shader: a parameter of a function, or a uniform. */
+/** Returns a value that reads a variable of the host's shader: a parameter of a function, or a uniform. */
 export function parameterOf(place: Place, glsl: Builder, { name, type }: Named): GlslValue {
   const [, columns, rows] = matrixTypes.exec(type) ?? []
   if (rows && columns !== rows)
     return new Columns(
       Array.from({ length: Number(columns) }, (_, i) => glsl[`vec${rows}Param`]!(`${name}[${i}]`)),
     )
-  const [, word, size] = parameterTypes.exec(type) ?? []
-  if (word === undefined)
+  const [, base, size] = parameterTypes.exec(type) ?? []
+  if (base === undefined)
     throw place.error(
       `${name} is ${article(type)}; only numbers, vectors and matrices can be passed.`,
     )
-  if (word === 'float') return glsl.param!(name)
-  if (word === 'vec' || word === 'mat') return glsl[`${type}Param`]!(name)
+  if (base === 'float') return glsl.param!(name)
+  if (base === 'vec' || base === 'mat') return glsl[`${type}Param`]!(name)
   const { session } = glsl.val!(0) as unknown as { session: Session }
   const read = (half?: 'low' | 'high') => {
-    const texts = textsAsFloats(name, type, half)
+    const texts = floatConversions(name, type, half)
     return session.inputOf(
       { name, type: type as TypeName, half, texts },
       [1, Number(size || 1)],
       place.method,
     )
   }
-  return isWhole(type) && session.target !== 'glsl100'
+  return isInteger(type) && session.target !== 'glsl100'
     ? new Halves(read('low'), read('high'))
     : read()
 }

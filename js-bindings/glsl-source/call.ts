@@ -14,11 +14,11 @@ import { article, glslKinds, sourceKinds, type GlslOptions } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslSourceOptions extends GlslOptions {
-  /** The values of the source's uniforms, such as the `uniforms` of an offset function; uniforms it lacks are the shader's own. */
+  /** The values of the source's uniforms, such as the `uniforms` of an offset function. Other uniforms are read from the shader. */
   uniforms?: object
 }
 
-/** Calls the function with numbers and expressions. */
+/** Calls the function of the source with numbers and expressions. */
 export type SourceFunction = (...operands: unknown[]) => Expression
 
 const place = new Place('source')
@@ -27,35 +27,39 @@ const sourceOptions = object({
   uniforms: record<object>('an object of numbers and expressions', { default: {} }),
 } satisfies KindsOf<GlslSourceOptions>)
 
-function functionOf(glsl: Builder, source: unknown, given?: GlslSourceOptions): SourceFunction {
+function functionOf(glsl: Builder, source: unknown, options?: GlslSourceOptions): SourceFunction {
   const text = sourceKinds.glsl.read(source, place.part('the source'))
-  const options = sourceOptions.read(given, place)
-  const listing = withSource(place, { text, language: 'glsl' }, (open) => {
-    const head = open.find(options.function)
-    rejectOtherTypes(head)
-    return open.list(head, options.maxIterations)
+  const { function: chosenName, maxIterations, uniforms } = sourceOptions.read(options, place)
+  const listing = withSource(place, { text, language: 'glsl' }, (openSource) => {
+    const head = openSource.find(chosenName)
+    rejectUnsupportedTypes(head)
+    return openSource.list(head, maxIterations)
   })
   const { head, externals } = listing
   const { name, parameters } = head
-  const outside = bindExternals(place, glsl, externals, { uniforms: options.uniforms as never })
+  const boundExternals = bindExternals(place, glsl, externals, { uniforms: uniforms as never })
   return (...operands) => {
     if (operands.length !== parameters.length)
       throw new WarpError(
         `${name}: expected ${parameters.length} arguments (${parameters.map((each) => each.type).join(', ')}), got ${operands.length}.`,
       )
-    const given = operands.map((operand, i) =>
+    const values = operands.map((operand, i) =>
       toParameter(glsl, parameters[i]!, operand, new Place(name).argument(i + 1)),
     )
-    return pack(glsl, head.type, replay(glsl, listing, { arguments: given, ...outside }))
+    const results = replay(glsl, listing, { arguments: values, ...boundExternals })
+    return pack(glsl, head.type, results)
   }
 }
 
-function rejectOtherTypes({ name, type, parameters }: FunctionHead) {
+/** Throws if the function has an out parameter, or a parameter or result of a type that no expression has. */
+function rejectUnsupportedTypes({ name, type, parameters }: FunctionHead) {
   if (!/^(?:float|int|uint|bool|vec[234]|mat[234])$/.test(type))
     throw place.error(`${name} returns ${article(type)}, which no expression can be.`)
   for (const each of parameters) {
     if (each.isOut)
-      throw place.error(`the parameter ${each.name} of ${name} is out; return a value.`)
+      throw place.error(
+        `the parameter ${each.name} of ${name} is an out parameter; return a value instead.`,
+      )
     if (!/^(?:float|int|uint|bool|vec[234]|mat[234])$/.test(each.type))
       throw place.error(
         `the parameter ${each.name} of ${name} is ${article(each.type)}, which no expression can be.`,
@@ -70,14 +74,14 @@ function toParameter(glsl: Builder, { type }: Named, operand: unknown, place: Pl
   if (!isExpression(value)) throw place.expected(article(type), describe(operand))
   const expression = value as Expression
   const shape = expression.session.shapeOf(expression)
-  const [, word, digit] = /^(\D+)(\d?)$/.exec(type)!
+  const [, base, digit] = /^(\D+)(\d?)$/.exec(type)!
   const size = Number(digit || 1)
-  const wanted = word === 'mat' ? [size, size] : [1, size]
-  if (`${shape}` === `${wanted}`) return expression
+  const expectedShape = base === 'mat' ? [size, size] : [1, size]
+  if (`${shape}` === `${expectedShape}`) return expression
   throw place.expected(article(type), describeShape(shape))
 }
 
-/** Registers the front end, such that `glsl.source` of any copy of warpjet finds it. */
+/** Registers the GLSL front end globally, so that `glsl.source` of any copy of warpjet finds it. */
 export function registerFrontEnd() {
   Reflect.set(globalThis, frontEndKey, functionOf)
 }

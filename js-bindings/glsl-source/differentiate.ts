@@ -1,4 +1,4 @@
-// `differentiate`: generates the source of a function that returns the derivatives of another.
+// `differentiate`: generates the source of a function that returns the derivatives of another function.
 import { compile } from '#text-compiler'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
@@ -43,28 +43,28 @@ const differentiateOptions = object({
 } satisfies KindsOf<DifferentiateOptions>)
 
 /**
- * Returns the source of a function with the same parameters as the one in `source`. If that returns a float, the new one,
+ * Returns the source of a function with the same parameters as the one in `source`. For a function that returns a float, the new one,
  * `…Gradient`, returns a vector of the value and its derivatives with respect to each component of `by`: `vec4 mapGradient(vec3 p)` for
- * a distance field. If it returns a vector, `…Jacobian` returns the matrix of its derivatives, with a column for each
- * component of `by`, or a vector if `by` is a float.
+ * a distance field. For a function that returns a vector, the new one, `…Jacobian`, returns the matrix of its derivatives, with a column
+ * for each component of `by`; if `by` is a float, a vector.
  *
  * Uniforms remain uniforms of the shader. Throws a `WarpError` with the line and column of a mistake in the source.
  */
 export function differentiate(source: string, options?: DifferentiateOptions): string {
-  const given = differentiateOptions.read(options, place)
-  const { language } = given
+  const settings = differentiateOptions.read(options, place)
+  const { language } = settings
   const text = sourceKinds[language].read(source, place.part('the source'))
-  const target = given.target ?? (language === 'wgsl' ? 'wgsl' : 'glsl300')
-  const { by, shape, listing } = withSource(place, { text, language }, (open) => {
-    const head = open.find(given.function)
-    const by = parameterNamed(head, given.by)
+  const target = settings.target ?? (language === 'wgsl' ? 'wgsl' : 'glsl300')
+  const { by, shape, listing } = withSource(place, { text, language }, (openSource) => {
+    const head = openSource.find(settings.function)
+    const by = readBy(head, settings.by)
     const shape = resultShape(head, by, target, language)
-    return { by, shape, listing: open.list(head, given.maxIterations) }
+    return { by, shape, listing: openSource.list(head, settings.maxIterations) }
   })
   const { head } = listing
   const parameters = renameParameters(listing)
-  const name = given.name ?? head.name + (shape.isValue ? 'Gradient' : 'Jacobian')
-  const result = freeName(listing)
+  const name = settings.name ?? head.name + (shape.hasValue ? 'Gradient' : 'Jacobian')
+  const result = unusedName(listing)
   const compiled = compile(
     (glsl) => ({
       [result]: derivativesOf(glsl as unknown as Builder, listing, parameters, by, shape) as never,
@@ -80,35 +80,36 @@ export function differentiate(source: string, options?: DifferentiateOptions): s
   })
 }
 
-/** Returns the variable that an expression such as `lights[0].color` is part of. */
+/** Returns the name of the variable in an expression such as `lights[0].color`. */
 const rootOf = ({ name }: Named) => /^\w*/.exec(name)![0]
 
-/** Renames parameters with the name of a uniform, since they would hide it from other functions of the source that read it. */
+/** Returns the parameters, renamed where they have the name of a uniform that is read: in the new function, they would hide it. */
 function renameParameters({ head, externals }: Listing): Named[] {
-  const taken = new Set([...head.parameters, ...externals].map(rootOf))
-  const hidden = new Set(externals.filter((each) => each.isRead).map(rootOf))
-  return head.parameters.map((each) => {
-    let { name } = each
-    for (let i = 2; hidden.has(each.name) && taken.has(name); i++) name = `${each.name}${i}`
-    taken.add(name)
-    return { ...each, name }
+  const usedNames = new Set([...head.parameters, ...externals].map(rootOf))
+  const readNames = new Set(externals.filter(({ isRead }) => isRead).map(rootOf))
+  return head.parameters.map((parameter) => {
+    let { name } = parameter
+    for (let i = 2; readNames.has(parameter.name) && usedNames.has(name); i++)
+      name = `${parameter.name}${i}`
+    usedNames.add(name)
+    return { ...parameter, name }
   })
 }
 
-/** Returns a name for the output that no parameter or uniform has. */
-function freeName({ head, externals }: Listing): string {
-  const taken = new Set([...head.parameters, ...externals].map(rootOf))
-  const name = ['result', 'outcome', 'derivatives'].find((each) => !taken.has(each))
+/** Returns a name for the result that no parameter or uniform has. */
+function unusedName({ head, externals }: Listing): string {
+  const usedNames = new Set([...head.parameters, ...externals].map(rootOf))
+  const name = ['result', 'outcome', 'derivatives'].find((each) => !usedNames.has(each))
   if (name) return name
   let number = 2
-  while (taken.has(`result${number}`)) number++
+  while (usedNames.has(`result${number}`)) number++
   return `result${number}`
 }
 
 interface ResultShape {
   type: string
-  /** True if the value precedes its derivatives. */
-  isValue: boolean
+  /** True if the result begins with the value of the original function, which the derivatives follow. */
+  hasValue: boolean
 }
 
 function derivativesOf(
@@ -116,38 +117,39 @@ function derivativesOf(
   listing: Listing,
   parameters: readonly Named[],
   by: string,
-  { isValue }: ResultShape,
+  { hasValue }: ResultShape,
 ): Expression {
   const { head, externals } = listing
-  const operands = parameters.map((each) => parameterOf(place, glsl, each))
-  const outside = bindExternals(place, glsl, externals, {})
-  const value = pack(glsl, head.type, replay(glsl, listing, { arguments: operands, ...outside }))
+  const operands = parameters.map((parameter) => parameterOf(place, glsl, parameter))
+  const boundExternals = bindExternals(place, glsl, externals, {})
+  const numbers = replay(glsl, listing, { arguments: operands, ...boundExternals })
+  const value = pack(glsl, head.type, numbers)
   const index = head.parameters.findIndex(({ name }) => name === by)
-  // The parameter has floats, as resultShape checks.
+  // The parameter is a float or a vector of floats, as resultShape checks.
   const input = operands[index] as Expression
   const isNumber = head.parameters[index]!.type === 'float'
   if (isNumber) {
     const slope = glsl.derivative!(value, input)
-    return isValue ? glsl.vec2!(value, slope) : slope
+    return hasValue ? glsl.vec2!(value, slope) : slope
   }
-  if (!isValue) return glsl.jacobian!(value, input)
+  if (!hasValue) return glsl.jacobian!(value, input)
   const slopes = glsl.gradient!(value, input) as unknown as Vector
   const size = Number(head.parameters[index]!.type.at(-1))
   return glsl[`vec${size + 1}`]!(value, slopes)
 }
 
-/** Returns the name of the parameter to differentiate by. */
-function parameterNamed({ name, parameters }: FunctionHead, by: unknown): string {
-  const names = parameters.map((each) => each.name)
+/** Reads the option `by`: returns the name of the parameter to differentiate by. */
+function readBy({ name, parameters }: FunctionHead, by: unknown): string {
+  const names = parameters.map((parameter) => parameter.name)
   if (names.length === 0) throw place.error(`${name} has no parameter to differentiate by.`)
   return kind<string>(
     `a parameter of ${name}, one of ${names.join(', ')},`,
-    (given) => names.includes(given as string),
+    (value) => names.includes(value as string),
     { default: names[0]! },
   ).read(by, place.option('by'))
 }
 
-/** Returns the type of the result. Throws if the function is unsupported. */
+/** Returns the type of the new function's result. Throws if the original function is unsupported. */
 function resultShape(
   { name, type, parameters }: FunctionHead,
   by: string,
@@ -155,39 +157,45 @@ function resultShape(
   language: SourceLanguage,
 ): ResultShape {
   const article = (type: string) => articleIn(language, type)
-  const reject = (why: string): never => {
-    throw place.error(`${why}.`)
+  const reject = (reason: string): never => {
+    throw place.error(`${reason}.`)
   }
-  const isFloats = (word: string) => /^(?:float|vec[234])$/.test(word)
-  for (const each of parameters)
+  const isFloatOrVector = (type: string) => /^(?:float|vec[234])$/.test(type)
+  for (const parameter of parameters)
     if (
-      each.isOut ||
-      !/^(?:float|u?int|bool|vec[234]|mat[234](?:x[234])?)$/.test(each.type) ||
-      each.name === '?'
+      parameter.isOut ||
+      !/^(?:float|u?int|bool|vec[234]|mat[234](?:x[234])?)$/.test(parameter.type) ||
+      parameter.name === '?'
     )
       reject(
-        each.isOut
-          ? `the parameter ${each.name} of ${name} is out; return a value`
-          : `the parameter ${each.name} of ${name} is ${article(each.type)}, which is unsupported`,
+        parameter.isOut
+          ? `the parameter ${parameter.name} of ${name} is ${language === 'wgsl' ? 'a pointer' : 'an out parameter'}; return a value instead`
+          : `the parameter ${parameter.name} of ${name} is ${article(parameter.type)}, which is unsupported`,
       )
-  const wide = parameters.find((each) => /x/.test(each.type))
-  if (wide && target === 'glsl100')
+  const nonSquare = parameters.find((parameter) => /x/.test(parameter.type))
+  if (nonSquare && target === 'glsl100')
     reject(
-      `glsl100 lacks ${wide.type}, the type of the parameter ${wide.name}; use glsl300 or wgsl`,
+      `glsl100 lacks ${nonSquare.type}, the type of the parameter ${nonSquare.name}; use glsl300 or wgsl`,
     )
-  const input = parameters.find((each) => each.name === by)!.type
-  if (!isFloats(input))
-    reject(`${by} is ${article(input)}; expected a float or a vector to differentiate by`)
-  if (!isFloats(type)) reject(`${name} returns ${article(type)}; expected a float or a vector`)
-  const sizeOf = (word: string) => (word === 'float' ? 1 : Number(word.at(-1)))
-  const [from, to] = [sizeOf(input), sizeOf(type)]
-  if (to === 1) {
-    if (from === 4)
-      reject(`value and gradient by a vec4 are five numbers, too many for a vector; split ${by}`)
-    return { type: `vec${from + 1}`, isValue: true }
+  const inputType = parameters.find((parameter) => parameter.name === by)!.type
+  if (!isFloatOrVector(inputType))
+    reject(`${by} is ${article(inputType)}; expected a float or a vector to differentiate by`)
+  if (!isFloatOrVector(type))
+    reject(`${name} returns ${article(type)}; expected a float or a vector`)
+  const sizeOf = (type: string) => (type === 'float' ? 1 : Number(type.at(-1)))
+  const [inputSize, size] = [sizeOf(inputType), sizeOf(type)]
+  if (size === 1) {
+    if (inputSize === 4)
+      reject(
+        `the value and its derivatives by a vec4 are five numbers, too many for a vector; split ${by}`,
+      )
+    return { type: `vec${inputSize + 1}`, hasValue: true }
   }
-  if (from === 1) return { type: `vec${to}`, isValue: false }
-  if (from !== to && target === 'glsl100')
-    reject(`glsl100 has no matrix of ${from} columns and ${to} rows; use glsl300 or wgsl`)
-  return { type: from === to ? `mat${to}` : `mat${from}x${to}`, isValue: false }
+  if (inputSize === 1) return { type: `vec${size}`, hasValue: false }
+  if (inputSize !== size && target === 'glsl100')
+    reject(`glsl100 has no matrix of ${inputSize} columns and ${size} rows; use glsl300 or wgsl`)
+  return {
+    type: inputSize === size ? `mat${size}` : `mat${inputSize}x${size}`,
+    hasValue: false,
+  }
 }

@@ -2,7 +2,7 @@
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 
-/** Integers that may be large: their lower 16 bits, and the upper 16 bits with the sign. */
+/** An integer or a vector of integers that may be large: the lower 16 bits, and the upper 16 bits with the sign. */
 export class Halves {
   constructor(
     readonly low: Expression,
@@ -15,16 +15,16 @@ export class Columns {
   constructor(readonly vectors: readonly Expression[]) {}
 }
 
-/** A value of GLSL; an integer known to be small is a single float. */
+/** A value of GLSL source; an integer that is known to be small is a float. */
 export type GlslValue = Expression | Halves | Columns
 
-/** Returns one half of a value; `undefined` for the upper half of a float. */
-export function halfOf(given: Expression | Halves, isHigh: boolean): Expression | undefined {
-  if (given instanceof Halves) return isHigh ? given.high : given.low
-  return isHigh ? undefined : given
+/** Returns one half of a value. A float has only a lower half, itself: its upper half is `undefined`. */
+export function halfOf(value: Expression | Halves, isHigh: boolean): Expression | undefined {
+  if (value instanceof Halves) return isHigh ? value.high : value.low
+  return isHigh ? undefined : value
 }
 
-/** Converts a constant int or uint. */
+/** Converts a constant int or uint: to a float if it is small enough, otherwise to halves. */
 export function halvesOf(glsl: Builder, value: number): Expression | Halves {
   if (Math.abs(value) <= 2 ** 24) return glsl.val!(value)
   const bits = Math.trunc(value) | 0
@@ -32,5 +32,5 @@ export function halvesOf(glsl: Builder, value: number): Expression | Halves {
 }
 
 /** Recombines the halves by bitwise operations, which are unsupported in GLSL 1.00, whose integers may have fewer bits. */
-export const wholeOf = (glsl: Builder, low: Expression, high: Expression): Expression =>
+export const recombine = (glsl: Builder, low: Expression, high: Expression): Expression =>
   glsl.bitOr!(glsl.shiftLeft!(glsl.int!(high), glsl.int!(glsl.val!(16))), glsl.int!(low))

@@ -1,4 +1,4 @@
-// Lowers GLSL or WGSL source to a plain list of operations, once. The list is independent of any session and of wasm memory.
+// Lowers a function of GLSL or WGSL source to a plain list of operations, once. The list is independent of any session and of wasm memory.
 import type { Place } from '../options/place.js'
 import * as wasm from '../wasm/glsl.js'
 import type { SourceLanguage } from './options.js'
@@ -8,7 +8,7 @@ export type FunctionHead = wasm.FunctionHead
 /** A uniform or an attribute of the source. */
 export type External = wasm.HostName
 
-/** A name with its type, as GLSL writes it, whatever the language of the source. */
+/** A name with its type. The type is written as in GLSL, also for a source in WGSL. */
 export type Named = Pick<External, 'name' | 'type'>
 
 /** The operations of a function; glsl.hpp describes the words. */
@@ -21,10 +21,10 @@ export interface SourceText {
   language: SourceLanguage
 }
 
-/** Starts the front end, as the first source does. */
+/** Starts the front end's wasm module, which the first source would start. */
 export const startFrontEnd = () => void wasm.glsl.get()
 
-/** Parses source, passes it to `work` and closes it in any case. Throws a `WarpError` with line, column and a caret. */
+/** Parses source, passes it to `work` and then closes it. Throws a `WarpError` with the line, column and a caret for a mistake. */
 export const withSource = <Result>(
   place: Place,
   { text, language }: SourceText,
@@ -35,6 +35,7 @@ export const withSource = <Result>(
     (source) => work(new OpenSource(place, source, language)),
   )
 
+/** Parsed source, in wasm memory. */
 export class OpenSource {
   readonly functions: FunctionHead[]
 
@@ -65,6 +66,7 @@ export class OpenSource {
     )
   }
 
+  /** Lowers a function. `maxIterations` is the option of this name, or 0. */
   list(head: FunctionHead, maxIterations = 0): Listing {
     const listing = this.source.lower(head.number, maxIterations)
     this.throwProblem()

@@ -3,7 +3,7 @@ import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import type { UniformValues, Vec3, WarpInputs } from '../core/types/types.js'
 import { nearest } from '../errors/nearest.js'
-import { asOwn } from '../errors/operators.js'
+import { markLibraryFunction } from '../errors/operators.js'
 import { oneOf } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -55,9 +55,9 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
 }
 
 /**
- * Makes an offset function from source in WGSL, like `glslOffset` from GLSL. A uniform is an input by its name in the shader, such
- * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so is an element of a storage buffer, by a constant
- * index or the counter of a loop with constant bounds.
+ * Makes an offset function from source in WGSL, like `glslOffset` from GLSL. Uniforms are matched by their name in the shader, such
+ * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so are elements of a storage buffer, whose index must be
+ * constant or the counter of a loop with constant bounds.
  * Attributes, entry points and functions for fragments may stay in the source; they are ignored unless the function uses them.
  *
  * Throws a `WarpError` with the line and column of a mistake in the source.
@@ -76,7 +76,7 @@ const offsetOf = <Uniforms extends UniformValues>(
   options: GlslOffsetOptions | undefined,
 ): GlslOffset<Uniforms> => readOffset<Uniforms>(place, language, source, options).offset
 
-/** Returns the offset function of a source, and the uniforms and attributes that the source has. */
+/** Returns the offset function of a source, and the uniforms and attributes of this source. */
 export function readOffset<Uniforms extends UniformValues>(
   place: Place,
   language: SourceLanguage,
@@ -85,14 +85,17 @@ export function readOffset<Uniforms extends UniformValues>(
 ): { offset: GlslOffset<Uniforms>; externals: readonly External[] } {
   const { returns } = offsetOptions.read(options, place)
   const { numbersFor, externals } = readNumbers(place, language, source, options, 'vec3')
-  const offset: GlslOffset<Uniforms> = asOwn((inputs) => {
+  const offset: GlslOffset<Uniforms> = markLibraryFunction((inputs) => {
     const result = vectorOf(inputs, numbersFor(inputs as unknown as WarpInputs))
     return returns === 'position' ? result.sub(inputs.position) : result
   })
   return { offset, externals }
 }
 
-/** Like `readOffset` of a source whose function returns a mat4: the new position in the first three numbers, `others` behind them. */
+/**
+ * Reads a source whose function returns a mat4, with the new position in its first three numbers. Returns a function that computes the
+ * offset, and `others`, the remaining 13 numbers.
+ */
 export function readPositionWithOthers(
   language: SourceLanguage,
   source: string,
@@ -112,7 +115,7 @@ export function readPositionWithOthers(
 const vectorOf = ({ glsl }: Pick<WarpInputs, 'glsl'>, numbers: readonly Expression[]) =>
   pack(glsl as unknown as Builder, 'vec3', numbers) as unknown as WarpInputs['position']
 
-/** Reads a source whose function returns `type` → a function from inputs to the numbers of the result. */
+/** Reads a source whose function returns `type`. Returns `numbersFor`, which computes the numbers of the result for inputs. */
 function readNumbers(
   place: Place,
   language: SourceLanguage,
@@ -122,17 +125,17 @@ function readNumbers(
 ) {
   const text = sourceKinds[language].read(source, place.part('the source'))
   const { function: name, maxIterations } = offsetOptions.read(options, place)
-  const listing = withSource(place, { text, language }, (open) => {
-    const head = open.find(name)
+  const listing = withSource(place, { text, language }, (openSource) => {
+    const head = openSource.find(name)
     rejectOtherHead(place, language, head, type)
-    return open.list(head, maxIterations)
+    return openSource.list(head, maxIterations)
   })
-  const numbersFor = (given: WarpInputs): Expression[] => {
-    const glsl = given.glsl as unknown as Builder
+  const numbersFor = (inputs: WarpInputs): Expression[] => {
+    const glsl = inputs.glsl as unknown as Builder
     const operands = listing.head.parameters.map(({ name }) =>
-      inputNamed(given, isInput(name) ? name : 'position')!,
+      inputNamed(inputs, isInput(name) ? name : 'position')!,
     )
-    const externals = bindExternals(place, glsl, listing.externals, given)
+    const externals = bindExternals(place, glsl, listing.externals, inputs)
     return replay(glsl, listing, { arguments: operands, ...externals })
   }
   return { numbersFor, externals: listing.externals }
@@ -140,22 +143,25 @@ function readNumbers(
 
 const isInput = (name: string) => name in inputTypes
 
-function unknownParameter(name: string, parameter: string, type: string) {
-  const known = Object.keys(inputTypes)
-  const meant: Record<string, string> = {
+/** Returns the message for a parameter that is no input. */
+function unknownParameterMessage(name: string, parameter: string, type: string) {
+  const inputNames = Object.keys(inputTypes)
+  /** Maps common names of parameters → inputs. */
+  const commonNames: Record<string, string> = {
     time: 'millis',
     t: 'millis',
     pos: 'position',
     p: 'position',
   }
-  const near = meant[parameter] ?? nearest(parameter, known)
+  const suggestion = commonNames[parameter] ?? nearest(parameter, inputNames)
   const advice =
-    near && inputTypes[near] === type
-      ? `call it ${near}`
-      : `it can be ${known.join(', ')}, or a uniform of the source`
+    suggestion && inputTypes[suggestion] === type
+      ? `call it ${suggestion}`
+      : `rename it to one of ${inputNames.join(', ')}, or make it a uniform of the source`
   return `the parameter ${parameter} of ${name} has no value; ${advice}.`
 }
 
+/** Throws unless the function returns a value of the expected type, and all its parameters are inputs. */
 function rejectOtherHead(
   place: Place,
   language: SourceLanguage,
@@ -172,14 +178,14 @@ function rejectOtherHead(
   for (const parameter of parameters) {
     if (parameter.isOut)
       throw place.error(
-        `the parameter ${parameter.name} of ${name} is ${language === 'wgsl' ? 'a pointer' : 'out or inout'}; an offset function must return its ${language === 'wgsl' ? 'vec3f' : 'vec3'}.`,
+        `the parameter ${parameter.name} of ${name} is ${language === 'wgsl' ? 'a pointer' : 'an out or inout parameter'}; an offset function must return its ${language === 'wgsl' ? 'vec3f' : 'vec3'}.`,
       )
     if (parameters.length === 1 && parameter.type === 'vec3' && !isInput(parameter.name)) continue
-    const expected = inputTypes[parameter.name]
-    if (!expected) throw place.error(unknownParameter(name, parameter.name, parameter.type))
-    if (expected !== parameter.type)
+    const inputType = inputTypes[parameter.name]
+    if (!inputType) throw place.error(unknownParameterMessage(name, parameter.name, parameter.type))
+    if (inputType !== parameter.type)
       throw place.error(
-        `the parameter ${parameter.name} of ${name}: expected ${article(expected)}, the type of the input ${parameter.name}, got ${article(parameter.type)}.`,
+        `the parameter ${parameter.name} of ${name}: expected ${article(inputType)}, the type of the input ${parameter.name}, got ${article(parameter.type)}.`,
       )
   }
 }

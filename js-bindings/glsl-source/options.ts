@@ -17,18 +17,18 @@ export const glslKinds = {
   maxIterations: wholeNumber({ min: 1, max: maxIterationLimit, default: 0 }),
 } satisfies KindsOf<GlslOptions>
 
-const isFileName = (given: unknown) =>
-  typeof given === 'string' && /^[\w./\\-]+\.\w+$/.test(given.trim())
+const isFileName = (value: unknown) =>
+  typeof value === 'string' && /^[\w./\\-]+\.\w+$/.test(value.trim())
 
 export type SourceLanguage = 'glsl' | 'wgsl'
 
 const sourceKindOf = (language: string) =>
   kind<string>(
     `a string of ${language}`,
-    (given) => typeof given === 'string' && !isFileName(given),
+    (value) => typeof value === 'string' && !isFileName(value),
     {
-      advice: (given) =>
-        isFileName(given)
+      advice: (value) =>
+        isFileName(value)
           ? 'this is the name of a file; read the file first, by fetch or loadStrings for instance'
           : undefined,
     },
@@ -39,19 +39,19 @@ export const sourceKinds: Record<SourceLanguage, ReturnType<typeof sourceKindOf>
   wgsl: sourceKindOf('WGSL'),
 }
 
-/** WGSL's names of types. */
+/** Maps scalar types of GLSL → their names in WGSL. */
 const wgslScalars: Record<string, string> = { float: 'f32', int: 'i32', uint: 'u32' }
 
-/** Returns WGSL's name of a type of GLSL. */
+/** Returns the name that a type of GLSL has in WGSL. */
 export function wgslType(type: string): string {
   const [, base, size] = /^([iub]?)vec(\d)$/.exec(type) ?? []
   if (size) return base === 'b' ? `vec${size}<bool>` : `vec${size}${base || 'f'}`
   return wgslScalars[type] ?? type.replace(/^(mat)(\d)$/, '$1$2x$2').replace(/^(mat\dx\d)$/, '$1f')
 }
 
-/** Returns the type with an indefinite article, for messages. */
+/** Puts an indefinite article in front of a type, for messages. */
 export const article = (type: string) => `${/^[aeio]|^f32/.test(type) ? 'an' : 'a'} ${type}`
 
-/** Returns the type as the language of the source has it, with an indefinite article. */
+/** Returns a type of GLSL as the language of the source names it, with an indefinite article. */
 export const articleIn = (language: SourceLanguage, type: string) =>
   article(language === 'wgsl' ? wgslType(type) : type)

@@ -1,4 +1,4 @@
-// Records a function of GLSL source as a separate module, which remains a function in the generated code and is differentiated as one.
+// Records a function of GLSL source as a separate module, which remains a function in the generated code and is differentiated as a whole.
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import type { RecordedFunction, Session } from '../core/expression/session.js'
@@ -10,8 +10,8 @@ export type Routine = (glsl: Builder, operands: Expression[]) => Expression[]
 const sessionOf = (glsl: Builder) => glsl.val!(0).session as Session
 
 /**
- * Runs the body once, in a session whose inputs are the arguments: `size` numbers, of which the first `variables` have
- * derivatives. The generated name includes a hash of the body, so that different functions of one name are distinct.
+ * Records a function by running `body` once, in a session whose inputs are the arguments: `size` numbers, of which the first `variables`
+ * have derivatives. The generated name includes a hash of the body, so that functions with equal names and different bodies stay distinct.
  */
 export function record(
   glsl: Builder,
@@ -21,7 +21,7 @@ export function record(
   body: (inner: Builder, operands: Expression[]) => Expression[],
 ): Routine {
   const outer = sessionOf(glsl)
-  // This bundle does not contain the class Session.
+  // The class is taken from the object, since this bundle does not contain Session.
   const inner = new (outer.constructor as typeof Session)(outer.target)
   const builderOf = glsl.of as unknown as (session: Session) => Builder
   try {
@@ -30,11 +30,11 @@ export function record(
     const results = body(builderOf(inner), operands)
     results.forEach((result, i) => inner.output(`result${i}`, result, place))
     const module = inner.finish()
-    const mark = module.reduce((hash, word) => Math.imul(hash ^ word, 0x01000193), variables)
+    const hash = module.reduce((hash, word) => Math.imul(hash ^ word, 0x01000193), variables)
     // GLSL reserves names with two consecutive underscores.
-    const own = name.replace(/_+/g, '_').replace(/_$/, '')
+    const validName = name.replace(/_+/g, '_').replace(/_$/, '')
     const recorded: RecordedFunction = {
-      name: `${own}_${(mark >>> 0).toString(36)}`,
+      name: `${validName}_${(hash >>> 0).toString(36)}`,
       variables,
       results: results.length,
       module,

@@ -1,129 +1,136 @@
-// Calls the builder for each operation of a list, as a sketch would by hand. It uses only the public builder, so that this file's
-// bundle contains no part of the compiler.
+// Calls the builder for each operation of a listing, as a sketch would. It uses only the public builder, so that the bundle with this
+// file contains no part of the compiler.
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import { glsl as wasm } from '../wasm/glsl.js'
-import { Columns, Halves, halfOf, halvesOf, wholeOf, type GlslValue } from './halves.js'
+import { Columns, Halves, halfOf, halvesOf, recombine, type GlslValue } from './halves.js'
 import type { Listing } from './listing.js'
 import { record, type Routine } from './record.js'
 
-/** Maps codes to the builder's names of operations and to names of leaves; see codes.hpp. */
-let operations: string[] | undefined
+/** Maps codes → the builder's names of operations, or the names of leaves and instructions; see codes.hpp. */
+let operationNames: string[] | undefined
 
 export interface ReplayInputs {
   /** The arguments of the function, in order. */
   arguments: readonly GlslValue[]
-  /** Returns the uniform or attribute with an index among the externals. */
-  external: (place: number) => GlslValue
-  /** Samples the image with an index among the externals at a vec2, or fetches the texel with these integer coordinates. */
-  texture: (place: number, at: Expression, isFetched: boolean) => Expression
-  /** Returns the width and height of the image. */
-  imageSize: (place: number) => Expression
+  /** Returns the uniform or attribute with this index among the externals. */
+  external: (index: number) => GlslValue
+  /**
+   * Reads the image with this index among the externals: fetches the texel with integer coordinates if `isFetched`, otherwise samples it
+   * at a vec2.
+   */
+  texture: (index: number, coordinates: Expression, isFetched: boolean) => Expression
+  /** Returns the width and height of the image with this index. */
+  imageSize: (index: number) => Expression
 }
 
 /** Returns the results of the function, one expression per number. */
-export function replay(glsl: Builder, listing: Listing, given: ReplayInputs): Expression[] {
-  operations ??= wasm.get().codes()
+export function replay(glsl: Builder, listing: Listing, inputs: ReplayInputs): Expression[] {
+  operationNames ??= wasm.get().codes()
   const { words, constants } = listing
   const routines: Routine[] = []
-  let at = 0
-  const word = () => words[at++]!
+  let position = 0
+  const nextWord = () => words[position++]!
 
-  /** Replays up to the end of the list, or of the current function's body, and returns the results. */
-  const replayIn = (glsl: Builder, parameters: Expression[]): Expression[] => {
+  /** Replays up to the end of the listing, or of the current function's body, and returns the results. */
+  const replayBody = (glsl: Builder, parameters: Expression[]): Expression[] => {
     // The upper half of an integer that is known to be small is `undefined`.
-    const made: (Expression | undefined)[] = []
-    const operandsOf = (count: number) =>
-      Array.from({ length: count }, () => made[word()] ?? glsl.val!(0))
-    const run = (end: string) => {
-      while (at < words.length) {
-        const name = operations![word()]!
+    const values: (Expression | undefined)[] = []
+    const nextOperands = (count: number) =>
+      Array.from({ length: count }, () => values[nextWord()] ?? glsl.val!(0))
+    const runUntil = (end: string) => {
+      while (position < words.length) {
+        const name = operationNames![nextWord()]!
         if (name === end) return
-        if (name === 'define') define(word(), word())
-        else if (name === 'fold') repeat(word(), word())
-        else if (name === 'call') made.push(...routines[word()]!(glsl, operandsOf(word())))
-        else made.push(operation(name))
+        if (name === 'define') define(nextWord(), nextWord())
+        else if (name === 'fold') repeat(nextWord(), nextWord())
+        else if (name === 'call')
+          values.push(...routines[nextWord()]!(glsl, nextOperands(nextWord())))
+        else values.push(runOperation(name))
       }
     }
     const define = (size: number, variables: number) => {
-      routines.push(record(glsl, listing.routines[routines.length]!, size, variables, replayIn))
+      routines.push(record(glsl, listing.routines[routines.length]!, size, variables, replayBody))
     }
     const repeat = (steps: number, count: number) => {
       const stateOf = (numbers: Expression[]) =>
         Object.fromEntries(numbers.map((number, i) => [`state${i}`, number]))
       const body = (states: object, step: Expression) => {
-        made.push(step, ...(Object.values(states) as Expression[]))
-        run('next')
-        return stateOf(operandsOf(count))
+        values.push(step, ...(Object.values(states) as Expression[]))
+        runUntil('next')
+        return stateOf(nextOperands(count))
       }
-      const outcomes = glsl.repeat!(steps, stateOf(operandsOf(count)), body)
-      made.push(...(Object.values(outcomes) as Expression[]))
+      const finalStates = glsl.repeat!(steps, stateOf(nextOperands(count)), body)
+      values.push(...(Object.values(finalStates) as Expression[]))
     }
-    const operation = (name: string): Expression | undefined => {
+    const runOperation = (name: string): Expression | undefined => {
       switch (name) {
         case 'constant':
-          return glsl.val!(constants[word()]!)
+          return glsl.val!(constants[nextWord()]!)
         case 'whole':
-          return constantOf(glsl, constants[word()]!)
+          return integerConstant(glsl, constants[nextWord()]!)
         case 'parameter':
-          return parameters[word()]!
+          return parameters[nextWord()]!
         case 'argument':
-          return partOf(given.arguments[word()]!, word(), word())
+          return partOf(inputs.arguments[nextWord()]!, nextWord(), nextWord())
         case 'uniform':
-          return partOf(given.external(word()), word(), word())
+          return partOf(inputs.external(nextWord()), nextWord(), nextWord())
         case 'component':
-          return componentOf(made[word()]!, word(), word())
+          return componentOf(values[nextWord()]!, nextWord(), nextWord())
         case 'intOfHalves':
         case 'uintOfHalves': {
-          const [low, high] = [1, 2].map((i) => made[words[at + i]!])
-          at += 3
-          if (high) return wholeOf(glsl, low!, high)
+          const [low, high] = [1, 2].map((i) => values[words[position + i]!])
+          position += 3
+          if (high) return recombine(glsl, low!, high)
           return glsl[name === 'intOfHalves' ? 'int' : 'bitsOf']!(low!)
         }
         case 'texel':
         case 'fetchedTexel':
-          return given.texture(word(), made[word()]!, name === 'fetchedTexel')
+          return inputs.texture(nextWord(), values[nextWord()]!, name === 'fetchedTexel')
         case 'imageSize':
-          return given.imageSize(word())
+          return inputs.imageSize(nextWord())
         default:
-          return glsl[name]!(...operandsOf(word()))
+          return glsl[name]!(...nextOperands(nextWord()))
       }
     }
-    run('end')
-    return at < words.length
-      ? operandsOf(word())
-      : Array.from(listing.results, (place) => made[place]!)
+    runUntil('end')
+    return position < words.length
+      ? nextOperands(nextWord())
+      : Array.from(listing.results, (index) => values[index]!)
   }
-  return replayIn(glsl, [])
+  return replayBody(glsl, [])
 }
 
-function constantOf(glsl: Builder, value: number): Expression {
-  const given = halvesOf(glsl, value)
-  return given instanceof Halves ? wholeOf(glsl, given.low, given.high) : glsl.int!(given)
+function integerConstant(glsl: Builder, value: number): Expression {
+  const halves = halvesOf(glsl, value)
+  return halves instanceof Halves ? recombine(glsl, halves.low, halves.high) : glsl.int!(halves)
 }
 
-/** Returns a component of an argument or a uniform; the layout also selects one half of an integer. */
-function partOf(value: GlslValue, place: number, layout: number): Expression | undefined {
+/** Returns a component of an argument or a uniform; `layout` is that of `componentOf`, plus `highHalf` for the upper half of an integer. */
+function partOf(value: GlslValue, index: number, layout: number): Expression | undefined {
   if (value instanceof Columns) {
     const rows = layout & 15
-    return componentOf(value.vectors[Math.floor(place / rows)]!, place % rows, (1 << 4) | rows)
+    return componentOf(value.vectors[Math.floor(index / rows)]!, index % rows, (1 << 4) | rows)
   }
   const half = halfOf(value, layout >= highHalf)
-  return half && componentOf(half, place, layout % highHalf)
+  return half && componentOf(half, index, layout % highHalf)
 }
 
-/** Recorder::highHalf. */
+/** Equal to Recorder::highHalf in C++. */
 const highHalf = 128
 
 type Methods = Record<string, (...operands: unknown[]) => Expression>
 const methodsOf = (value: Expression) => value as unknown as Methods
 
-/** Returns a component of a number, a vector or (in column-major order) a matrix; `layout` has columns and rows, 4 bits each. */
-function componentOf(value: Expression, place: number, layout: number): Expression {
+/**
+ * Returns the component with this index of a number, a vector or (in column-major order) a matrix; `layout` holds the numbers of columns
+ * and rows, 4 bits each.
+ */
+function componentOf(value: Expression, index: number, layout: number): Expression {
   const [columns, rows] = [layout >> 4, layout & 15]
   if (columns * rows === 1) return value
-  const vector = columns === 1 ? value : methodsOf(value).column!(Math.floor(place / rows))
-  return methodsOf(vector)['xyzw'[place % rows]!]!()
+  const vector = columns === 1 ? value : methodsOf(value).column!(Math.floor(index / rows))
+  return methodsOf(vector)['xyzw'[index % rows]!]!()
 }
 
 /** Combines numbers into a value of a GLSL type. */

@@ -23,7 +23,7 @@ import { takeVariation, type SurfaceVariation } from './surface-variation.js'
 
 export interface BakeOptions extends EvaluationOptions {
   /**
-   * First divides the mesh where the warp bends it, like `subdivide` with this tolerance: the max distance between the warped surface
+   * If present, the mesh is first divided where the warp bends it, like by `subdivide` with this tolerance: the maximum distance between the warped surface
    * and the baked triangles, in units of the mesh. There is no camera, so it is not in pixels like the option `detail` of `createWarp`.
    * By default, the mesh keeps its own vertices.
    */
@@ -110,15 +110,15 @@ export function warpMesh(
 function rejectNonFinite(
   place: Place,
   name: string,
-  given: ArrayLike<number>,
+  numbers: ArrayLike<number>,
   size: number,
   { positions }: Mesh,
 ) {
-  const i = firstWrong(given, finiteFloat)
+  const i = firstWrong(numbers, finiteFloat)
   if (i < 0) return
   const vertex = Math.floor(i / size)
   const position = [...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')
   throw place.error(
-    `expected a finite ${name} of vertex ${vertex} at (${position}), got ${given[i]}; check the warp there, for a division by 0 for example.`,
+    `expected a finite ${name} of vertex ${vertex} at (${position}), got ${numbers[i]}; check the warp there, for a division by 0 for example.`,
   )
 }

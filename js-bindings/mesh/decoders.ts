@@ -49,7 +49,7 @@ interface Source {
   global: string
   package: string
   /** Resolves to a ready decoder made from the caller's value; `undefined` if that is not a decoder. */
-  prepare(given: unknown): Promise<unknown>
+  prepare(value: unknown): Promise<unknown>
 }
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
@@ -59,8 +59,8 @@ const sources: Record<Codec, Source> = {
   meshopt: {
     global: 'MeshoptDecoder',
     package: 'meshoptimizer',
-    async prepare(given) {
-      const decoder = await given
+    async prepare(value) {
+      const decoder = await value
       if (!isObject(decoder) || typeof decoder.decodeGltfBuffer !== 'function') return undefined
       await decoder.ready
       return decoder
@@ -69,8 +69,8 @@ const sources: Record<Codec, Source> = {
   draco: {
     global: 'DracoDecoderModule',
     package: 'draco3dgltf',
-    async prepare(given) {
-      let module: unknown = await given
+    async prepare(value) {
+      let module: unknown = await value
       // A CommonJS package is the default export of its module in Node.
       for (const name of ['default', 'createDecoderModule'])
         if (isObject(module) && !isDraco(module) && name in module) module = module[name]
@@ -99,14 +99,14 @@ export async function findDecoder(
   decoders: Decoders = {},
 ): Promise<unknown> {
   const source = sources[codec]
-  const given: unknown = decoders[codec] ?? (globalThis as Record<string, unknown>)[source.global]
-  if (given !== undefined) {
-    const decoder = await source.prepare(given)
+  const value: unknown = decoders[codec] ?? (globalThis as Record<string, unknown>)[source.global]
+  if (value !== undefined) {
+    const decoder = await source.prepare(value)
     if (decoder) return decoder
     const where = decoders[codec]
       ? place.option('decoders').option(codec)
       : place.part(`the global ${source.global}`)
-    throw where.expected(`the decoder of the package ${source.package}`, describe(given))
+    throw where.expected(`the decoder of the package ${source.package}`, describe(value))
   }
   for (const find of [importPackage, importFromWorkingFolder])
     try {
@@ -118,7 +118,7 @@ export async function findDecoder(
   return undefined
 }
 
-/** Returns the end of a message: advice how to get a decoder. */
+/** Returns the end of a message: advice on how to get a decoder. */
 export const adviceFor = (codec: Codec) => {
   const { global, package: name } = sources[codec]
   return `install the package ${name}, pass its decoder as loadMesh(model, { decoders: { ${codec}: … } }), or add its script, which defines ${global}`

@@ -1,4 +1,4 @@
-// Decodes a primitive of a glTF by Draco's module of C++ classes.
+// Decodes a primitive of a glTF by Draco's wasm module, whose C++ objects must be destroyed after use.
 
 /** The attributes of a primitive to decode. `componentType` is glTF's; `width` is the number of components per vertex. */
 export interface DracoPlan {
@@ -64,10 +64,10 @@ export function decodeDraco(
   { attributes }: DracoPlan,
   bytes: Uint8Array,
 ): Uint8Array[] {
-  const made: object[] = []
-  const make = <Made extends object>(Class: new () => Made): Made => {
+  const objects: object[] = []
+  const make = <Instance extends object>(Class: new () => Instance): Instance => {
     const object = new Class()
-    made.push(object)
+    objects.push(object)
     return object
   }
   try {
@@ -103,7 +103,7 @@ export function decodeDraco(
       }),
     ]
   } finally {
-    for (const object of made.reverse()) module.destroy(object)
+    for (const object of objects.reverse()) module.destroy(object)
   }
 }
 

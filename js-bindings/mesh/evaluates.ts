@@ -9,7 +9,7 @@ import { kind } from '../options/kinds.js'
 import { anyNumber, firstWrong } from '../options/numbers.js'
 import type { Place } from '../options/place.js'
 
-/** The part of `compileWarp`'s result that meshes need. */
+/** A warp that can evaluate vertices: the part of `compileWarp`'s result that meshes need. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
   /** @internal */
   readonly [warpProgram]?: RunningProgram
@@ -19,7 +19,7 @@ export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
 export const warpKind = (makers = 'compileWarp') =>
   kind<Evaluates>(
     `a result of ${makers}`,
-    (given) => typeof (given as Evaluates | undefined)?.evaluate === 'function',
+    (value) => typeof (value as Evaluates | undefined)?.evaluate === 'function',
   )
 
 /** Returns whether the warp needs the gradients of normals and uvs over the mesh. */

@@ -28,18 +28,18 @@ export class Job {
   constructor(
     readonly place: Place,
     private readonly mesh: Mesh,
-    private readonly bound: MeshModule,
+    private readonly module: MeshModule,
   ) {}
 
-  /** Copies numbers into the module, `size` per vertex. Throws for values that are not numbers; NaN and infinity are allowed. */
+  /** Copies numbers into the module, `size` per vertex. Throws if one is of another type; NaN and infinity are allowed. */
   setFloats(name: FloatArray, numbers: ArrayLike<number>, size = 3) {
-    // Allocates the memory first, so that an oversized array fails before its numbers are read.
+    // The memory is allocated first, so that an oversized array fails before its numbers are read.
     this.expect(this.mesh.resizeFloats(name, numbers))
-    const wrong = firstWrong(numbers, anyNumber)
-    if (wrong >= 0)
+    const wrongIndex = firstWrong(numbers, anyNumber)
+    if (wrongIndex >= 0)
       throw this.place
-        .part(`${name}[${wrong}], of vertex ${Math.floor(wrong / size)}`)
-        .expected('a finite number', describeNumber(numbers[wrong]))
+        .part(`${name}[${wrongIndex}], of vertex ${Math.floor(wrongIndex / size)}`)
+        .expected('a finite number', describeNumber(numbers[wrongIndex]))
     this.expect(this.mesh.setFloats(name, numbers))
   }
 
@@ -91,31 +91,34 @@ export class Job {
 
   /** Adds a file that the model refers to. */
   addFile(name: string, contents: Uint8Array) {
-    this.setBytes('contents', contents)
+    this.setBytes('transfer', contents)
     this.expect(this.mesh.keepFile(name))
   }
 
   /** Returns the bytes of a compressed part of the file, after `findPacked`. */
   packedBytes(part: number): Uint8Array {
     this.expect(this.mesh.openPacked(part))
-    return this.bytes('contents')
+    return this.bytes('transfer')
   }
 
-  /** Replaces a compressed part by its decoded bytes. */
+  /** Replaces a compressed part by its decoded bytes, the concatenation of the pieces. */
   unpack(part: number, pieces: readonly Uint8Array[]) {
     for (const piece of pieces) {
-      this.setBytes('contents', piece)
+      this.setBytes('transfer', piece)
       this.act('keepPiece')
     }
     this.expect(this.mesh.unpack(part))
   }
 
-  /** Returns warnings. */
+  /** Splits each triangle into four, `levels` times. Returns warnings. */
   refineUniformly(levels: number, maxTriangles: number): string[] {
     return this.expect(this.mesh.refineUniformly(levels, maxTriangles))
   }
 
-  /** Returns warnings. `warp` moves the vertices of the job passed to it; errors that it throws are rethrown. */
+  /**
+   * Splits edges until the warped triangles are within the tolerance. Returns warnings. `warp` moves the vertices of the job passed to
+   * it; errors that it throws are rethrown.
+   */
   refine(
     tolerance: number,
     angle: number,
@@ -125,9 +128,9 @@ export class Job {
     let problem: { error: unknown } | undefined
     const evaluate = (vertices: Mesh) => {
       try {
-        warp(new Job(this.place, vertices, this.bound))
-        // The warp may itself have used this wasm instance and broken it, even if it caught the error.
-        if (this.bound.isBroken) throw tooLarge(this.place)
+        warp(new Job(this.place, vertices, this.module))
+        // The warp may have used this wasm instance too and broken it, even if it caught the error.
+        if (this.module.isBroken) throw tooLarge(this.place)
         return true
       } catch (error) {
         problem = { error }
@@ -142,6 +145,7 @@ export class Job {
     }
   }
 
+  /** Returns the strings of an outcome; throws if it has a problem. */
   private expect({ problem, texts }: Outcome): string[] {
     if (problem) throw this.place.error(problem)
     return texts
@@ -153,14 +157,14 @@ export function withJob<Result>(place: Place, work: (job: Job) => Result): Resul
   try {
     return meshes.use(
       ({ Mesh }) => new Mesh(),
-      (mesh, bound) => work(new Job(place, mesh, bound)),
+      (mesh, module) => work(new Job(place, mesh, module)),
     )
   } catch (error) {
     if (error instanceof MeshFailure) throw tooLarge(place)
     if (!(error instanceof MeshStartFailure)) throw error
     throw Object.assign(
       place.error(
-        'meshes need WebAssembly with exceptions, which every current browser supports, but this one lacks.',
+        'meshes need WebAssembly with exceptions, which this browser lacks; every current browser has it.',
       ),
       { cause: error.cause },
     )

@@ -44,13 +44,14 @@ const loadOptions = object({
   decoders: decodersKind,
 } satisfies Record<keyof LoadAsOptions<unknown>, unknown>)
 
-type FurtherFiles = Map<string, Uint8Array>
+/** Maps URIs in the model → the bytes of these files. */
+type ReferencedFiles = Map<string, Uint8Array>
 
 /**
  * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of its scene become one mesh, with the
- * transforms of nodes, instances and bones and the weights of morph targets applied. Missing normals are computed, other
- * normals scaled to length 1, and colours clamped to 0 to 1 (in an .obj, whole numbers up to 255 are scaled). `warnings` lists
- * parts that are left out, such as animations, and corrections. `source` is bytes, a Blob or File, or a URL, which in Node may be a
+ * transforms of nodes, instances and bones and the weights of morph targets applied. Missing normals are computed, existing
+ * ones scaled to length 1, and colours clamped to 0 to 1 (in an .obj, whole numbers up to 255 are scaled). `warnings` lists
+ * corrections, and parts that are left out, such as animations. `source` is bytes, a Blob or File, or a URL, which in Node may be a
  * path. Throws a `WarpError` for a file that cannot be read, or is broken or too large.
  */
 export function loadMesh<Geometry extends { readonly isBufferGeometry: true }>(
@@ -67,53 +68,58 @@ export async function loadMesh(
   return as ? geometryAs(as, mesh) : mesh
 }
 
-/** A mesh. `painted` is 1 for each vertex coloured by a material of an .obj, otherwise 0; empty if no vertex is. */
 export interface LoadedModel {
   mesh: Mesh
+  /** 1 for each vertex that a material of an .obj colours, otherwise 0. Empty if no vertex is coloured so. */
   painted: Uint8Array
 }
 
+/** The model, or what must be fetched before the next try: files, or decoders. */
 type Step =
-  | { model: LoadedModel; missing?: undefined; needed?: undefined }
-  | { missing: string[]; needed?: undefined; model?: undefined }
-  | { needed: Codec[]; missing?: undefined; model?: undefined }
+  | { model: LoadedModel; missing?: undefined; neededCodecs?: undefined }
+  | { missing: string[]; neededCodecs?: undefined; model?: undefined }
+  | { neededCodecs: Codec[]; missing?: undefined; model?: undefined }
 
 /** Reads a model, with options that are already checked. */
 export async function readModel(
   source: unknown,
-  { resolve: given, decoders }: { resolve?: Resolve | undefined; decoders?: Decoders | undefined },
+  {
+    resolve: chosenResolve,
+    decoders,
+  }: { resolve?: Resolve | undefined; decoders?: Decoders | undefined },
 ): Promise<LoadedModel> {
   const located = await locate(source, place)
   const bytes = await readBytes(located, place)
   const resolve =
-    given ?? (located instanceof URL ? resolveBeside(located, place, !isGltf(bytes)) : undefined)
+    chosenResolve ??
+    (located instanceof URL ? resolveBeside(located, place, !isGltf(bytes)) : undefined)
 
-  const files: FurtherFiles = new Map()
-  const asked = new Set<string>()
-  const found: FoundDecoders = new Map()
+  const files: ReferencedFiles = new Map()
+  const requested = new Set<string>()
+  const foundDecoders: FoundDecoders = new Map()
   for (;;) {
     const step = withJob(place, (job): Step => {
       putFiles(job, bytes, files)
-      const missing = job.act('findFiles').filter((uri) => !asked.has(uri))
+      const missing = job.act('findFiles').filter((uri) => !requested.has(uri))
       if (missing.length && resolve) return { missing }
-      const needed = unpackParts(job, found)
-      return needed.length ? { needed } : { model: load(job) }
+      const neededCodecs = unpackParts(job, foundDecoders)
+      return neededCodecs.length ? { neededCodecs } : { model: load(job) }
     })
     if (step.model) return step.model
-    for (const uri of step.missing ?? []) asked.add(uri)
-    if (step.missing) await gather(step.missing, resolve!, files)
-    for (const codec of step.needed ?? [])
-      found.set(codec, await findDecoder(place, codec, decoders))
+    for (const uri of step.missing ?? []) requested.add(uri)
+    if (step.missing) await fetchFiles(step.missing, resolve!, files)
+    for (const codec of step.neededCodecs ?? [])
+      foundDecoders.set(codec, await findDecoder(place, codec, decoders))
   }
 }
 
-/** Recognizes a glTF: it needs the files that it refers to, whereas an .obj works without its materials. */
+/** Returns whether a file is a glTF, which needs the files that it refers to, whereas an .obj works without its materials. */
 function isGltf(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 64)).trimStart()
   return start.startsWith('glTF') || start.startsWith('{')
 }
 
-function putFiles(job: Job, bytes: Uint8Array, files: FurtherFiles) {
+function putFiles(job: Job, bytes: Uint8Array, files: ReferencedFiles) {
   job.setBytes('file', bytes)
   for (const [name, contents] of files) job.addFile(name, contents)
 }
@@ -124,8 +130,8 @@ function load(job: Job): LoadedModel {
   return { mesh: warnings.length ? { ...mesh, warnings } : mesh, painted: job.bytes('painted') }
 }
 
-/** Adds the files that exist. The loader reports missing ones. */
-async function gather(uris: readonly string[], resolve: Resolve, files: FurtherFiles) {
+/** Adds to `files` those that exist. The loader in C++ reports missing ones. */
+async function fetchFiles(uris: readonly string[], resolve: Resolve, files: ReferencedFiles) {
   for (const uri of uris) {
     const contents: Bytes | undefined = await resolve(uri)
     if (contents !== undefined)

@@ -19,11 +19,11 @@ export interface Material {
   /** Linear red, green, blue and alpha from 0 to 1; multiplies the texture. */
   baseColor: number[]
   baseColorTexture?: Picture
-  /** A normal map in tangent space, as in glTF: green is up. `bakeNormalMap` makes it; `loadMesh` leaves out that of a file. */
+  /** A normal map in tangent space, as in glTF: green is up. `bakeNormalMap` makes one; `loadMesh` leaves out the one in a file. */
   normalTexture?: Picture
 }
 
-/** A triangle mesh, as the functions of this module return it. */
+/** A triangle mesh as the functions of this module return it. */
 export interface Mesh {
   /** 3 numbers per vertex. */
   positions: Float32Array
@@ -42,7 +42,7 @@ export interface Mesh {
   warnings?: string[]
 }
 
-/** A triangle mesh, as the functions of this module accept it: arrays of any kind, and normals are optional. */
+/** A triangle mesh as the functions of this module accept it: with arrays of any kind, and optional normals. */
 export interface MeshInput {
   positions: ArrayLike<number>
   normals?: ArrayLike<number>
@@ -70,25 +70,23 @@ const sizes: Partial<Record<FloatArray, number>> = { uvs: 2, colors: 4, tangents
 /** A mesh, or a geometry of three.js. */
 export type MeshOrGeometry = MeshInput | Geometry
 
-/** Converts a geometry to a mesh. */
-function meshOf(place: Place, given: unknown): unknown {
-  if (!isGeometry(given)) return given
-  if (given.attributes.position) return arraysOf(given)
+/** Converts a geometry to a mesh; returns other values unchanged. */
+function meshOf(place: Place, value: unknown): unknown {
+  if (!isGeometry(value)) return value
+  if (value.attributes.position) return arraysOf(value)
   throw place.error('the geometry has no attribute "position".')
 }
 
-/**
- * Copies the mesh into the job and checks that its arrays fit together; throws a `WarpError` if they do not.
- */
-export function putMesh(job: Job, given: unknown) {
+/** Copies a mesh or a geometry into the job. Throws a `WarpError` if it is neither or its arrays do not fit together. */
+export function putMesh(job: Job, meshOrGeometry: unknown) {
   const { place } = job
-  const mesh = meshOf(place, given)
+  const mesh = meshOf(place, meshOrGeometry)
   if (!isObject(mesh) || !('positions' in mesh))
-    throw place.expected('a mesh such as { positions, normals, indices }', describe(given))
+    throw place.expected('a mesh such as { positions, normals, indices }', describe(meshOrGeometry))
   for (const name of floatArrays) {
     const numbers = mesh[name]
     if (numbers === undefined && name !== 'positions') continue
-    // C++ checks that they are finite.
+    // C++ checks that the numbers are finite.
     job.setFloats(name, flatArray.read(numbers, place.part(name)), sizes[name])
   }
   if (mesh.indices !== undefined) job.setIndices(indicesOf(mesh.indices, place))
@@ -101,8 +99,8 @@ const flatArray = kind<ArrayLike<number>>(
   isList,
 )
 
-function indicesOf(given: unknown, place: Place): ArrayLike<number> {
-  const numbers = flatArray.read(given, place.part('indices'))
+function indicesOf(value: unknown, place: Place): ArrayLike<number> {
+  const numbers = flatArray.read(value, place.part('indices'))
   if (numbers instanceof Uint32Array || numbers instanceof Uint16Array) return numbers
   for (let i = 0; i < numbers.length; i++) {
     const index: unknown = numbers[i]
@@ -116,8 +114,8 @@ function indicesOf(given: unknown, place: Place): ArrayLike<number> {
 
 /** The textures of a material, and their arrays in a job. */
 const textures = [
-  { name: 'baseColorTexture', arrays: { bytes: 'picture', mimeType: 'mimeType' } },
-  { name: 'normalTexture', arrays: { bytes: 'normalPicture', mimeType: 'normalMimeType' } },
+  { name: 'baseColorTexture', arrays: { bytes: 'baseColorImage', mimeType: 'baseColorMimeType' } },
+  { name: 'normalTexture', arrays: { bytes: 'normalImage', mimeType: 'normalMimeType' } },
 ] as const
 
 const materialKind = record<Record<string, unknown>>(
@@ -125,9 +123,9 @@ const materialKind = record<Record<string, unknown>>(
 )
 const mimeTypeKind = text('a text such as "image/png"', undefined, { default: '' })
 
-function putMaterial(job: Job, given: unknown, place: Place) {
+function putMaterial(job: Job, value: unknown, place: Place) {
   const part = (name: string) => place.part(`material.${name}`)
-  const material = materialKind.read(given, place.part('material'))
+  const material = materialKind.read(value, place.part('material'))
   const { baseColor = [1, 1, 1, 1] } = material
   const color = flatArray.read(baseColor, part('baseColor'))
   if (color.length !== 4 || firstWrong(color, finiteFloat) >= 0)
@@ -139,12 +137,11 @@ function putMaterial(job: Job, given: unknown, place: Place) {
   for (const { name, arrays } of textures) {
     const texture = material[name]
     if (texture === undefined) continue
-    const isPicture = isObject(texture)
-    const { bytes, mimeType } = isPicture ? texture : {}
+    const { bytes, mimeType } = isObject(texture) ? texture : {}
     if (!(bytes instanceof Uint8Array))
       throw part(name).expected(
         '{ bytes, mimeType } with bytes in a Uint8Array',
-        isPicture ? `bytes that are ${describe(bytes)}` : describe(texture),
+        isObject(texture) ? `bytes that are ${describe(bytes)}` : describe(texture),
       )
     job.setBytes(arrays.bytes, bytes)
     job.setText(arrays.mimeType, mimeTypeKind.read(mimeType, part(`${name}.mimeType`)))

@@ -1,4 +1,4 @@
-// `bakeNormalMap`: applies a warp to a mesh on the CPU, and writes its exact normals between the vertices into an image.
+// `bakeNormalMap`: applies a warp to a mesh on the CPU, and writes the exact warped normals between the vertices into an image.
 import { encode } from 'fast-png'
 import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
@@ -25,9 +25,9 @@ export interface NormalMapOptions extends EvaluationOptions {
    */
   size?: number | undefined
   /**
-   * How the program that draws the mesh interpolates its tangent frame between vertices. `'normalized'`: three.js computes the bitangents
-   * of vertices, and normalizes tangent, bitangent and normal at each pixel. `'mikktspace'`: Blender normalizes none of them, and
-   * computes the bitangent at the pixel. The finer the mesh, the less they differ.
+   * The way in which the program that draws the mesh interpolates its tangent frame between vertices. `'normalized'`, for three.js: computes the
+   * bitangents of vertices, and normalizes tangent, bitangent and normal at each pixel. `'mikktspace'`, for Blender: computes the
+   * bitangent at the pixel, and normalizes none of the three. The finer the mesh, the less the two ways differ.
    * @default 'normalized'
    */
   frames?: FrameKind | undefined
@@ -46,25 +46,26 @@ const optionsKind = object({
   uniforms: anything<Uniforms>(),
 } satisfies KindsOf<NormalMapOptions>)
 
-/** The max part of the covered texels that may belong to several triangles: more is no accident of an unwrapping. */
+/** The max fraction of the covered texels that may belong to several triangles: more are no inaccuracy of an unwrapping. */
 const maxOverlap = 0.01
 
 /**
- * Returns the mesh as `bakeWarp` does, with a normal map that holds the exact warped normals between its vertices: the texel at a point
- * of the surface has the normal of the warp at the interpolated rest position, normal, uv and colour of this point. So a coarse mesh
- * is lit like a fine one after `exportGLB`, in any program.
+ * Returns the warped mesh as `bakeWarp` does, with a normal map that holds the exact warped normals between its vertices: the texel at a
+ * point of the surface has the normal that the warp computes for the interpolated rest position, normal, uv and colour of this point. So
+ * a coarse mesh is lit like a fine one after `exportGLB`, in any program.
  *
  * The map is a PNG in `material.normalTexture`, which replaces an earlier one; it is in tangent space, in glTF's conventions. `tangents`
  * are those of MikkTSpace for the warped mesh; a vertex is duplicated where its triangles have different tangents, at the border of
- * mirrored uvs for example, and vertices without a triangle are left out. A geometry of three.js becomes a mesh too, since it has no
- * material; its morph targets are left out.
+ * mirrored uvs for example, and vertices without a triangle are left out. For a geometry of three.js the result is a mesh too, since a
+ * geometry has no material; its morph targets are left out.
  *
- * The uvs must not overlap, since each texel has one normal: a small overlap adds to `warnings`. Between parts of the image, normals
- * are continued, so that filtering and mipmaps do not blend them with others. A normal that is turned by more than 90 degrees from the
- * interpolated one cannot be stored; the nearest one is. 8 bits per channel round normals by up to 0.4 degrees.
+ * The uvs must not overlap, since each texel has one normal; a small overlap causes a warning in `warnings`. Between the parts of the
+ * image that triangles cover, normals are continued, so that filtering and mipmaps blend in no other colours. A normal more than 90
+ * degrees from the interpolated one cannot be stored; the nearest storable normal is stored. 8 bits per channel round normals by up to
+ * 0.4 degrees.
  *
- * Throws a `WarpError` for what `bakeWarp` throws, a mesh without triangles or uvs, uvs that overlap at more than 1% of the texels or
- * cover none, and a warp that has no finite value at the centre of a texel.
+ * Throws a `WarpError` where `bakeWarp` does, and for a mesh without triangles or uvs, for uvs that overlap at more than 1% of the texels
+ * or cover none, and for a warp that has no finite value at the centre of a texel.
  *
  * @example
  * const baked = bakeNormalMap(mesh, warp, { size: 1024, uniforms: { millis: 1200 } })
@@ -85,23 +86,23 @@ export function bakeNormalMap(
     throw place.error(
       `the uvs cover no texel of ${size} × ${size}; ${adviceToUnwrap}, or raise the size.`,
     )
-  const share = overlapping / covered
-  if (share > maxOverlap)
+  const overlap = overlapping / covered
+  if (overlap > maxOverlap)
     throw place.error(
-      `expected uvs that do not overlap, since each texel has one normal, got ${percentOf(share)} of the texels with several triangles; ${adviceToUnwrap}.`,
+      `expected uvs that do not overlap, since each texel has one normal, got ${percentOf(overlap)} of the texels with several triangles; ${adviceToUnwrap}.`,
     )
   const texels = paintNormals({ place, surface, triangles, owners, warp, uniforms, frames })
   fillEmptyTexels(texels, owners, size)
   const bytes = encode({ width: size, height: size, channels: 3, data: texels })
-  return withNormalTexture(surface.warped, bytes, share)
+  return withNormalTexture(surface.warped, bytes, overlap)
 }
 
 const adviceToUnwrap =
   'unwrap the model so that each triangle has its own place in the image, such as by Lightmap Pack in Blender'
 
-const percentOf = (share: number) => `${Number((100 * share).toPrecision(2))}%`
+const percentOf = (fraction: number) => `${Number((100 * fraction).toPrecision(2))}%`
 
-/** Prepares the mesh as the file will have it, with the normals that `exportGLB` writes. */
+/** Returns the surface with the vertices that the file will have, and with the normals that `exportGLB` writes. */
 function unwrappedSurface({ rest, warped }: WarpedMesh): Surface {
   const { uvs, indices, positions } = warped
   if (!(indices ?? positions).length)

@@ -23,7 +23,7 @@ interface NodeModules {
 declare const process:
   | {
       versions?: { node?: string }
-      // We avoid import(), since bundlers for browsers follow it and fail.
+      // Used in place of import(), which bundlers for browsers follow, and then fail.
       getBuiltinModule<Name extends keyof NodeModules>(name: Name): NodeModules[Name]
       cwd(): string
     }
@@ -32,12 +32,12 @@ declare const process:
 /** Returns Node's `process`; `undefined` elsewhere. */
 const node = () => (typeof process === 'object' && process.versions?.node ? process : undefined)
 
-/** Message for pages with a file: address, which cannot read other files. */
+/** The reason why a page with a file: address cannot load anything, for messages. */
 export const filesAreClosed =
   'a page that was opened as a file may read no other file, so serve its folder, for example by: npx serve'
 
-/** The error about a file that does not exist. */
-class Missing extends WarpError {}
+/** A file does not exist. */
+class MissingFileError extends WarpError {}
 
 /** Returns the bytes, in an array that may share its memory with the source. */
 export async function readBytes(source: unknown, place: Place): Promise<Uint8Array> {
@@ -92,9 +92,9 @@ function parseUrl(text: string, base?: string | URL): URL | undefined {
 }
 
 async function fetchBytes(url: URL, place: Place): Promise<Uint8Array> {
-  const files = url.protocol === 'file:' && node()?.getBuiltinModule('node:fs/promises')
-  if (files) return readFile(files, url, place)
-  const message = (why: string) => `${place.method}: cannot load ${addressOf(url)}; ${why}.`
+  const fileSystem = url.protocol === 'file:' && node()?.getBuiltinModule('node:fs/promises')
+  if (fileSystem) return readFile(fileSystem, url, place)
+  const message = (reason: string) => `${place.method}: cannot load ${addressOf(url)}; ${reason}.`
   let response: Response
   try {
     response = await fetch(url)
@@ -104,7 +104,9 @@ async function fetchBytes(url: URL, place: Place): Promise<Uint8Array> {
   }
   const { ok, status } = response
   if (!ok)
-    throw new (status === 404 ? Missing : WarpError)(message(`the server answered ${status}`))
+    throw new (status === 404 ? MissingFileError : WarpError)(
+      message(`the server answered ${status}`),
+    )
   try {
     return new Uint8Array(await response.arrayBuffer())
   } catch {
@@ -119,22 +121,22 @@ function addressOf({ href }: URL): string {
 }
 
 async function readFile(
-  files: NodeModules['node:fs/promises'],
+  fileSystem: NodeModules['node:fs/promises'],
   url: URL,
   place: Place,
 ): Promise<Uint8Array> {
   try {
-    return await files.readFile(url)
+    return await fileSystem.readFile(url)
   } catch (error) {
     const { code } = error as { code?: string }
-    // A URL with invalid percent signs is no file.
+    // No file has a URL with invalid percent signs.
     if (code === 'ENOENT' || error instanceof URIError)
-      throw new Missing(`${place.method}: the file ${pathOf(url)} does not exist.`)
+      throw new MissingFileError(`${place.method}: the file ${pathOf(url)} does not exist.`)
     throw place.error(`the file ${pathOf(url)} cannot be read.`)
   }
 }
 
-/** Returns the decoded path, unless its percent signs are invalid. */
+/** Returns the decoded path of a URL, or the path as it is if its percent signs are invalid. */
 function pathOf({ pathname }: URL): string {
   try {
     return decodeURIComponent(pathname)
@@ -143,14 +145,14 @@ function pathOf({ pathname }: URL): string {
   }
 }
 
-/** Returns whether a file is inside a folder after following symbolic links. */
-async function staysIn(folder: string, url: URL): Promise<boolean> {
+/** Returns whether a file is in a folder or below, after following symbolic links. */
+async function isInFolder(folder: string, url: URL): Promise<boolean> {
   const { realpath } = node()!.getBuiltinModule('node:fs/promises')
   const { fileURLToPath, pathToFileURL } = node()!.getBuiltinModule('node:url')
   try {
     const file = pathToFileURL(await realpath(fileURLToPath(url)))
-    const home = pathToFileURL((await realpath(fileURLToPath(folder))) + '/')
-    return file.href.startsWith(home.href)
+    const root = pathToFileURL((await realpath(fileURLToPath(folder))) + '/')
+    return file.href.startsWith(root.href)
   } catch {
     // The file does not exist, or may not be accessed.
     return false
@@ -158,38 +160,39 @@ async function staysIn(folder: string, url: URL): Promise<boolean> {
 }
 
 /**
- * Resolves the files that a model refers to, only in its folder or below, so that an untrusted model cannot read others. Returns
- * `undefined` for a file that does not exist, since a model works without its images; with `canDoWithout` also for a file that
- * cannot be loaded for another reason.
+ * Returns a function that loads the files to which a model refers, only in its folder or below, so that an untrusted model cannot read
+ * others. That function returns `undefined` for a file that does not exist, since a model works without its images; with `isOptional`
+ * also for a file that cannot be loaded for another reason.
  */
-export function resolveBeside(model: URL, place: Place, canDoWithout = false): Resolve {
+export function resolveBeside(model: URL, place: Place, isOptional = false): Resolve {
   // A data: or blob: URL has no folder.
   const folder = parseUrl('.', model)?.href
   return async (uri) => {
     const url = parseUrl(uri, model)
     if (folder === undefined || !url?.href.startsWith(folder)) return undefined
-    if (node() && url.protocol === 'file:' && !(await staysIn(folder, url))) return undefined
+    if (node() && url.protocol === 'file:' && !(await isInFolder(folder, url))) return undefined
     try {
       return await fetchBytes(url, place)
     } catch (error) {
-      if (error instanceof Missing || (canDoWithout && error instanceof WarpError)) return undefined
+      if (error instanceof MissingFileError || (isOptional && error instanceof WarpError))
+        return undefined
       throw error
     }
   }
 }
 
 /**
- * Imports a package that is installed next to this library in Node, or that the page's import map names. The comments keep bundlers
- * from following the import: webpack would fail on a missing package, and on Node modules that an installed one imports.
+ * Imports a package that is installed next to this library in Node, or that the page's import map names. The comments in the call keep
+ * bundlers from following the import: webpack would fail on a missing package, and on Node modules that an installed one imports.
  */
 export const importPackage = (name: string): Promise<unknown> =>
   import(/* @vite-ignore */ /* webpackIgnore: true */ name)
 
-/** Imports a package that is installed in Node's working directory, which differs from this library's folder under npx. */
+/** Imports a package that is installed in Node's working directory; under npx, this library is installed elsewhere. */
 export async function importFromWorkingFolder(name: string): Promise<unknown> {
-  const here = node()
-  if (!here) return undefined
-  const require = here.getBuiltinModule('node:module').createRequire(`${here.cwd()}/`)
-  const url = here.getBuiltinModule('node:url').pathToFileURL(require.resolve(name))
+  const process = node()
+  if (!process) return undefined
+  const require = process.getBuiltinModule('node:module').createRequire(`${process.cwd()}/`)
+  const url = process.getBuiltinModule('node:url').pathToFileURL(require.resolve(name))
   return import(/* @vite-ignore */ /* webpackIgnore: true */ url.href)
 }

@@ -28,12 +28,12 @@ export interface AdaptiveOptions extends Limit {
   /** Uniforms of the warp. */
   uniforms?: Uniforms
   /**
-   * Max distance between the warped surface and its triangles, in units of the model. It is measured at samples, which can miss
+   * Max distance between the warped surface and the warped triangles, in units of the model. It is measured at samples, which can miss
    * features narrower than a 200th of the mesh.
    */
   tolerance: number
   /**
-   * Max angle, in radians, between warped normals and those interpolated between corners. Infinity ignores normals. 0.17 is
+   * Max angle, in radians, between the exact warped normals and those interpolated between corners. Infinity ignores normals. 0.17 is
    * 10 degrees.
    * @default 0.17
    */
@@ -50,20 +50,17 @@ const place = new Place('subdivide')
 /**
  * Returns the same surface with more vertices, not warped yet. With `tolerance`, edges are split only where necessary, until the warped
  * triangles are within the tolerance of the warped surface; with `levels`, edges are split everywhere. There are no cracks, and all
- * attributes of new vertices are interpolated. If `maxTriangles` is reached first, `warnings` says so. A mesh without triangles is
+ * attributes of new vertices are interpolated. If `maxTriangles` is reached before, `warnings` says so. A mesh without triangles is
  * returned unchanged. For a `BufferGeometry` of three.js the result is one too, with all its attributes, morph targets and groups, and
  * the warnings in its `userData`. Throws a `WarpError` for wrong options, arrays that do not fit together, and a result that does not
- * fit into the 4 GB of the module.
+ * fit into the module's 4 GB of memory.
  */
-export function subdivide<Given extends Geometry>(
-  geometry: Given,
+export function subdivide<Original extends Geometry>(
+  geometry: Original,
   options: AdaptiveOptions | LevelsOptions,
-): Plain<Given>
+): Plain<Original>
 export function subdivide(mesh: MeshInput, options: AdaptiveOptions | LevelsOptions): Mesh
-export function subdivide(
-  given: MeshOrGeometry,
-  options: AdaptiveOptions | LevelsOptions,
-): unknown {
+export function subdivide(mesh: MeshOrGeometry, options: AdaptiveOptions | LevelsOptions): unknown {
   if (typeof options !== 'object' || options === null)
     throw place.expected(
       'options such as { warp, tolerance: 0.01 } or { levels: 2 }',
@@ -71,24 +68,28 @@ export function subdivide(
     )
   return subdivideBy(
     place,
-    given,
+    mesh,
     'levels' in options ? refineUniformly(options) : refineAdaptively(options),
   )
 }
 
-/** Divides the mesh of a job, and returns warnings. */
+/** Divides the triangles of a job's mesh, and returns warnings. */
 type Refine = (job: Job) => string[]
 
-/** Does the work of `subdivide`, with messages that name another call. */
-export function subdivideBy(place: Place, given: MeshOrGeometry, refine: Refine): MeshOrGeometry {
+/** Divides a mesh like `subdivide`, with the calls of `refine`; error messages name the function of `place`. */
+export function subdivideBy(
+  place: Place,
+  original: MeshOrGeometry,
+  refine: Refine,
+): MeshOrGeometry {
   return withJob(place, (job) => {
-    putMesh(job, given)
+    putMesh(job, original)
     job.act('addNormals')
     const warnings = refine(job)
     const mesh = warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
-    if (!isGeometry(given)) return mesh
-    const [ends, triangles] = [job.indices('ends'), job.indices('triangles')]
-    return finerGeometry(given, mesh, { ends, triangles })
+    if (!isGeometry(original)) return mesh
+    const [ends, triangles] = [job.indices('originEnds'), job.indices('originTriangles')]
+    return finerGeometry(original, mesh, { ends, triangles })
   })
 }
 
@@ -124,7 +125,7 @@ function refineAdaptively(options: AdaptiveOptions): Refine {
 
 type Goals = Required<Pick<AdaptiveOptions, 'tolerance' | 'angle' | 'maxTriangles'>>
 
-/** Divides a mesh where the warp bends it. */
+/** Returns a function that divides a mesh where the warp bends it. */
 export function refineByWarp(
   place: Place,
   warp: Evaluates,
@@ -132,19 +133,19 @@ export function refineByWarp(
   { tolerance, angle, maxTriangles }: Goals,
 ): Refine {
   return (job) => {
-    const varies = readsVariation(warp)
-    if (varies) job.act('addVariation')
-    let givesNormals: boolean | undefined
+    const needsVariation = readsVariation(warp)
+    if (needsVariation) job.act('addVariation')
+    let hasNormals: boolean | undefined
     return job.refine(tolerance, angle, maxTriangles, (vertices) => {
-      // Leaves tangents out, which refinement does not use.
+      // Refinement does not use tangents.
       const mesh = {
         ...takeMesh(vertices),
-        ...(varies && variationOf(vertices)),
+        ...(needsVariation && variationOf(vertices)),
         tangents: undefined,
       }
       const warped = evaluateFor(place, warp, mesh, uniforms)
-      givesNormals ??= warped.normals !== undefined
-      if (givesNormals !== (warped.normals !== undefined))
+      hasNormals ??= warped.normals !== undefined
+      if (hasNormals !== (warped.normals !== undefined))
         throw place.error(
           "expected the warp's evaluate to return normals either always or never, got normals only sometimes.",
         )

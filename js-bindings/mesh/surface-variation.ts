@@ -10,7 +10,7 @@ const place = new Place('surfaceVariation')
 
 /** Gradients along the surface, each with 3 numbers per vertex. */
 export interface SurfaceVariation {
-  /** Gradients of x, y and z of the normal; on a sphere of radius r, the tangential part of the axis, divided by r. */
+  /** Gradients of the normal's x, y and z; on a sphere of radius r, each is the tangential part of that axis, divided by r. */
   normalXGradients: Float32Array
   normalYGradients: Float32Array
   normalZGradients: Float32Array
@@ -20,17 +20,17 @@ export interface SurfaceVariation {
 }
 
 /**
- * Computes the gradients of normals and uvs over a mesh, which a warp that depends on these needs for exact normals: as arrays for
+ * Computes the gradients of normals and uvs over a mesh. A warp that reads normals or uvs needs them for exact normals: as arrays for
  * `evaluate({ ...mesh, ...surfaceVariation(mesh) }, { uniforms })`, or as attributes of a shader. `bakeWarp` and `subdivide` compute
- * them by themselves. Missing normals are computed first. Gradients are estimated from the triangles around each vertex
- * (src/mesh/surface/variation.hpp has the sources), so a finer mesh gives better ones; vertices at the same position share them unless
- * separated by a hard edge or a seam of the uvs. Triangles without area are ignored. Throws a `WarpError` if arrays do not fit
- * together or the mesh is too large for the memory of the module.
+ * the gradients by themselves. Missing normals are computed first. Gradients are estimated from the triangles around each vertex
+ * (src/mesh/surface/variation.hpp has the sources), so a finer mesh gives better ones; vertices at the same position have the same
+ * gradients, unless a hard edge or a seam of the uvs separates them. Triangles without area are ignored. Throws a `WarpError` if arrays
+ * do not fit together or the mesh is too large for the memory of the module.
  */
 export const surfaceVariation = (mesh: MeshOrGeometry): SurfaceVariation =>
   findVariation(place, mesh)
 
-/** Does the same as `surfaceVariation`, with messages that name another call. */
+/** Does the same as `surfaceVariation`; error messages name the function of `place`. */
 export const findVariation = (place: Place, mesh: MeshOrGeometry): SurfaceVariation =>
   withJob(place, (job) => {
     putMesh(job, mesh)
@@ -44,7 +44,7 @@ export function takeVariation(job: Job): SurfaceVariation {
   return variationOf(job)
 }
 
-/** Returns the gradients that the job's mesh has. */
+/** Returns the gradients that the job's mesh has: those of the normal, and of the uvs if it has any. */
 export const variationOf = (job: Job) =>
   Object.fromEntries(
     variationNames

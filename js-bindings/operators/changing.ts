@@ -8,23 +8,23 @@ import type { Surroundings } from './surroundings.js'
 import type { Tree } from './tree.js'
 import { isVectorLike, p5Prototype } from './values.js'
 
-/** Returns whether a variable of p5 changes between frames. */
+/** Returns whether `name` is a variable of p5 that changes between frames. */
 export const isChanging = (name: string): boolean =>
   /^(p?(win)?mouse[XY]|moved[XY]|frameCount|deltaTime|(mouse|key)IsPressed|keyCode|p?(rotation|acceleration)[XYZ])$/.test(
     name,
   )
 
-/** Returns whether a uniform may hold a value. */
-const isValue = (value: unknown) =>
+/** Returns whether a uniform can hold the value. */
+const isUniformValue = (value: unknown) =>
   typeof value === 'number' ||
   typeof value === 'boolean' ||
   isVectorLike(value) ||
   (Array.isArray(value) && value.length > 1 && value.every((each) => typeof each === 'number'))
 
-/** Warns about changing variables that a function reads. `given` are the variables that the translated function gets as values. */
+/** Warns about changing variables that a function reads. `passed` are the variables whose values are passed to the translated function. */
 export function noteChanging(
   references: References,
-  given: ReadonlyMap<string, unknown>,
+  passed: ReadonlyMap<string, unknown>,
   surroundings: Surroundings,
   place: Place,
 ) {
@@ -32,8 +32,8 @@ export function noteChanging(
     for (const { member } of nodes)
       if (isChanging(member ?? '') && member in p5Prototype())
         noteReadOnce(place, `${name}.${member}`)
-    if (given.has(name) || !globalExists(name)) continue
-    const isRead = isChanging(name) || isValue(valueOfGlobal(name))
+    if (passed.has(name) || !globalExists(name)) continue
+    const isRead = isChanging(name) || isUniformValue(valueOfGlobal(name))
     if (isRead && (isChanging(name) || isSetLater(name, surroundings.programs(name))))
       noteReadOnce(place, name)
   }
@@ -41,12 +41,12 @@ export function noteChanging(
 
 /** Returns whether the sketch sets a variable after `setup`, as far as its scripts are readable. */
 function isSetLater(name: string, programs: readonly Tree[]): boolean {
-  if (!programs.length) return isVariable(name)
+  if (!programs.length) return isSettable(name)
   return programs.some((program) => setsLater(program, name))
 }
 
 /** Returns whether a global can be set at all, which is all that we know if no script is readable. */
-function isVariable(name: string): boolean {
+function isSettable(name: string): boolean {
   const property = Object.getOwnPropertyDescriptor(globalThis, name)
   if (property) return !!property.writable
   try {
@@ -62,10 +62,10 @@ export function setsLater(program: Tree, name: string): boolean {
   let found = false
   walk(program, (node, parent) => {
     if (!/Function/.test(node.type)) return !found
-    const isFirst = /^(setup|preload)$/.test(
+    const runsFirst = /^(setup|preload)$/.test(
       node.id?.name ?? parent?.id?.name ?? parent?.left?.property?.name ?? '',
     )
-    if (isFirst) return true
+    if (runsFirst) return true
     found ||= assignedIn([node]).has(name)
     return false
   })

@@ -15,7 +15,7 @@ export function pathTo({ program, start, end }: Omit<Place, 'text' | 'isModule'>
   return path
 }
 
-/** Returns the innermost node around a place that binds a name. */
+/** Returns the innermost node of a path that binds a name. */
 export const binderOf = (path: Tree[], name: string) =>
   [...path].reverse().find((node) => scopeOf(node).includes(name))
 
@@ -28,10 +28,10 @@ export function definitionIn(scope: Tree, name: string): Tree | undefined {
   })
   const [definition, ...others] = found
   const isFunction = !!definition && /Function/.test(definition.type)
-  return isFunction && !others.length && !isSet(scope, name) ? definition : undefined
+  return isFunction && !others.length && !isAssigned(scope, name) ? definition : undefined
 }
 
-function isSet(scope: Tree, name: string): boolean {
+function isAssigned(scope: Tree, name: string): boolean {
   let found = false
   walk(scope, ({ type, left, argument }) => {
     if (type === 'AssignmentExpression' && left.name === name) found = true

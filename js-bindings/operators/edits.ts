@@ -2,7 +2,7 @@
 import type MagicString from 'magic-string'
 import type { Tree } from './tree.js'
 
-/** Edit children before their parent: text around a parent then encloses text around its children. */
+/** Edit children before their parent, so that text inserted around the parent encloses text inserted around its children. */
 export class Edits {
   constructor(
     private readonly text: MagicString,

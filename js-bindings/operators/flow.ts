@@ -2,7 +2,7 @@
 import { walk } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** Returns the names of functions that the tree declares and never reassigns, and that are therefore translated with it. */
+/** Returns the names of functions that the tree declares and never reassigns. They are translated with the tree. */
 export function functionNamesIn(tree: Tree): Set<string> {
   const names = new Set<string>()
   walk(tree, (node, parent) => {
@@ -18,15 +18,15 @@ export function functionNamesIn(tree: Tree): Set<string> {
 }
 
 /** Methods of p5.Vector that change the vector. */
-const changing = /^(add|sub|mult|div|rem|normalize|setMag|limit|rotate|lerp|reflect)$/
+const mutatingMethods = /^(add|sub|mult|div|rem|normalize|setMag|limit|rotate|lerp|reflect)$/
 
 export const changesVector = ({ callee }: Tree): boolean =>
   callee.type === 'MemberExpression' &&
   callee.object.type === 'Identifier' &&
-  changing.test(callee.property.name)
+  mutatingMethods.test(callee.property.name)
 
-/** Returns whether `yield` or `await` is in one of the nodes, so that these cannot be moved into a separate function. */
-export function isSuspended(nodes: Tree[]): boolean {
+/** Returns whether one of the nodes contains `yield` or `await`. Such nodes cannot be moved into a separate function. */
+export function containsSuspension(nodes: Tree[]): boolean {
   let found = false
   for (const each of nodes)
     walk(each, (node) => {

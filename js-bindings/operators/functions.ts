@@ -1,21 +1,21 @@
 // The functions of Math, p5 and p5.strands that translated code may call with expressions.
 import { WarpError } from '../errors/errors.js'
 import { noteOnce } from './messages.js'
-import { isVectorLike, wholeOf, type Glsl } from './values.js'
+import { isVectorLike, toVector, type Glsl } from './values.js'
 
-/** A function on expressions; `known` is the page's own function of the same name, if it has one. */
-type Formula = (glsl: Glsl, x: unknown[], known?: Known) => unknown
-type Known = (...x: unknown[]) => unknown
+/** Computes a function of the expressions `x`; `pageFunction` is the page's function of the same name, if it has one. */
+type Formula = (glsl: Glsl, x: unknown[], pageFunction?: PageFunction) => unknown
+type PageFunction = (...x: unknown[]) => unknown
 
 /** Functions with the same name in `glsl`. */
 const sameInGlsl =
   'sinh cosh tanh asinh acosh atanh abs sign floor ceil trunc sqrt pow exp log log2 fract degrees radians'
 
-/** The vocabulary of p5.strands, which JavaScript and p5 1 lack: if no operand is an expression, `numbers` computes the result. */
+/** Functions of p5.strands, which JavaScript and p5 1 lack: if no operand is an expression, `numberFunctions` compute the result. */
 const strands =
   'clamp mix step smoothstep length normalize dot cross distance mod inversesqrt reflect vec2 vec3 vec4'
 
-/** Functions that take or return an angle, each with an argument and its result after p5's `angleMode(DEGREES)`. */
+/** Functions that take an angle, and those that return one, each with an argument and its result under p5's `angleMode(DEGREES)`. */
 const angleArguments: Record<string, readonly [x: number, inDegrees: number]> = {
   sin: [90, 1],
   cos: [180, -1],
@@ -28,10 +28,11 @@ const angleResults: Record<string, readonly [x: number[], inDegrees: number]> = 
   atan2: [[1, 1], 45],
 }
 
-/** Returns whether the page's function uses degrees. We call the function to find out, since p5 keeps the mode per sketch. */
 const isNear = (value: unknown, expected: number) => Math.abs(Number(value) - expected) < 1e-6
-const countsDegrees = (known: Known | undefined, x: number[], inDegrees: number) =>
-  !!known && isNear(known(...x), inDegrees)
+
+/** Returns whether the page's function uses degrees. We call the function to find out, since p5 keeps the mode per sketch. */
+const usesDegrees = (pageFunction: PageFunction | undefined, x: number[], inDegrees: number) =>
+  !!pageFunction && isNear(pageFunction(...x), inDegrees)
 
 const vector = (glsl: Glsl, x: unknown[]) => glsl[`vec${x.length}`]!(...x)
 
@@ -62,8 +63,8 @@ function round(glsl: Glsl, [x, digits = 0]: unknown[]): unknown {
 }
 
 function map(glsl: Glsl, [x, a, b, c, d, isClamped]: unknown[]): unknown {
-  const part = glsl.div!(glsl.sub!(x, a), glsl.sub!(b, a))
-  const mapped = glsl.add!(glsl.mult!(part, glsl.sub!(d, c)), c)
+  const fraction = glsl.div!(glsl.sub!(x, a), glsl.sub!(b, a))
+  const mapped = glsl.add!(glsl.mult!(fraction, glsl.sub!(d, c)), c)
   return isClamped ? glsl.clamp!(mapped, glsl.min!(c, d), glsl.max!(c, d)) : mapped
 }
 
@@ -81,28 +82,28 @@ const minOrMax =
   (name: 'min' | 'max'): Formula =>
   (glsl, x) =>
     (x.length === 1 && Array.isArray(x[0]) ? (x[0] as unknown[]) : x)
-      .map((each) => wholeOf(glsl, each))
+      .map((each) => toVector(glsl, each))
       .reduce((a, b) => glsl[name]!(a, b))
 
 const withAngleArgument =
   (name: string): Formula =>
-  (glsl, [x], known) =>
+  (glsl, [x], pageFunction) =>
     glsl[name]!(
-      countsDegrees(known, [angleArguments[name]![0]], angleArguments[name]![1])
+      usesDegrees(pageFunction, [angleArguments[name]![0]], angleArguments[name]![1])
         ? glsl.radians!(x)
         : x,
     )
 
 const withAngleResult =
   (name: string): Formula =>
-  (glsl, x, known) => {
+  (glsl, x, pageFunction) => {
     const angle = glsl[name === 'atan2' ? 'atan' : name]!(...x)
-    return countsDegrees(known, ...angleResults[name]!) ? glsl.degrees!(angle) : angle
+    return usesDegrees(pageFunction, ...angleResults[name]!) ? glsl.degrees!(angle) : angle
   }
 
-const formulasFor = (names: string, of = (name: string) => name) =>
+const formulasFor = (names: string) =>
   Object.fromEntries(
-    names.split(' ').map((name): [string, Formula] => [name, (glsl, x) => glsl[of(name)]!(...x)]),
+    names.split(' ').map((name): [string, Formula] => [name, (glsl, x) => glsl[name]!(...x)]),
   )
 
 export const formulas: Readonly<Record<string, Formula>> = {
@@ -133,31 +134,47 @@ export const formulas: Readonly<Record<string, Formula>> = {
 }
 
 /** Functions for which an array is a list of operands rather than a vector. */
-const takesList = new Set(['min', 'max'])
+const listFunctions = new Set(['min', 'max'])
 
 export const isKnown = (name: string) => Object.hasOwn(formulas, name)
 
 /** Calls a known function with operands of which at least one is an expression. */
-export const callOnExpressions = (glsl: Glsl, name: string, x: unknown[], known?: Known) =>
-  formulas[name]!(glsl, takesList.has(name) ? x : x.map((each) => wholeOf(glsl, each)), known)
+export const callOnExpressions = (
+  glsl: Glsl,
+  name: string,
+  x: unknown[],
+  pageFunction?: PageFunction,
+) =>
+  formulas[name]!(
+    glsl,
+    listFunctions.has(name) ? x : x.map((each) => toVector(glsl, each)),
+    pageFunction,
+  )
 
-const isStrands = new Set(strands.split(' '))
+const strandsNames = new Set(strands.split(' '))
 
 /**
- * Calls a known function if no operand is an expression: numbers go to the page's own function, or to ours if the page has none.
+ * Calls a known function if no operand is an expression. Numbers go to our function if it is one of p5.strands that takes numbers,
+ * otherwise to the page's function.
  * p5 2 defines some functions of strands, which throw outside of a shader.
  */
-export function callOnNumbers(glsl: Glsl | undefined, name: string, x: unknown[], known?: Known) {
-  const own = numbers[name]
-  if (own && x.every((each) => typeof each === 'number')) return own(...(x as number[]))
-  if (known && !isStrands.has(name)) return known(...x)
-  if (glsl && (isStrands.has(name) || x.some(isVectorLike))) return callOnExpressions(glsl, name, x)
+export function callOnNumbers(
+  glsl: Glsl | undefined,
+  name: string,
+  x: unknown[],
+  pageFunction?: PageFunction,
+) {
+  const ours = numberFunctions[name]
+  if (ours && x.every((each) => typeof each === 'number')) return ours(...(x as number[]))
+  if (pageFunction && !strandsNames.has(name)) return pageFunction(...x)
+  if (glsl && (strandsNames.has(name) || x.some(isVectorLike)))
+    return callOnExpressions(glsl, name, x)
   throw new ReferenceError(`${name} is not defined`)
 }
 
 const clamp = (x: number, low: number, high: number) => Math.min(Math.max(x, low), high)
 
-const numbers: Record<string, (...x: number[]) => number> = {
+const numberFunctions: Record<string, (...x: number[]) => number> = {
   clamp: (x, low, high) => clamp(x!, low!, high!),
   mix: (a, b, t) => a! * (1 - t!) + b! * t!,
   step: (edge, x) => (x! < edge! ? 0 : 1),

@@ -9,14 +9,14 @@ const builtInNames = new Set(
 
 /** Returns whether a translated function can read a name. `let` at the top of a script makes a global that is no property of `globalThis`. */
 export const globalExists = (name: string): boolean =>
-  name in globalThis || (isName(name) && typeofGlobal(name) !== 'undefined')
+  name in globalThis || (isVariableName(name) && typeofGlobal(name) !== 'undefined')
 
-/** References include `this` and `#private`, which are not variables. */
-const isName = (name: string) => !/^(this|super|arguments|new\.target|#.*)$/.test(name)
+/** Returns whether a name of `References` is a variable's: such names can also be `this` or `#private`. */
+const isVariableName = (name: string) => !/^(this|super|arguments|new\.target|#.*)$/.test(name)
 
 export const typeofGlobal = (name: string): string => typeof valueOfGlobal(name)
 
-/** Returns `undefined` if the name does not exist, or if the page forbids `new Function`. */
+/** Returns the value of a global; `undefined` if it does not exist, or if it is not in `globalThis` and the page forbids `new Function`. */
 export function valueOfGlobal(name: string): unknown {
   try {
     return new Function(`return ${name}`)() as unknown
@@ -32,8 +32,8 @@ function isOfHost(name: string): boolean {
 }
 
 /**
- * Returns whether a name that the function does not bind is certainly a global. `height` and `key` may be parameters of the
- * enclosing function, whose values would be lost; `sin`, `PI` and `mouseX` hardly ever are.
+ * Returns whether a name that the function does not bind is certainly a global. If `height` is a parameter of the enclosing function,
+ * treating it as p5's global would read the wrong value. Names such as `sin`, `PI` and `mouseX` are hardly ever parameters.
  */
 export function isSurelyGlobal(name: string, isCalled: boolean): boolean {
   if (builtInNames.has(name)) return true

@@ -20,7 +20,7 @@ export function withOperatorMessage<F extends Function>(f: F, explain: () => str
   return result as unknown as F
 }
 
-/** Wraps a helper function that is called with expressions; without `explain` it contains nothing to translate. */
+/** Wraps a helper function that is called with expressions. If `explain` is missing, the function contains nothing to translate. */
 export const wrapHelper = (helper: Function, explain: (() => string) | undefined): Function =>
   explain ? withOperatorMessage(helper, explain) : helper
 
@@ -40,11 +40,11 @@ export interface Missing {
   helper?: string
 }
 
-/** The message for a method that reads a property of `this` but was passed without its object. */
+/** Returns the message for a method that reads a property of `this` but was passed without its object. */
 export const lacksThis = (member: string) =>
   `the function reads this.${member}, but a method that is passed by itself has no "this"; write (inputs) => object.method(inputs), or take ${member} from a variable.`
 
-/** The message for a function whose source refers to variables around it, with advice what to write. */
+/** Returns the message for a function whose source refers to variables around it, with advice on what to write. */
 export function cannotSee({ place, names, shadowed, members, helper }: Missing): string {
   const text = helper
     ? `operators are translated in the source code of the function ${helper}, which it calls`
@@ -71,12 +71,12 @@ const remedy = ({ method }: Place, values: readonly string[]) =>
     ? `add the option { scope: { ${values.join(', ')} } }`
     : `write operators(offset, { ${values.join(', ')} }) with operators of warpjet/operators`
 
-const noted = new Set<string>()
+const printed = new Set<string>()
 
-/** Prints a warning once. */
+/** Prints each warning only once. */
 export function noteOnce(text: string) {
-  if (noted.has(text)) return
-  noted.add(text)
+  if (printed.has(text)) return
+  printed.add(text)
   console.warn(text)
 }
 

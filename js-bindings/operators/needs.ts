@@ -8,14 +8,14 @@ import { childrenOf, type Tree } from './tree.js'
 
 /**
  * What a function uses: `operators` on possible expressions, which would throw or mean something else without translation; or only
- * `logic`, such as `sum ? sum.add(x) : x`, which JavaScript decides by whether the value exists.
+ * `logic`, such as `sum ? sum.add(x) : x`, where JavaScript tests whether the value exists.
  */
 export type Needs = 'operators' | 'logic' | 'nothing'
 
 export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
   const references = freeReferences(tree)
   const free = new Set([...references.values()].flat())
-  // A helper may read a variable of the sketch that an offset function has set to an expression.
+  // A helper may read a variable of the sketch to which the offset function has assigned an expression.
   const mayBeExpression = expressionsIn(tree, isHelper ? [...references.keys()] : [])
   const setsOthers = hasNode(
     tree,
@@ -24,7 +24,7 @@ export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
   let needs: Needs = 'nothing'
   walk(tree, (node) => {
     if (needs === 'operators') return false
-    if (isQuestionOfBeing(node)) return true
+    if (isExistenceTest(node)) return true
     if (isLogic(node)) {
       if (conditionsOf(node).some(mayBeExpression)) needs = 'logic'
     } else if (
@@ -52,7 +52,7 @@ const isLogic = ({ type, operator }: Tree): boolean =>
   (type === 'AssignmentExpression' && /^(&&|\|\|)=$/.test(operator))
 
 /** Recognizes `x == null` and similar comparisons, which ask whether a value exists. */
-const isQuestionOfBeing = ({ type, operator, left, right }: Tree): boolean =>
+const isExistenceTest = ({ type, operator, left, right }: Tree): boolean =>
   type === 'BinaryExpression' &&
   /^[!=]==?$/.test(operator) &&
   [left, right].some(
@@ -77,7 +77,7 @@ const rootOf = (node: Tree): Tree =>
 
 /** Returns whether a node calls a known function of numbers, or a function of the sketch that may contain operators. */
 function isCallToTranslate(
-  { type, callee, arguments: given }: Tree,
+  { type, callee, arguments: values }: Tree,
   free: ReadonlySet<Tree>,
   mayBeExpression: (node: Tree) => boolean,
 ): boolean {
@@ -87,13 +87,13 @@ function isCallToTranslate(
   if (root.type === 'ThisExpression') return true
   if (root.type !== 'Identifier' || !free.has(root)) return false
   // An argument that is a function may use expressions that are not passed.
-  const isHanded =
+  const getsExpression =
     mayBeExpression(callee) ||
-    given.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
-  return isHanded && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
+    values.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
+  return getsExpression && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
 }
 
-/** Returns a function that checks whether the value of a node may be an expression. It ignores the order of statements. */
+/** Returns a function that checks whether the value of a node may be an expression. The check ignores the order of statements. */
 function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => boolean {
   const names = new Set(['arguments', ...others.filter((name) => !isBuiltIn(name))])
   const functions = new Set<string>()

@@ -11,7 +11,7 @@ export interface Parsed {
   length: number
 }
 
-/** The forms of a function's source code: a function, a class, or a method of an object or a class. */
+/** The forms of a function's source code: a function or class, a method of an object, a method of a class. Each becomes a program between `before` and `after`. */
 const forms: readonly (readonly [before: string, after: string, find: (tree: Tree) => Tree])[] = [
   ['(', '\n)', (tree) => tree.body[0].expression],
   ['({ ', '\n})', (tree) => tree.body[0].expression.properties[0]],
@@ -20,7 +20,7 @@ const forms: readonly (readonly [before: string, after: string, find: (tree: Tre
   ['(function () { return ', '\n})', (tree) => tree.body[0].expression.body.body[0].argument],
 ]
 
-/** Returns `undefined` for native code, an `async` function, a generator or a getter. */
+/** Parses a function; returns `undefined` for native code, an `async` function, a generator or a getter. */
 export function parseFunction(f: Function): Parsed | undefined {
   const text = Function.prototype.toString.call(f)
   for (const [before, after, find] of forms) {

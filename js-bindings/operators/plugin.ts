@@ -54,37 +54,37 @@ function translateCode(code: string): MagicString | undefined {
     helper,
     () => translateIn(text, code, helper, translation),
   ])
-  for (const { given, tree } of offsets) {
+  for (const { argument, tree } of offsets) {
     const once = changingIn(program, tree, free)
     const end = once.length ? `, { once: ${JSON.stringify(once)} })` : ')'
     pieces.push([
-      given,
+      argument,
       () => {
-        if (given === tree) translateIn(text, code, tree, translation)
+        if (argument === tree) translateIn(text, code, tree, translation)
         text.prependRight(
-          given.start,
-          given === tree ? `${runtime}((${operatorsName}) => (` : `${runtime}(() => `,
+          argument.start,
+          argument === tree ? `${runtime}((${operatorsName}) => (` : `${runtime}(() => `,
         )
-        text.appendLeft(given.end, given === tree ? `)${end}` : end)
+        text.appendLeft(argument.end, argument === tree ? `)${end}` : end)
       },
     ])
   }
-  let at = 0
+  let translatedTo = 0
   for (const [tree, translatePiece] of pieces.sort(([a], [b]) => a.start - b.start)) {
-    if (tree.start < at) continue
+    if (tree.start < translatedTo) continue
     translatePiece()
-    at = tree.end
+    translatedTo = tree.end
   }
   // Appended at the end, since the module may begin with "use client", and imports work from anywhere.
-  const all = helpers.size ? `operators as ${operatorsName}, ` : ''
+  const operatorsImport = helpers.size ? `operators as ${operatorsName}, ` : ''
   return text.append(
-    `\nimport { ${all}withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`,
+    `\nimport { ${operatorsImport}withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`,
   )
 }
 
-/** A function that is passed to warpjet. `given` is the argument: the function itself or its name. */
+/** A function that is passed to warpjet. `argument` is the function itself or its name, `tree` the function. */
 interface Offset {
-  given: Tree
+  argument: Tree
   tree: Tree
 }
 
@@ -94,23 +94,23 @@ const isPlainFunction = ({ type, async, generator }: Tree) =>
 function offsetsIn(program: Tree): Offset[] {
   const imported = importedFrom(program, /^warpjet(\/|$)/)
   const found: Offset[] = []
-  const add = (given: Tree) => {
-    const tree = isPlainFunction(given) ? given : functionBy(program, given)
-    if (!tree || !isPlainFunction(tree) || found.some((each) => each.given === given)) return
-    if (needsOf(tree) !== 'nothing' || returnsArray(tree)) found.push({ given, tree })
+  const add = (argument: Tree) => {
+    const tree = isPlainFunction(argument) ? argument : functionBy(program, argument)
+    if (!tree || !isPlainFunction(tree) || found.some((each) => each.argument === argument)) return
+    if (needsOf(tree) !== 'nothing' || returnsArray(tree)) found.push({ argument, tree })
   }
   walk(program, (node) => {
     if (!/^(Call|New)Expression$/.test(node.type)) return
     const { callee } = node
-    const given = node.arguments as Tree[]
+    const values = node.arguments as Tree[]
     const name: string | undefined = callee.name ?? callee.property?.name
     const takesOffset =
       imported.has(callee.name) ||
       (imported.has(callee.object?.name) && exportsTakingOffsets.has(name ?? ''))
-    if (calleeNames.has(name ?? '') || takesOffset) given.forEach(add)
+    if (calleeNames.has(name ?? '') || takesOffset) values.forEach(add)
     // JSX is compiled to jsx(Warp, { offset: … }).
-    if (imported.has(given[0]?.name ?? '') && given[1]?.type === 'ObjectExpression')
-      for (const { key, value } of given[1].properties) if (key?.name === 'offset') add(value)
+    if (imported.has(values[0]?.name ?? '') && values[1]?.type === 'ObjectExpression')
+      for (const { key, value } of values[1].properties) if (key?.name === 'offset') add(value)
   })
   return found
 }
@@ -145,7 +145,9 @@ function functionBy(program: Tree, { type, name, start, end }: Tree): Tree | und
 function helpersOf(program: Tree, offsets: Offset[]): Set<Tree> {
   const helpers = new Set<Tree>()
   const isInside = ({ start, end }: Tree) =>
-    offsets.some(({ given, tree }) => given === tree && start >= tree.start && end <= tree.end)
+    offsets.some(
+      ({ argument, tree }) => argument === tree && start >= tree.start && end <= tree.end,
+    )
   const add = (tree: Tree | undefined) => {
     if (!tree || !isPlainFunction(tree) || helpers.has(tree) || isInside(tree)) return
     if (needsOf(tree, { isHelper: true }) !== 'nothing') helpers.add(tree)
@@ -164,8 +166,8 @@ function helpersOf(program: Tree, offsets: Offset[]): Set<Tree> {
       if (node.type === 'NewExpression') methodsNamed(program, 'constructor').forEach(add)
     })
   }
-  for (const { given, tree } of offsets) {
-    if (given === tree) visit(tree)
+  for (const { argument, tree } of offsets) {
+    if (argument === tree) visit(tree)
     else add(tree)
   }
   return helpers
@@ -196,7 +198,7 @@ function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[
   return [...names]
 }
 
-/** Returns whether the module declares `name` as a variable at its top level. */
+/** Returns whether the module declares `name` at its top level, and not as a constant. */
 const isVariableOf = (program: Tree, name: string): boolean =>
   program.body.some(
     ({ type, kind, declarations }: Tree) =>

@@ -1,9 +1,9 @@
 // Reads a function's source code and compiles it again, with operators that work on expressions.
 import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
-import { isOwnFunction, type ReadOptions } from '../errors/operators.js'
+import { isLibraryFunction, type TranslationOptions } from '../errors/operators.js'
 import { callable, record } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import type { Read } from './calls.js'
+import type { TranslationResult } from './calls.js'
 import { noteChanging } from './changing.js'
 import { isKnown } from './functions.js'
 import { globalExists, isSurelyGlobal } from './globals.js'
@@ -32,11 +32,11 @@ interface Reader {
   place: Place
   scope: Scope
   sketch: object | undefined
-  /** Functions that are being read, since two may call each other. */
+  /** The source of functions that are being read: a function among them that is called again is recursive. */
   pending: Set<string>
 }
 
-const ownPlace = new Place('operators')
+const operatorsPlace = new Place('operators')
 const functionKind = callable('a function, as in operators(({ position }) => position * 2),')
 const scopeKind = record<Scope>('an object of variables by name, as in { amount },')
 
@@ -45,53 +45,56 @@ let count = 0
 /**
  * Translates an offset function that uses `+ - * / % **`, comparisons, `&& || !`, `?:`, `if`, `+=`, `Math.sin(x)` and `[x, y, z]` on
  * expressions, or calls other functions of the sketch that do. The result is compiled from the source code, so it can access global
- * variables and `scope`, but no other variables around the function. A function that needs others is returned untranslated, and throws
- * where it uses an operator. A function with nothing to translate is returned as is. Throws a `WarpError` if `offset` is not a function
- * or `scope` not an object.
+ * variables and `scope`, but no other variables around the function. A function that needs other variables is returned untranslated, and
+ * throws where it uses an operator. A function with nothing to translate is returned as is. Throws a `WarpError` if `offset` is not a
+ * function or `scope` is not an object.
  */
 export function operators(
   offset: OffsetFunction,
   scope: Scope = {},
-  { method = 'createWarp', sketch }: ReadOptions = {},
+  { method = 'createWarp', sketch }: TranslationOptions = {},
 ): OffsetFunction {
-  functionKind.read(offset, ownPlace)
-  rejectOtherNames(scopeKind.read(scope, ownPlace.part('the scope')))
-  if (translated.has(offset) || isOwnFunction(offset)) return offset
+  functionKind.read(offset, operatorsPlace)
+  rejectInvalidNames(scopeKind.read(scope, operatorsPlace.part('the scope')))
+  if (translated.has(offset) || isLibraryFunction(offset)) return offset
   const reader = { place: new Place(method), scope, sketch, pending: new Set<string>() }
   const parsed = parseFunction(offset)
   if (!parsed) return offset
   const needs = needsOf(parsed.tree)
   const isVector = returnsArray(parsed.tree)
   if (needs === 'nothing' && !isVector) return offset
-  const reading = needs === 'nothing' ? undefined : read(offset, reader)
+  const translation = needs === 'nothing' ? undefined : read(offset, reader)
   const result =
-    reading && 'make' in reading
-      ? withOperators(reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown, {
-          read: (helper, name) => readHelper(helper, name, reader),
-          isPlain: needs === 'logic' && !isVector,
-          check: makeThisCheck(parsed.tree, reader.place),
-        })
-      : keepUntranslated(reading ? withOperatorMessage(offset, reading.explain) : offset)
+    translation && 'make' in translation
+      ? withOperators(
+          translation.make as (operators: Operators) => (inputs: WarpInputs) => unknown,
+          {
+            readHelper: (helper, name) => readHelper(helper, name, reader),
+            isPlain: needs === 'logic' && !isVector,
+            check: makeThisCheck(parsed.tree, reader.place),
+          },
+        )
+      : keepUntranslated(translation ? withOperatorMessage(offset, translation.explain) : offset)
   translated.add(result)
   return result
 }
 
-function rejectOtherNames(scope: Scope) {
-  const other = Object.keys(scope).find((name) => !isVariable(name))
-  if (other !== undefined)
-    throw ownPlace.error(
-      `expected names of variables in the scope, as in { amount }, got "${other}", which no function can read.`,
+function rejectInvalidNames(scope: Scope) {
+  const invalid = Object.keys(scope).find((name) => !isVariableName(name))
+  if (invalid !== undefined)
+    throw operatorsPlace.error(
+      `expected names of variables in the scope, as in { amount }, got "${invalid}", which no function can read.`,
     )
 }
 
-/** Returns the function untranslated, except that it may return `[x, y, z]`. */
+/** Returns a function that calls the untranslated one, and converts a result `[x, y, z]` to a vector. */
 const keepUntranslated = (offset: OffsetFunction): OffsetFunction =>
   function (this: unknown, inputs: WarpInputs) {
-    const place: unknown = Reflect.apply(offset, this, [inputs])
-    return asVector(operatorsOf(glslOf(inputs)), inputs, place)
+    const result: unknown = Reflect.apply(offset, this, [inputs])
+    return asVector(operatorsOf(glslOf(inputs)), inputs, result)
   }
 
-function isVariable(name: string): boolean {
+function isVariableName(name: string): boolean {
   if (!/^[\p{ID_Start}$_][\p{ID_Continue}$\u200c\u200d]*$/u.test(name)) return false
   try {
     new Function(name, `'use strict'`)
@@ -103,7 +106,7 @@ function isVariable(name: string): boolean {
 }
 
 /** Reads a function or class that is called with expressions. Returns `undefined` if it has nothing to translate, or is not the sketch's. */
-function readHelper(helper: Function, name: string, reader: Reader): Read | undefined {
+function readHelper(helper: Function, name: string, reader: Reader): TranslationResult | undefined {
   const parsed = parseFunction(helper)
   return parsed && needsOf(parsed.tree, { isHelper: true }) !== 'nothing'
     ? read(helper, reader, name)
@@ -111,7 +114,7 @@ function readHelper(helper: Function, name: string, reader: Reader): Read | unde
 }
 
 /** Reads a function together with its surroundings in the script. */
-function read(f: Function, reader: Reader, helper?: string): Read {
+function read(f: Function, reader: Reader, helper?: string): TranslationResult {
   const parsed = parseFunction(f)!
   const text = parsed.source.slice(parsed.start, parsed.start + parsed.length)
   return readSource({ ...parsed, text }, surroundingsOf(text), reader, helper)
@@ -128,7 +131,7 @@ function readSource(
   surroundings: Surroundings,
   reader: Reader,
   helper: string | undefined,
-): Read {
+): TranslationResult {
   const { place, scope, sketch } = reader
   const references = freeReferences(tree)
   const values = new Map<string, (operators: Operators) => unknown>()
@@ -138,8 +141,8 @@ function readSource(
     else if (name === surroundings.sketchName && sketch) values.set(name, () => sketch)
     else if (!isVisible(name, nodes, surroundings, tree)) {
       const definition = surroundings.functionOf(name)
-      const reading = definition && readDefinition(definition, reader, name)
-      if (reading && 'make' in reading) values.set(name, reading.make)
+      const translation = definition && readDefinition(definition, reader, name)
+      if (translation && 'make' in translation) values.set(name, translation.make)
       else missing.push(name)
     }
   }
@@ -186,17 +189,17 @@ function readSource(
   }
 }
 
-/** Reads a function found in the script that is not in the scope. */
+/** Reads a function that was found in the script by its name; `undefined` if it is being read already. */
 function readDefinition(definition: Definition, reader: Reader, name: string) {
   const { pending } = reader
   if (pending.has(definition.text)) return undefined
   pending.add(definition.text)
-  const reading = readSource(definition, definition.surroundings, reader, name)
+  const translation = readSource(definition, definition.surroundings, reader, name)
   pending.delete(definition.text)
-  return reading
+  return translation
 }
 
-/** Returns whether a translated function reads the same variable under that name as the function itself. */
+/** Returns whether the translated function and the original read the same variable by that name. */
 function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree: Tree): boolean {
   if (/^(this|super|new\.target|arguments|#.*)$/.test(name)) return false
   if (surroundings.bound) return !surroundings.bound.has(name)
@@ -217,7 +220,7 @@ const isCalledIn = (tree: Tree) => {
   return (node: Tree) => callees.has(node)
 }
 
-/** Returns a check of the `this` of a call: a method that was passed without its object has none, and would read `undefined`. */
+/** Returns a function that checks the `this` of a call: a method that was passed without its object has none, and would read `undefined`. */
 function makeThisCheck(tree: Tree, place: Place): (self: unknown) => void {
   const members =
     tree.type === 'ArrowFunctionExpression' ? [] : membersOfThis(freeReferences(tree.body as Tree))

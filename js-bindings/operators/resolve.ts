@@ -2,10 +2,10 @@
 import { isProperty, namesBoundBy, scopeOf } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** The scopes that enclose a node. */
-interface Around {
+/** The names that are bound by the scopes that enclose a node. */
+interface EnclosingScopes {
   names: readonly ReadonlySet<string>[]
-  /** True if `this` and `new.target` belong to a function or class within the tree. */
+  /** True if `this` and `new.target` at the node belong to a function or class within the tree. */
   ownsThis: boolean
   ownsArguments: boolean
   privates: ReadonlySet<string>
@@ -23,28 +23,28 @@ export function freeReferences(tree: Tree): References {
     else found.set(name, [node])
   }
 
-  function visit(node: Tree, around: Around, parent?: Tree) {
+  function visit(node: Tree, scopes: EnclosingScopes, parent?: Tree) {
     switch (node.type) {
       case 'Identifier':
-        if (isProperty(node, parent) || around.names.some((names) => names.has(node.name))) return
-        if (node.name === 'arguments' && around.ownsArguments) return
-        noteMember(node, parent)
+        if (isProperty(node, parent) || scopes.names.some((names) => names.has(node.name))) return
+        if (node.name === 'arguments' && scopes.ownsArguments) return
+        recordMember(node, parent)
         return add(node.name, node)
       case 'ThisExpression':
-        if (around.ownsThis) return
-        noteMember(node, parent)
+        if (scopes.ownsThis) return
+        recordMember(node, parent)
         return add('this', node)
       case 'MetaProperty':
-        return node.meta.name === 'new' && !around.ownsThis ? add('new.target', node) : undefined
+        return node.meta.name === 'new' && !scopes.ownsThis ? add('new.target', node) : undefined
       case 'Super':
-        return around.privates.has('super') ? undefined : add('super', node)
+        return scopes.privates.has('super') ? undefined : add('super', node)
       case 'PrivateIdentifier':
-        return around.privates.has(`#${node.name}`) ? undefined : add(`#${node.name}`, node)
+        return scopes.privates.has(`#${node.name}`) ? undefined : add(`#${node.name}`, node)
     }
-    const within = enter(node, around, parent)
+    const childScopes = enter(node, scopes, parent)
     for (const child of Object.values(node).flat())
       if (child && typeof child === 'object' && typeof child.type === 'string')
-        visit(child as Tree, within, node)
+        visit(child as Tree, childScopes, node)
   }
 
   visit(tree, { names: [], ownsThis: false, ownsArguments: false, privates: new Set() })
@@ -52,26 +52,27 @@ export function freeReferences(tree: Tree): References {
 }
 
 /** Records the property that is read from a node, for messages. */
-function noteMember(node: Tree, parent?: Tree) {
+function recordMember(node: Tree, parent?: Tree) {
   if (parent?.type === 'MemberExpression' && !parent.computed && parent.object === node)
     node.member = parent.property.name
 }
 
-function enter(node: Tree, around: Around, parent?: Tree): Around {
+/** Returns the scopes that enclose the children of a node. */
+function enter(node: Tree, scopes: EnclosingScopes, parent?: Tree): EnclosingScopes {
   const names = namesOf(node)
-  const here = names.length ? [...around.names, new Set(names)] : around.names
+  const here = names.length ? [...scopes.names, new Set(names)] : scopes.names
   if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')
-    return { ...around, names: here, ownsThis: true, ownsArguments: true }
+    return { ...scopes, names: here, ownsThis: true, ownsArguments: true }
   if (
     node.type === 'StaticBlock' ||
     (parent?.type === 'PropertyDefinition' && parent.value === node)
   )
-    return { ...around, names: here, ownsThis: true }
-  if (node.type !== 'ClassBody') return { ...around, names: here }
+    return { ...scopes, names: here, ownsThis: true }
+  if (node.type !== 'ClassBody') return { ...scopes, names: here }
   const keys = node.body
     .filter(({ key }: Tree) => key?.type === 'PrivateIdentifier')
     .map(({ key }: Tree) => `#${key.name}`)
-  return { ...around, names: here, privates: new Set([...around.privates, ...keys, 'super']) }
+  return { ...scopes, names: here, privates: new Set([...scopes.privates, ...keys, 'super']) }
 }
 
 /** Returns the names that a node binds for its children. */

@@ -1,5 +1,5 @@
-// Operators on expressions. Operators on numbers only stay JavaScript's: `-1 % 3` is -1, while `x % 3` on an expression has the
-// sign of the divisor, like GLSL's mod.
+// Operators on expressions. If all operands are numbers, operators are JavaScript's: `-1 % 3` is -1, while `x % 3` on an expression has
+// the sign of the divisor, like GLSL's mod.
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
@@ -9,15 +9,16 @@ import { noteOnce, noteReadOnce, withOperatorMessage } from './messages.js'
 import {
   decidesByVertex,
   isCondition,
-  isWarped,
+  isExpressionLike,
+  toVector,
   useCondition,
-  wholeOf,
   type Glsl,
 } from './values.js'
 
 type Thunk = () => unknown
 
-const symbols: Record<string, (a: never, b: never) => unknown> = {
+/** JavaScript's operators, for operands of which none is an expression. */
+const jsOperators: Record<string, (a: never, b: never) => unknown> = {
   add: (a: number, b: number) => a + b,
   sub: (a: number, b: number) => a - b,
   mult: (a: number, b: number) => a * b,
@@ -34,7 +35,7 @@ const symbols: Record<string, (a: never, b: never) => unknown> = {
   looseNe: (a: unknown, b: unknown) => a != b,
 }
 
-/** Maps operators to methods of expressions with another name. */
+/** Maps operators to methods of expressions, where the names differ. */
 const methodNames: Record<string, string> = { looseEq: 'eq', looseNe: 'ne' }
 
 /** Operators on 32-bit integers; the common ones are `x | 0` and `x >> 0`, which truncate. */
@@ -47,11 +48,11 @@ const bits: Record<string, (a: number, b: number) => number> = {
   '>>>': (a, b) => a >>> b,
 }
 
-/** Returns whether a comparison asks if a value exists at all, which JavaScript decides. */
-const isNothing = (name: string, ...operands: unknown[]) =>
+/** Returns whether a comparison tests if a value exists at all, which JavaScript decides. */
+const isExistenceTest = (name: string, ...operands: unknown[]) =>
   /eq$|ne$/i.test(name) && operands.some((each) => each === null || each === undefined)
 
-const noteEffect = (effect: string) =>
+const warnAboutEffect = (effect: string) =>
   noteOnce(
     `${effect} is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.`,
   )
@@ -59,16 +60,16 @@ const noteEffect = (effect: string) =>
 export type Operators = ReturnType<typeof operatorsOf>
 
 /**
- * Returns the operators for one run of an offset function. With `isPlain`, a numeric expression as a condition only tests whether the
- * expression exists, as it does without operators: `sum ? sum.add(x) : x`.
+ * Returns the operators for one run of an offset function. If `isPlain`, a numeric expression as a condition only tests whether the
+ * expression exists, as in an untranslated function: `sum ? sum.add(x) : x`.
  */
-export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
-  const differs = isPlain ? isCondition : decidesByVertex
-  const whole = (value: unknown) => wholeOf(glsl, value)
+export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}) {
+  const differsByVertex = isPlain ? isCondition : decidesByVertex
+  const whole = (value: unknown) => toVector(glsl, value)
   const binary = (name: string) => (a: unknown, b: unknown) =>
-    (isWarped(a) || isWarped(b)) && !isNothing(name, a, b)
+    (isExpressionLike(a) || isExpressionLike(b)) && !isExistenceTest(name, a, b)
       ? glsl[methodNames[name] ?? name]!(whole(a), whole(b))
-      : symbols[name]!(a as never, b as never)
+      : jsOperators[name]!(a as never, b as never)
 
   const and = (a: unknown, b: unknown) => {
     if (b === true) return a
@@ -102,7 +103,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     get?: () => unknown[],
     set?: (all: unknown[]) => void,
   ) => {
-    if (!differs(condition)) return condition ? yes() : no()
+    if (!differsByVertex(condition)) return condition ? yes() : no()
     const before = get?.()
     const first = yes()
     if (before) set!(before)
@@ -130,12 +131,16 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
       set,
     )
   const move = (x: unknown, by: number) =>
-    isWarped(x) ? glsl.add!(whole(x), by) : typeof x === 'bigint' ? x + BigInt(by) : Number(x) + by
+    isExpressionLike(x)
+      ? glsl.add!(whole(x), by)
+      : typeof x === 'bigint'
+        ? x + BigInt(by)
+        : Number(x) + by
 
-  const { call, method, invoke, construct } = callsOf(glsl, (make) => make(all), read)
+  const { call, method, invoke, construct } = callsOf(glsl, (make) => make(operators), readHelper)
 
-  const all = {
-    ...(Object.fromEntries(Object.keys(symbols).map((name) => [name, binary(name)])) as Record<
+  const operators = {
+    ...(Object.fromEntries(Object.keys(jsOperators).map((name) => [name, binary(name)])) as Record<
       string,
       (a: unknown, b: unknown) => unknown
     >),
@@ -146,23 +151,24 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     method,
     invoke,
     construct,
-    neg: (x: unknown) => (isWarped(x) ? glsl.neg!(whole(x)) : -(x as number)),
-    plus: (x: unknown) => (isWarped(x) ? whole(x) : +(x as number)),
-    not: (x: unknown) => (differs(x) ? glsl.not!(x) : !x),
+    neg: (x: unknown) => (isExpressionLike(x) ? glsl.neg!(whole(x)) : -(x as number)),
+    plus: (x: unknown) => (isExpressionLike(x) ? whole(x) : +(x as number)),
+    not: (x: unknown) => (differsByVertex(x) ? glsl.not!(x) : !x),
     /** Bitwise operators. On expressions only truncation is supported: `x | 0`, also written `~~x`, which the translation converts. */
     bits(name: string, a: unknown, b: unknown) {
-      if (!isWarped(a) && !isWarped(b)) return bits[name]!(a as number, b as number)
+      if (!isExpressionLike(a) && !isExpressionLike(b)) return bits[name]!(a as number, b as number)
       if (b === 0 && /^(\||>>|\^)$/.test(name)) return glsl.trunc!(whole(a))
       throw new WarpError(
         `${name} works on the bits of whole numbers, not on expressions of a warp; write glsl.floor(x), x * 2 or x % 2.`,
       )
     },
-    and: (a: unknown, b: Thunk) => (differs(a) ? and(a, b()) : a && b()),
-    or: (a: unknown, b: Thunk) => (differs(a) ? or(a, b()) : a || b()),
+    and: (a: unknown, b: Thunk) => (differsByVertex(a) ? and(a, b()) : a && b()),
+    or: (a: unknown, b: Thunk) => (differsByVertex(a) ? or(a, b()) : a || b()),
     /** `++` and `--`. */
     move,
     /** Returns the first of two values, like `x++`. */
-    first: (x: unknown, _then: unknown) => (isWarped(x) || typeof x === 'bigint' ? x : Number(x)),
+    first: (x: unknown, _then: unknown) =>
+      isExpressionLike(x) || typeof x === 'bigint' ? x : Number(x),
     /** `object[key] += 1`, without evaluating object and key twice. */
     change: (object: Record<PropertyKey, unknown>, key: string, to: (value: unknown) => unknown) =>
       (object[key] = to(object[key])),
@@ -174,16 +180,16 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     ) {
       const before = object[key]
       object[key] = to(before)
-      return all.first(before, undefined)
+      return operators.first(before, undefined)
     },
-    /** Warns about a call whose result is unused: on a p5.Vector it would change the vector. */
+    /** Warns about a call on an expression whose result is unused: the same call on a p5.Vector would change the vector. */
     unused(value: unknown, text: string) {
       if (isExpression(value))
         noteOnce(
           `${text} has no effect: an expression never changes, unlike a p5.Vector; set the variable, as in v = v.mult(2).`,
         )
     },
-    /** Runs both branches of an `if`, and selects between the values they give to the variables that either sets. */
+    /** Runs both branches of an `if`, and selects between the values that they give to the variables that one of them sets. */
     branch(
       condition: unknown,
       yes: Thunk,
@@ -192,44 +198,44 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
       set: (all: unknown[]) => void,
       effect?: string,
     ) {
-      if (!differs(condition)) {
+      if (!differsByVertex(condition)) {
         if (condition) yes()
         else no()
         return
       }
-      if (effect) noteEffect(effect)
+      if (effect) warnAboutEffect(effect)
       const before = get()
       yes()
-      const after = get()
+      const ifTrue = get()
       set(before)
       no()
-      const otherwise = get()
-      if (after.every((value, i) => value === otherwise[i])) useCondition(condition)
+      const ifFalse = get()
+      if (ifTrue.every((value, i) => value === ifFalse[i])) useCondition(condition)
       set(
-        after.map((value, i) =>
-          value === otherwise[i] ? value : select(condition, value, otherwise[i]),
+        ifTrue.map((value, i) =>
+          value === ifFalse[i] ? value : select(condition, value, ifFalse[i]),
         ),
       )
     },
-    /** Checks that JavaScript can decide a condition. */
+    /** Returns a condition that JavaScript can decide; throws for one that differs by vertex. `what` is the statement, for the message. */
     decided(condition: unknown, what: string) {
-      if (differs(condition))
+      if (differsByVertex(condition))
         throw new WarpError(
           `${what} cannot depend on a condition that differs by vertex; use a loop with a known count, and choose by ?: or by if and else that set variables.`,
         )
       return condition
     },
   }
-  return all
+  return operators
 }
 
 /** Functions that are already translated. */
 export const translated = new WeakSet<object>()
 
 interface RunOptions {
-  /** Reads helper functions; a build translates them together with the offset function. */
-  read?: ReadHelper
-  /** Variables whose values change, but which are read once. */
+  /** Translates helper functions. Missing in a build, which translates them together with the offset function. */
+  readHelper?: ReadHelper
+  /** Variables that are read only once although their values change. */
   once?: readonly string[]
   /** True if the function uses no operators on numbers; see `operatorsOf`. */
   isPlain?: boolean
@@ -242,20 +248,20 @@ let current: Operators | undefined
 /** Makes an offset function from the factory of a translated function. */
 export function withOperators(
   make: (operators: Operators) => (inputs: WarpInputs) => unknown,
-  { read, once = [], isPlain = false, check }: RunOptions = {},
+  { readHelper, once = [], isPlain = false, check }: RunOptions = {},
 ): OffsetFunction {
   const run = function (this: unknown, inputs: WarpInputs) {
     check?.(this)
     for (const name of once) noteReadOnce(new Place('createWarp'), name)
     const outer = current
-    current = operatorsOf(glslOf(inputs), { ...(read && { read }), isPlain })
+    current = operatorsOf(glslOf(inputs), { ...(readHelper && { readHelper }), isPlain })
     try {
       return asVector(current, inputs, Reflect.apply(make(current), this, [inputs]))
     } finally {
       current = outer
     }
   } as OffsetFunction
-  const result = read ? run : withOperatorMessage(run, () => notTranslated)
+  const result = readHelper ? run : withOperatorMessage(run, () => notTranslated)
   translated.add(result)
   return result
 }
@@ -263,11 +269,13 @@ export function withOperators(
 const notTranslated =
   'createWarp: an operator or a function of numbers got an expression in a function that warpjet/operators/plugin has not translated. It translates functions that are passed to createWarp or compileWarp, and the functions of the same module that these call: move the function into that module, or write x.add(1), x.mult(2), x.sin() in it.'
 
-let plain: Operators | undefined
+/** The operators while no offset function is running. */
+let idleOperators: Operators | undefined
 
 /** The operators of the running offset function, for helper functions that a build has translated. */
 export const operators: Operators = new Proxy({} as Operators, {
-  get: (_, name) => Reflect.get(current ?? (plain ??= operatorsOf(noGlsl)), name) as unknown,
+  get: (_, name) =>
+    Reflect.get(current ?? (idleOperators ??= operatorsOf(noGlsl)), name) as unknown,
 })
 
 /** The builder while no offset function is running. */
@@ -283,7 +291,7 @@ const noGlsl = new Proxy({} as Glsl, {
 export const glslOf = (inputs: object) => ('glsl' in inputs ? inputs.glsl : inputs) as Glsl
 
 /** Converts a result `[x, y, z]`, or a vector of p5, to a vec3. */
-export function asVector(operators: Operators, inputs: object, place: unknown): Vec3 {
-  const isOfVertex = 'glsl' in inputs && (!Array.isArray(place) || place.length === 3)
-  return (isOfVertex && !isExpression(place) ? operators.whole(place) : place) as Vec3
+export function asVector(operators: Operators, inputs: object, result: unknown): Vec3 {
+  const isOffset = 'glsl' in inputs && (!Array.isArray(result) || result.length === 3)
+  return (isOffset && !isExpression(result) ? operators.whole(result) : result) as Vec3
 }

@@ -50,22 +50,22 @@ export function declaredIn(tree: Tree): Set<string> {
 /** Returns the variables that statements assign and that are declared outside these statements. */
 export function assignedIn(trees: Tree[]): Set<string> {
   const names = new Set<string>()
-  const visit = (node: Tree, around: Set<string>) => {
-    const here = scopeOf(node)
-    const own = here.length ? new Set([...around, ...here]) : around
-    for (const name of targetsOf(node).flatMap(namesBoundBy)) if (!own.has(name)) names.add(name)
+  const visit = (node: Tree, outer: Set<string>) => {
+    const bound = scopeOf(node)
+    const inner = bound.length ? new Set([...outer, ...bound]) : outer
+    for (const name of targetsOf(node).flatMap(namesBoundBy)) if (!inner.has(name)) names.add(name)
     for (const child of Object.values(node).flat())
-      if (child && typeof child === 'object' && typeof child.type === 'string') visit(child, own)
+      if (child && typeof child === 'object' && typeof child.type === 'string') visit(child, inner)
   }
-  const around = new Set([
+  const declared = new Set([
     ...trees.flatMap(namesDeclaredBy),
     ...trees.flatMap((tree) => varsIn(tree)),
   ])
-  for (const tree of trees) visit(tree, around)
+  for (const tree of trees) visit(tree, declared)
   return names
 }
 
-/** Returns the targets that a node assigns. */
+/** Returns the targets of the assignment that a node makes. */
 function targetsOf({ type, left, argument }: Tree): Tree[] {
   if (type === 'AssignmentExpression') return [left]
   if (type === 'UpdateExpression') return [argument]
@@ -116,15 +116,15 @@ export function varsIn(tree: Tree, withLoops: unknown = true): string[] {
   const names: string[] = []
   walk(tree, (node, parent) => {
     if (/Function/.test(node.type)) return false
-    const isOfLoop = /^For/.test(parent?.type ?? '') && node !== parent!.body
-    if (node.type === 'VariableDeclaration' && node.kind === 'var' && (withLoops || !isOfLoop))
+    const isInLoopHead = /^For/.test(parent?.type ?? '') && node !== parent!.body
+    if (node.type === 'VariableDeclaration' && node.kind === 'var' && (withLoops || !isInLoopHead))
       names.push(...namesDeclaredBy(node))
     return true
   })
   return names
 }
 
-/** Returns the names whose scope is the node. */
+/** Returns the names that a node binds, whose scope is the node. */
 export function scopeOf(node: Tree): string[] {
   if (node.type === 'Program')
     return [...node.body.flatMap(declaredInModule), ...varsIn(node), ...importedIn(node)]

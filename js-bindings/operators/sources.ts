@@ -58,13 +58,13 @@ const isLibrary = (url: string) =>
     url.replace(/[?#].*$/, ''),
   )
 
-/** Returns whether a script can be read without a request to another site. Pages opened from a file cannot read any script. */
+/** Returns whether a script can be read without a request to another site. On a page opened from a file, no script can be read. */
 const isReadable = (url: string) =>
   /^(blob|data):/.test(url) || (/^https?:/.test(url) && new URL(url).origin === location.origin)
 
 const fetched = new Map<string, string | undefined>()
 
-/** Returns the source code of a script. The page has already loaded it, so it comes from the browser's cache. */
+/** Returns the source code of a script. The page has already loaded the script, so its code comes from the browser's cache. */
 function textAt(url: string): string | undefined {
   if (!fetched.has(url)) {
     let text: string | undefined
@@ -83,14 +83,14 @@ function textAt(url: string): string | undefined {
 
 /** Yields scripts in files, starting with those on the call stack. */
 function* files(): Generator<Script> {
-  const running = stackLines().map(fileOf)
-  const all = tags().filter((script) => script.src)
-  const classic = new Set(all.filter((script) => !isModuleTag(script)).map(({ src }) => src))
+  const onCallStack = stackLines().map(fileOf)
+  const withUrl = tags().filter((script) => script.src)
+  const classic = new Set(withUrl.filter((script) => !isModuleTag(script)).map(({ src }) => src))
   const loaded = performance
     .getEntriesByType('resource')
     .filter((entry) => /\.m?jsx?([?#]|$)/.test(entry.name))
     .map(({ name }) => name)
-  for (const url of new Set([...running, ...all.map(({ src }) => src), ...loaded])) {
+  for (const url of new Set([...onCallStack, ...withUrl.map(({ src }) => src), ...loaded])) {
     if (url === location.href || isLibrary(url) || !isReadable(url)) continue
     const text = textAt(url)
     if (text !== undefined) yield { text, isModule: !classic.has(url) }
@@ -102,13 +102,17 @@ function placesIn(script: Script, text: string): Place[] {
   const program = programOf(script)
   const places: Place[] = []
   if (program)
-    for (let at = script.text.indexOf(text); at >= 0; at = script.text.indexOf(text, at + 1))
+    for (
+      let start = script.text.indexOf(text);
+      start >= 0;
+      start = script.text.indexOf(text, start + 1)
+    )
       places.push({
         text: script.text,
         program,
         isModule: script.isModule,
-        start: at,
-        end: at + text.length,
+        start,
+        end: start + text.length,
       })
   return places
 }
@@ -130,13 +134,15 @@ export function placesOf(text: string): Place[] {
 /** Returns the syntax trees of the scripts that contain a name, among those that can be read without a further request. */
 export function programsWith(name: string, place: Place | undefined): Tree[] {
   if (typeof document === 'undefined') return []
-  const read = [...fetched.values()].flatMap((text) => (text ? [{ text, isModule: false }] : []))
-  const around = place && { text: place.text, isModule: place.isModule }
+  const fetchedScripts = [...fetched.values()].flatMap((text) =>
+    text ? [{ text, isModule: false }] : [],
+  )
+  const scriptOfPlace = place && { text: place.text, isModule: place.isModule }
   const scripts = [
     ...inlineScripts(),
-    ...read,
+    ...fetchedScripts,
     ...globalFunctions(name),
-    ...(around ? [around] : []),
+    ...(scriptOfPlace ? [scriptOfPlace] : []),
   ]
   const texts = new Map(scripts.map((script) => [script.text, script]))
   return [...texts.values()]

@@ -11,7 +11,7 @@ export interface Surroundings {
   isStrict: boolean
   /** The parameter through which an enclosing function gets the sketch from p5. */
   sketchName: string | undefined
-  /** Returns a function that is bound around it under a name and never reassigned. */
+  /** Returns the function that is bound to a name around this function and never reassigned. */
   functionOf(name: string): Definition | undefined
   /** Returns the scripts that may assign a variable of the page. */
   programs(name: string): Tree[]
@@ -24,7 +24,7 @@ export interface Definition {
   surroundings: Surroundings
 }
 
-const unseen: Surroundings = {
+const unknownSurroundings: Surroundings = {
   bound: undefined,
   isStrict: false,
   sketchName: undefined,
@@ -38,7 +38,7 @@ const unseen: Surroundings = {
  */
 export function surroundingsOf(text: string): Surroundings {
   const places = placesOf(text)
-  if (!places.length) return unseen
+  if (!places.length) return unknownSurroundings
   const all = places.map(surroundingsAt)
   return all.length === 1
     ? all[0]!
@@ -59,7 +59,7 @@ function surroundingsAt(place: Place): Surroundings {
     bound: namesAround(place),
     isStrict: place.isModule || path.some(isStrictIn),
     sketchName: sketchNameIn(place, path),
-    functionOf: (name) => functionBound(place, path, name),
+    functionOf: (name) => findFunction(place, path, name),
     programs: (name) => programsWith(name, place),
   }
 }
@@ -74,8 +74,8 @@ function sketchNameIn({ program }: Place, path: Tree[]): string | undefined {
   walk(program, (node) => {
     if (node.type !== 'NewExpression') return
     if ((node.callee.name ?? node.callee.property?.name) !== 'p5') return
-    const [given] = node.arguments as Tree[]
-    const sketch = given?.type === 'Identifier' ? definitionIn(program, given.name) : given
+    const [argument] = node.arguments as Tree[]
+    const sketch = argument?.type === 'Identifier' ? definitionIn(program, argument.name) : argument
     const [first] = sketch?.params ?? []
     if (first?.type !== 'Identifier' || !path.includes(sketch!)) return
     if (binderOf(path, first.name) === sketch && !assignedIn([sketch!.body]).has(first.name))
@@ -84,7 +84,7 @@ function sketchNameIn({ program }: Place, path: Tree[]): string | undefined {
   return found
 }
 
-function functionBound(place: Place, path: Tree[], name: string): Definition | undefined {
+function findFunction(place: Place, path: Tree[], name: string): Definition | undefined {
   const binder = binderOf(path, name)
   const tree = binder && definitionIn(binder, name)
   if (!tree || tree.async || tree.generator) return undefined

@@ -1,7 +1,7 @@
 // Translates expressions: operators, assignments and calls.
 import { shorten } from '../errors/describe.js'
 import type { Edits } from './edits.js'
-import { canRepeat, functionNamesIn, isSuspended } from './flow.js'
+import { canRepeat, containsSuspension, functionNamesIn } from './flow.js'
 import { isKnown } from './functions.js'
 import { assignedIn, propertySetIn } from './scopes.js'
 import { binary, bits, logical, unary, unusedName } from './symbols.js'
@@ -24,7 +24,7 @@ export abstract class ExpressionTranslator {
   /** Name of the parameter of generated setter functions. */
   protected readonly valueName: string
   private readonly functionsHere: ReadonlySet<string>
-  /** Calls in a chain such as `a?.b.c()`, which may not be executed. */
+  /** Nodes of chains such as `a?.b.c()`, whose calls may be skipped. */
   private readonly optional = new Set<Tree>()
 
   constructor(
@@ -48,7 +48,7 @@ export abstract class ExpressionTranslator {
     return `${this.translation.operatorsName}.${name}(`
   }
 
-  /** Translates a node that becomes an argument, or follows `=>`; adds parentheses, since those around a node are not part of it. */
+  /** Translates a node that becomes an argument, or follows `=>`; adds parentheses if it needs them, since a node's own are not part of it. */
   protected operand(node: Tree) {
     this.visit(node)
     if (node.type === 'SequenceExpression' || this.edits.source[node.start] === '{')
@@ -65,6 +65,7 @@ export abstract class ExpressionTranslator {
     return shorten(this.edits.source.slice(start, end))
   }
 
+  /** Returns a JavaScript string for the argument `what` of `decided`. */
   protected setting(name: string) {
     return JSON.stringify(`Setting ${name} here`)
   }
@@ -146,7 +147,7 @@ export abstract class ExpressionTranslator {
     if (!logical[operator]) return false
     this.operand(left)
     this.operand(right)
-    if (isSuspended([right])) {
+    if (containsSuspension([right])) {
       this.edits.open(node, left.start, `(${this.op('decided')}`)
       this.edits.replace(left.end, right.start, `, ${suspensionMessage}) ${operator} `)
     } else {
@@ -161,7 +162,7 @@ export abstract class ExpressionTranslator {
   private conditional(node: Tree): boolean {
     const { test, consequent, alternate } = node
     for (const each of [test, consequent, alternate]) this.operand(each)
-    if (isSuspended([consequent, alternate])) {
+    if (containsSuspension([consequent, alternate])) {
       this.edits.open(node, test.start, `(${this.op('decided')}`)
       this.edits.replace(test.end, consequent.start, `, ${suspensionMessage}) ? `)
       this.edits.replace(consequent.end, alternate.start, ' : ')
@@ -180,7 +181,7 @@ export abstract class ExpressionTranslator {
     const { operator, left, right } = node
     const symbol = operator.slice(0, -1)
     const op = logical[symbol] ? this.op(logical[symbol]) : this.binaryOp(symbol)
-    if (operator === '=' || !op || isSuspended([right])) return false
+    if (operator === '=' || !op || containsSuspension([right])) return false
     const changeCode = (target: string) => {
       if (!logical[symbol]) return `${op}${target}, `
       const [before, after] = this.aroundCondition([right])
@@ -233,21 +234,21 @@ export abstract class ExpressionTranslator {
   }
 
   /** Translates the arguments of a call. `head` replaces the code between `from` and the first argument. */
-  private withArguments(node: Tree, from: number, head: string) {
-    const given = node.arguments as Tree[]
-    for (const each of given) this.operand(each)
-    const [first] = given
+  private translateArguments(node: Tree, from: number, head: string) {
+    const values = node.arguments as Tree[]
+    for (const each of values) this.operand(each)
+    const [first] = values
     if (!first) return this.edits.close(node, from, `${head})`)
     this.edits.replace(from, first.start, `${head}, `)
-    given.slice(1).forEach((each, i) => this.edits.replace(given[i]!.end, each.start, ', '))
-    this.edits.close(node, given.at(-1)!.end, ')')
+    values.slice(1).forEach((each, i) => this.edits.replace(values[i]!.end, each.start, ', '))
+    this.edits.close(node, values.at(-1)!.end, ')')
   }
 
   private call(node: Tree): boolean {
     const { callee } = node
     const { isFree, readsHelpers, aliases } = this.translation
     const translateCall = (head: string) => {
-      this.withArguments(node, node.start, head)
+      this.translateArguments(node, node.start, head)
       return true
     }
     if (callee.type === 'Identifier') {
@@ -273,15 +274,15 @@ export abstract class ExpressionTranslator {
     if (computed) {
       this.operand(property)
       this.edits.replace(object.end, property.start, ', ')
-      this.withArguments(node, property.end, '')
-    } else this.withArguments(node, object.end, `, '${property.name}'`)
+      this.translateArguments(node, property.end, '')
+    } else this.translateArguments(node, object.end, `, '${property.name}'`)
     return true
   }
 
   private construct(node: Tree): boolean {
     const { callee } = node
     if (!this.translation.readsHelpers || callee.type !== 'Identifier') return false
-    this.withArguments(node, node.start, `${this.op('construct')}${callee.name}`)
+    this.translateArguments(node, node.start, `${this.op('construct')}${callee.name}`)
     return true
   }
 }

@@ -2,7 +2,13 @@
 // that errors refer to the sketch's own lines.
 import MagicString from 'magic-string'
 import { Edits } from './edits.js'
-import { changesVector, containsJump, endsFunction, endsInReturn, isSuspended } from './flow.js'
+import {
+  changesVector,
+  containsJump,
+  containsSuspension,
+  endsFunction,
+  endsInReturn,
+} from './flow.js'
 import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
 import { unusedName } from './symbols.js'
 import { ExpressionTranslator, type Translation } from './translate-expressions.js'
@@ -38,7 +44,7 @@ class Translator extends ExpressionTranslator {
   private readonly restName = unusedName('warpjetRest', this.edits.source)
   /** The names that the current function declares. */
   private declaredHere = new Set<string>()
-  private rests = 0
+  private restCount = 0
 
   visit(node: Tree) {
     if (!this.rewriteExpression(node) && !this.rewriteStatement(node)) this.visitChildren(node)
@@ -52,7 +58,7 @@ class Translator extends ExpressionTranslator {
         this.statements(node.body, node.end - 1, endsFunction(node) ? emptyTail : undefined)
         return true
       case 'IfStatement':
-        this.branch(node)
+        this.translateIf(node)
         return true
       case 'WhileStatement':
       case 'DoWhileStatement':
@@ -75,11 +81,11 @@ class Translator extends ExpressionTranslator {
   private function(node: Tree): boolean {
     const { body } = node
     if (body.type !== 'BlockStatement') return false
-    const around = this.declaredHere
+    const declaredOutside = this.declaredHere
     this.declaredHere = declaredIn(node)
     for (const each of childrenOf(node)) if (each !== body) this.visit(each)
     this.statements(body.body, body.end - 1, emptyTail)
-    this.declaredHere = around
+    this.declaredHere = declaredOutside
     return true
   }
 
@@ -130,11 +136,11 @@ class Translator extends ExpressionTranslator {
   /** Returns whether an `if` with a return has effects that cannot be undone, so that JavaScript must decide it. */
   private mustDecide(node: Tree, following: Tree[][]): boolean {
     const { consequent, alternate } = node
-    const first = endsInReturn(consequent) ? [] : following.flat()
+    const afterConsequent = endsInReturn(consequent) ? [] : following.flat()
     const all = [[consequent], alternate ? [alternate] : [], ...following]
     return (
-      isSuspended(all.flat()) ||
-      !!propertySetIn([consequent, ...first]) ||
+      containsSuspension(all.flat()) ||
+      !!propertySetIn([consequent, ...afterConsequent]) ||
       namesSetIn(all).some((name) => !this.declaredHere.has(name)) ||
       !!this.escapingVar(node)
     )
@@ -152,30 +158,30 @@ class Translator extends ExpressionTranslator {
     })
   }
 
-  /** Translates `if (c) return a; rest` with a condition per vertex, where both `a` and `rest` yield values. */
+  /** Translates `if (c) return a; rest`, where the condition may differ by vertex, so that both `a` and `rest` must yield values. */
   private translateReturn(node: Tree, later: Tree[], end: number, tail: Tail, following: Tree[][]) {
     const { test, consequent, alternate } = node
-    const ways: Tree[] = [consequent, alternate].filter(Boolean)
-    const isRest = ways.length < 2 || !ways.every(endsInReturn)
-    const name = `${this.restName}${++this.rests}`
-    const names = namesSetIn([...ways.map((way) => [way]), ...following])
-    const way = (each: Tree) => {
+    const branches: Tree[] = [consequent, alternate].filter(Boolean)
+    const runsRest = branches.length < 2 || !branches.every(endsInReturn)
+    const name = `${this.restName}${++this.restCount}`
+    const names = namesSetIn([...branches.map((branch) => [branch]), ...following])
+    const translateWithRest = (each: Tree) => {
       const then = endsInReturn(each) ? '' : `; return ${name}();`
-      this.way(each, { then, following: then ? following : [] })
+      this.translateBranch(each, { then, following: then ? following : [] })
     }
     this.operand(test)
     this.edits.open(node, test.start, `return ${this.op('returning')}`)
     this.edits.replace(test.end, consequent.start, `, (${name}) => `)
-    way(consequent)
+    translateWithRest(consequent)
     if (alternate) {
       this.edits.replace(consequent.end, alternate.start, `, (${name}) => `)
-      way(alternate)
+      translateWithRest(alternate)
     } else this.edits.append(node.end, `, (${name}) => ${name}()`)
     this.edits.append(
       node.end,
       names.length ? `, ${this.variables(names)}` : ', undefined, undefined',
     )
-    if (isRest) {
+    if (runsRest) {
       this.edits.append(node.end, ', () => {')
       this.statements(later, end, tail)
       this.edits.append(end, '});')
@@ -187,7 +193,7 @@ class Translator extends ExpressionTranslator {
   }
 
   /** Translates a branch of an `if` as a block. */
-  private way(node: Tree, tail?: Tail) {
+  private translateBranch(node: Tree, tail?: Tail) {
     if (node.type === 'BlockStatement' && tail) this.statements(node.body, node.end - 1, tail)
     else if (node.type === 'BlockStatement') this.visit(node)
     else {
@@ -196,29 +202,29 @@ class Translator extends ExpressionTranslator {
     }
   }
 
-  private branch(node: Tree) {
+  private translateIf(node: Tree) {
     const { test, consequent, alternate } = node
-    const ways: Tree[] = [consequent, alternate].filter(Boolean)
-    const property = propertySetIn(ways)
+    const branches: Tree[] = [consequent, alternate].filter(Boolean)
+    const property = propertySetIn(branches)
     const name = property ? this.nameOf(property) : this.escapingVar(node)
-    const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
+    const isLeftByJump = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
       containsJump(node, type),
     )
-    if (isLeft || name || isSuspended(ways)) {
+    if (isLeftByJump || name || containsSuspension(branches)) {
       this.decide(test, name ? this.setting(name) : "'Leaving a loop or a function here'")
-      for (const way of ways) this.way(way)
+      for (const branch of branches) this.translateBranch(branch)
       return
     }
     this.operand(test)
     this.edits.open(node, test.start, this.op('branch'))
     this.edits.replace(test.end, consequent.start, ', () => ')
-    this.way(consequent)
+    this.translateBranch(consequent)
     if (alternate) {
       this.edits.replace(consequent.end, alternate.start, ', () => ')
-      this.way(alternate)
+      this.translateBranch(alternate)
     } else this.edits.append(node.end, ', () => {}')
-    const variables = this.variables(namesSetIn(ways.map((way) => [way])))
-    this.edits.append(node.end, `, ${variables}${this.effectIn(ways)});`)
+    const variables = this.variables(namesSetIn(branches.map((branch) => [branch])))
+    this.edits.append(node.end, `, ${variables}${this.effectIn(branches)});`)
   }
 
   /** Returns code for two functions that get and set variables. */
@@ -227,11 +233,11 @@ class Translator extends ExpressionTranslator {
     return `() => ${list}, (${this.valueName}) => { ${list} = ${this.valueName} }`
   }
 
-  /** Returns code that names the first call with an unused value in the branches, which is there for its side effects. */
-  private effectIn(ways: Tree[]): string {
+  /** Returns an argument that names the first call in the branches whose value is unused, and which must have side effects; else ''. */
+  private effectIn(branches: Tree[]): string {
     let found: Tree | undefined
-    for (const way of ways)
-      walk(way, (node) => {
+    for (const branch of branches)
+      walk(branch, (node) => {
         if (node.type === 'ExpressionStatement' && node.expression.type === 'CallExpression')
           found ??= node.expression
         return !/Function/.test(node.type)

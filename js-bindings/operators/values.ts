@@ -31,9 +31,9 @@ export const isVectorLike = (value: unknown): value is { x: unknown; y: unknown;
   !isExpression(value) &&
   'x' in value &&
   'y' in value &&
-  [value.x, value.y].every((part) => typeof part === 'number' || isExpression(part))
+  [value.x, value.y].every((component) => typeof component === 'number' || isExpression(component))
 
-const partsOf = (value: unknown): unknown[] =>
+const componentsOf = (value: unknown): unknown[] =>
   Array.isArray(value)
     ? value
     : isVectorLike(value)
@@ -41,13 +41,13 @@ const partsOf = (value: unknown): unknown[] =>
       : []
 
 /** Returns whether a value is an expression, or an array or vector that holds one. */
-export const isWarped = (value: unknown): boolean =>
-  isExpression(value) || partsOf(value).some(isWarped)
+export const isExpressionLike = (value: unknown): boolean =>
+  isExpression(value) || componentsOf(value).some(isExpressionLike)
 
-/** Returns whether an object of the sketch holds an expression among its own values. Getters are not called. */
+/** Returns whether an object of the sketch holds an expression in its own properties, up to `depth` levels deep. Getters are not called. */
 export function holdsExpression(value: unknown, depth = 2): boolean {
   if (typeof value === 'function' && !isExpression(value)) return depth > 1
-  if (isWarped(value)) return true
+  if (isExpressionLike(value)) return true
   if (typeof value !== 'object' || value === null || depth === 0) return false
   return Object.values(Object.getOwnPropertyDescriptors(value)).some(
     (each) => 'value' in each && holdsExpression(each.value, depth - 1),
@@ -55,9 +55,11 @@ export function holdsExpression(value: unknown, depth = 2): boolean {
 }
 
 /** Converts an array of 2 to 4 numbers or expressions, or an object with x and y, to a vector; returns other values unchanged. */
-export function wholeOf(glsl: Glsl, value: unknown): unknown {
-  const parts = partsOf(value)
-  return parts.length >= 2 && parts.length <= 4 ? glsl[`vec${parts.length}`]!(...parts) : value
+export function toVector(glsl: Glsl, value: unknown): unknown {
+  const components = componentsOf(value)
+  return components.length >= 2 && components.length <= 4
+    ? glsl[`vec${components.length}`]!(...components)
+    : value
 }
 
 /** Returns whether a value is a condition that differs by vertex. */

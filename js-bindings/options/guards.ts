@@ -1,7 +1,7 @@
 // Type guards for values that users pass.
 import { isClass, isExpression } from '../errors/describe.js'
 
-/** Tests for a function that is neither a class nor an expression: components such as `v.x` can be called too. */
+/** Tests for a function that is neither a class nor an expression, since an expression such as the component `v.x` can be called too. */
 export const isCallable = (value: unknown): value is (...inputs: never[]) => unknown =>
   typeof value === 'function' && !isClass(value) && !isExpression(value)
 
@@ -13,6 +13,6 @@ export const isList = (value: unknown): value is ArrayLike<number> =>
 export const isFiniteFloat = (value: unknown): value is number =>
   typeof value === 'number' && Number.isFinite(Math.fround(value))
 
-/** Reads an object's own property: every object inherits `constructor` and `toString`. */
-export const own = (object: object, name: string): unknown =>
+/** Returns the value of an object's own property; `undefined` for inherited ones, such as `constructor` and `toString`. */
+export const ownProperty = (object: object, name: string): unknown =>
   Object.hasOwn(object, name) ? Reflect.get(object, name) : undefined

@@ -1,11 +1,11 @@
-// Kinds of values that a caller may pass: the name in messages, the accepted values, and the default.
+// A kind describes the values that a caller may pass: their name in messages, which values are accepted, and the default.
 import { describe } from '../errors/errors.js'
 import { isCallable, isList } from './guards.js'
 import type { Place } from './place.js'
 
 export interface Kind<Value, Given = Value> {
-  /** Returns the value that a user passed, or the default. Throws a `WarpError` for a wrong value. */
-  read(given: unknown, place: Place): Value
+  /** Returns the value that a user passed, or the default for `undefined`. Throws a `WarpError` for a wrong value. */
+  read(value: unknown, place: Place): Value
   /** Never present at run time: carries the type of values that users may pass. */
   readonly given?: (value: Given) => Given
 }
@@ -16,20 +16,20 @@ export type InputOf<Any> = Any extends Kind<any, infer Given> ? Given : never
 interface Settings<Value> {
   /** Replaces `undefined`. Without a default, the value is required. */
   default?: Value | undefined
-  /** Returns what to write instead of a wrong value. */
-  advice?: (given: unknown) => string | undefined
+  /** Says what to write instead of a wrong value. */
+  advice?: (value: unknown) => string | undefined
 }
 
-/** Makes a kind whose values are returned unchanged. `expected` is its name in messages. */
+/** Makes a kind that returns the accepted values unchanged. `expected` is their name in messages. */
 export const kind = <Value, Given = Value>(
   expected: string,
-  accepts: (given: unknown) => boolean,
-  { default: standard, advice }: Settings<Value> = {},
+  accepts: (value: unknown) => boolean,
+  { default: defaultValue, advice }: Settings<Value> = {},
 ): Kind<Value, Given> => ({
-  read(given, place) {
-    if (given === undefined && standard !== undefined) return standard
-    if (accepts(given)) return given as Value
-    throw place.expected(expected, describe(given), advice?.(given))
+  read(value, place) {
+    if (value === undefined && defaultValue !== undefined) return defaultValue
+    if (accepts(value)) return value as Value
+    throw place.expected(expected, describe(value), advice?.(value))
   },
 })
 
@@ -37,22 +37,24 @@ export const kind = <Value, Given = Value>(
 export const optional = <Value, Given>({
   read,
 }: Kind<Value, Given>): Kind<Value | undefined, Given> => ({
-  read: (given, place) => (given === undefined ? undefined : read(given, place)),
+  read: (value, place) => (value === undefined ? undefined : read(value, place)),
 })
 
-/** Any value, which the caller checks. */
+/** Makes a kind that accepts any value; the caller checks it. */
 export const anything = <Value>(): Kind<Value | undefined, Value> => ({
-  read: (given) => given as Value | undefined,
+  read: (value) => value as Value | undefined,
 })
 
-export const boolean = (standard?: boolean) =>
-  kind<boolean>('true or false', (given) => typeof given === 'boolean', { default: standard })
+export const boolean = (defaultValue?: boolean) =>
+  kind<boolean>('true or false', (value) => typeof value === 'boolean', { default: defaultValue })
 
 export const oneOf = <const Choice extends string>(
   choices: readonly Choice[],
-  standard?: NoInfer<Choice>,
+  defaultChoice?: NoInfer<Choice>,
 ) =>
-  kind<Choice>(listOf(choices), (given) => choices.includes(given as Choice), { default: standard })
+  kind<Choice>(listOf(choices), (value) => choices.includes(value as Choice), {
+    default: defaultChoice,
+  })
 
 /** Lists up to three choices as `'offset' or 'position'`, and more as `one of a, b, c, d`. */
 const listOf = (choices: readonly string[]) =>
@@ -63,9 +65,9 @@ const listOf = (choices: readonly string[]) =>
         .join(', ')
         .replace(/, (?=[^,]*$)/, ' or ')
 
-/** A string. `what` is its name in messages, such as `the name of a function`. */
-export const text = (what = 'a text', matches = /(?:)/, settings: Settings<string> = {}) =>
-  kind<string>(what, (given) => typeof given === 'string' && matches.test(given), settings)
+/** Makes a kind of strings. `expected` is their name in messages, such as `the name of a function`. */
+export const text = (expected = 'a text', pattern = /(?:)/, settings: Settings<string> = {}) =>
+  kind<string>(expected, (value) => typeof value === 'string' && pattern.test(value), settings)
 
 interface Range {
   min?: number
@@ -75,38 +77,38 @@ interface Range {
   default?: number
 }
 
-const hasNumber = (given: unknown, min: number, max: number) =>
-  typeof given === 'number' && given >= min && given <= max
+const isInRange = (value: unknown, min: number, max: number) =>
+  typeof value === 'number' && value >= min && value <= max
 
-export const wholeNumber = ({ min = 0, max = Infinity, maxName, default: standard }: Range) =>
+export const wholeNumber = ({ min = 0, max = Infinity, maxName, default: defaultValue }: Range) =>
   kind<number>(
     `a whole number ${max === Infinity ? `of at least ${min}` : `from ${min} to ${maxName ?? max}`}`,
-    (given) => Number.isInteger(given) && hasNumber(given, min, max),
-    { default: standard },
+    (value) => Number.isInteger(value) && isInRange(value, min, max),
+    { default: defaultValue },
   )
 
-/** A number above 0, which may be infinite if `max` is. */
-export const positiveNumber = ({ max = Number.MAX_VALUE, default: standard }: Range = {}) =>
-  kind<number>('a number above 0', (given) => given !== 0 && hasNumber(given, 0, max), {
-    default: standard,
+/** Makes a kind of numbers above 0. Infinity is accepted if `max` is infinite. */
+export const positiveNumber = ({ max = Number.MAX_VALUE, default: defaultValue }: Range = {}) =>
+  kind<number>('a number above 0', (value) => value !== 0 && isInRange(value, 0, max), {
+    default: defaultValue,
   })
 
-/** A function. `what` is its name in messages, such as `a function from a URI to bytes`. */
-export const callable = <F extends Function>(what = 'a function', settings: Settings<F> = {}) =>
-  kind<F>(what, isCallable, settings)
+/** Makes a kind of functions. `expected` is their name in messages, such as `a function from a URI to bytes`. */
+export const callable = <F extends Function>(expected = 'a function', settings: Settings<F> = {}) =>
+  kind<F>(expected, isCallable, settings)
 
-/** The callback that `compile`, `compileWarp` and the like require. */
+/** The kind of the function that `compile`, `compileWarp` and the like require. */
 export const callback = callable('a function', {
-  advice: (given) =>
-    typeof given === 'string' && given.includes('{')
-      ? 'glslOffset(text) of warpjet/glsl makes a function of one in GLSL'
+  advice: (value) =>
+    typeof value === 'string' && value.includes('{')
+      ? 'to pass source in GLSL, convert it to a function by glslOffset(text) of warpjet/glsl'
       : undefined,
 })
 
-/** An object that is not an array. `what` is its name in messages. */
-export const record = <Value extends object>(what: string, settings: Settings<Value> = {}) =>
+/** Makes a kind of objects that are not arrays. `expected` is their name in messages. */
+export const record = <Value extends object>(expected: string, settings: Settings<Value> = {}) =>
   kind<Value>(
-    what,
-    (given) => typeof given === 'object' && given !== null && !isList(given),
+    expected,
+    (value) => typeof value === 'object' && value !== null && !isList(value),
     settings,
   )

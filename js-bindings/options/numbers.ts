@@ -4,26 +4,29 @@ import { isFiniteFloat, isList } from './guards.js'
 import type { Place } from './place.js'
 
 export interface NumberTest {
-  /** The adjective in messages, with a space. */
-  word: string
+  /** The adjective for accepted numbers in messages, followed by a space; empty for none. */
+  adjective: string
   accepts: (value: unknown) => boolean
 }
 
 /** Accepts numbers that are finite as a float32. */
-export const finiteFloat: NumberTest = { word: 'finite ', accepts: isFiniteFloat }
+export const finiteFloat: NumberTest = { adjective: 'finite ', accepts: isFiniteFloat }
 
 /** Accepts numbers that are finite as a double. */
-export const finiteDouble: NumberTest = { word: 'finite ', accepts: Number.isFinite }
+export const finiteDouble: NumberTest = { adjective: 'finite ', accepts: Number.isFinite }
 
 /** Accepts every number, also NaN and Infinity, but no string, null, boolean or BigInt, which typed arrays would convert. */
-export const anyNumber: NumberTest = { word: '', accepts: (value) => typeof value === 'number' }
+export const anyNumber: NumberTest = {
+  adjective: '',
+  accepts: (value) => typeof value === 'number',
+}
 
-/** Returns the index of the first number that the test rejects, or -1. */
+/** Returns the index of the first value that the test rejects, or -1. */
 export function firstWrong(numbers: ArrayLike<unknown>, test: NumberTest) {
   if (numbers instanceof Float32Array) {
     if (test === anyNumber) return -1
-    // x * 0 is 0 for a finite x and NaN otherwise, so that one sum tests many numbers: several times as fast as a test of each.
-    // Four independent sums run in parallel.
+    // x * 0 is 0 for a finite x and NaN otherwise, so that one sum tests many numbers: several times as fast as testing each number.
+    // The processor computes four independent sums in parallel.
     const { length } = numbers
     let [a, b, c, d] = [0, 0, 0, 0]
     let i = 0
@@ -40,12 +43,12 @@ export function firstWrong(numbers: ArrayLike<unknown>, test: NumberTest) {
   return -1
 }
 
-/** Describes a value that is not a right number. */
+/** Describes a value that was passed instead of a valid number. */
 export const describeNumber = (value: unknown) =>
   typeof value === 'number' ? `${value}` : describe(value)
 
-/** Copies a finite number, or an array of exactly as many as `numbers` holds, into `numbers`. Returns `false` for other values. */
-export function takeNumbers(numbers: number[], value: unknown): boolean {
+/** Copies a finite number, or an array of finite numbers as long as `numbers`, into `numbers`. Returns `false` for other values. */
+export function copyNumbers(numbers: number[], value: unknown): boolean {
   if (typeof value === 'number') {
     numbers[0] = value
     return numbers.length === 1 && isFiniteFloat(value)
@@ -76,13 +79,15 @@ export function readNumbers(
   { test = finiteFloat, layout = '', given = value, advice }: NumbersOptions = {},
 ): number[] {
   const list = count === 1 && typeof value === 'number' ? [value] : value
-  const fits = isList(list) && list.length === count
-  const wrong = fits ? firstWrong(list, test) : -1
-  if (fits && wrong < 0) return Array.from(list)
-  const number = fits && describeNumber(list[wrong])
+  const hasRightLength = isList(list) && list.length === count
+  const wrongIndex = hasRightLength ? firstWrong(list, test) : -1
+  if (hasRightLength && wrongIndex < 0) return Array.from(list)
+  const wrongNumber = hasRightLength && describeNumber(list[wrongIndex])
   throw place.expected(
-    count === 1 ? `a ${test.word}number` : `an array of ${count} ${test.word}numbers${layout}`,
-    !number ? describe(given) : count === 1 ? number : `one with ${number}`,
+    count === 1
+      ? `a ${test.adjective}number`
+      : `an array of ${count} ${test.adjective}numbers${layout}`,
+    !wrongNumber ? describe(given) : count === 1 ? wrongNumber : `one with ${wrongNumber}`,
     advice,
   )
 }

@@ -1,7 +1,7 @@
 // The call and argument that a message is about.
 import { WarpError } from '../errors/errors.js'
 
-/** A call of the user's, and the argument, option or other part of it that a message is about. */
+/** A call in the user's code, and the argument, option or other part of this call that a message is about. */
 export class Place {
   constructor(
     /** The name of the called function, which every message begins with. */
@@ -16,7 +16,7 @@ export class Place {
     return this.subject ? `${this.method}: ${this.subject}` : this.method
   }
 
-  /** Returns another part of the same call. */
+  /** Returns the place of another part of the same call. */
   part(subject: string): Place {
     return new Place(this.method, subject)
   }
@@ -29,7 +29,7 @@ export class Place {
     return this.part(`the uniform "${name}"`)
   }
 
-  /** Returns an option of the call; if this place is an option itself, the option nested in it. */
+  /** Returns the place of an option of the call; if this place is an option itself, that of an option nested in it. */
   option(name: string): Place {
     const path = this.path ? `${this.path}.${name}` : name
     return new Place(this.method, `the option "${path}"`, path)

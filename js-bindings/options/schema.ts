@@ -1,4 +1,4 @@
-// Schemas: the options of an object, and the kind of each.
+// Schemas: which options an object may have, and the kind of each.
 import { describe } from '../errors/errors.js'
 import { nearest } from '../errors/nearest.js'
 import { isList } from './guards.js'
@@ -13,7 +13,7 @@ export type KindsOf<Options> = {
   readonly [Name in keyof Options]-?: Kind<unknown, Exclude<Options[Name], undefined>>
 }
 
-/** The options after reading, with defaults for those left out. */
+/** The values of the options, with defaults for those that the user left out. */
 export type ValuesOf<All extends Kinds> = { [Name in keyof All]: ValueOf<All[Name]> }
 
 /** The options as users write them. */
@@ -29,37 +29,38 @@ export const object = <All extends Kinds>(
   const all = Object.entries(kinds)
   const names = Object.keys(kinds)
   return {
-    read(given, place) {
-      rejectUnknownOptions(given, names, place, advice)
-      const options = (given ?? {}) as Record<string, unknown>
-      return Object.fromEntries(
-        all.map(([name, kind]) => [name, kind.read(options[name], place.option(name))]),
-      ) as ValuesOf<All>
+    read(value, place) {
+      rejectUnknownOptions(value, names, place, advice)
+      const options = (value ?? {}) as Record<string, unknown>
+      const values: Record<string, unknown> = {}
+      for (const [name, kind] of all) values[name] = kind.read(options[name], place.option(name))
+      return values as ValuesOf<All>
     },
   }
 }
 
-/** Throws unless `given` is `undefined` or an object that has only known options. */
+/** Throws unless `options` is `undefined` or an object that has only known options. */
 export function rejectUnknownOptions(
-  given: unknown,
+  options: unknown,
   known: readonly string[],
   place: Place,
   advice?: (name: string) => string,
 ) {
-  if (given === undefined) return
-  if (typeof given !== 'object' || given === null || isList(given))
-    throw place.expected(place.subject ? 'an object' : 'an object of options', describe(given))
-  for (const name in given)
-    if (Object.hasOwn(given, name) && !known.includes(name)) {
+  if (options === undefined) return
+  if (typeof options !== 'object' || options === null || isList(options))
+    throw place.expected(place.subject ? 'an object' : 'an object of options', describe(options))
+  for (const name in options)
+    if (Object.hasOwn(options, name) && !known.includes(name)) {
       const parent = place.subject && ` in ${place.subject}`
-      // Not a default of the parameter: that would allocate a function at each call.
+      // `advice` has no default value, since that would allocate a function at each call.
       const remedy = advice ? advice(name) : listWithNearest(name, known)
       throw place.error(`there is no option "${name}"${parent}; ${remedy}`)
     }
 }
 
 function listWithNearest(name: string, known: readonly string[]) {
-  const near = nearest(name, known)
+  const suggestion = nearest(name, known)
   const list = `the ${known.length > 1 ? 'options are' : 'only option is'} ${known.join(', ')}.`
-  return near ? `did you mean ${near}? ${list[0]!.toUpperCase()}${list.slice(1)}` : list
+  if (!suggestion) return list
+  return `did you mean ${suggestion}? ${list[0]!.toUpperCase()}${list.slice(1)}`
 }

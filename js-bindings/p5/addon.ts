@@ -16,10 +16,10 @@ import {
 } from './geometry/load-model.js'
 import type { P5Constructors, WarpModel } from './geometry/model.js'
 import { subdivideShape, type SubdivideOptions } from './geometry/subdivide.js'
-import { rendererOf, sketchRemoved, type Canvas } from './host.js'
+import { markSketchRemoved, rendererOf, type Canvas } from './host.js'
 import { watchShaderCalls } from './page/shader-calls.js'
 import type { CreateWarpOptions } from './settings.js'
-import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
+import { dropStrokes, hasStrokes, recordStrokeCall } from './strokes.js'
 import { addSurfaceVariation } from './variation/add-surface-variation.js'
 import { defineVariationArrays } from './variation/variation-buffers.js'
 
@@ -120,8 +120,8 @@ export function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknow
   for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(host, methods)
   addLoading(host, !lifecycles)
   defineVariationArrays(host.Geometry as never)
-  if (lifecycles) lifecycles.remove = sketchRemoved
-  else host.prototype.registerMethod?.('remove', sketchRemoved)
+  if (lifecycles) lifecycles.remove = markSketchRemoved
+  else host.prototype.registerMethod?.('remove', markSketchRemoved)
 }
 
 function addMethods(p5: P5, methods: Methods) {
@@ -135,7 +135,7 @@ function addMethods(p5: P5, methods: Methods) {
   // On 1.11 a p5.Graphics inherits these methods from p5 itself.
   runAfter(methods, 'normalMaterial', reapplyWarp)
   runAfter(methods, 'stroke', (canvas) => {
-    strokeWasCalled(canvas)
+    recordStrokeCall(canvas)
     if (rendererOf(canvas) && !hasStrokes(canvas)) reapplyWarp(canvas)
   })
   runAfter(methods, 'shader', dropStrokes)
@@ -154,11 +154,11 @@ function runAfter(methods: Methods, name: keyof Methods, work: (canvas: Canvas) 
   } as never
 }
 
-function addLoading(p5: P5, preloads: boolean) {
+function addLoading(p5: P5, hasPreload: boolean) {
   p5.prototype.loadWarpModel = function (this: Canvas & Preloading, url, options) {
     const model = emptyModel(p5, this._renderer)
     const filling = fillModel(model, p5, url, options)
-    return preloads ? makeAwaitable(model, filling, this) : filling.then(() => model)
+    return hasPreload ? makeAwaitable(model, filling, this) : filling.then(() => model)
   }
   p5.prototype.addSurfaceVariation = addSurfaceVariation
   p5.prototype.subdivide = function (shape, options) {

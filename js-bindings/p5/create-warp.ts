@@ -5,9 +5,10 @@ import {
   type OffsetFunction,
   type UniformOverrides,
 } from '../compile/hosts.js'
+import { onlyOnGpu, warnOfDetail } from '../detail/warnings.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
+import { markLibraryFunction, operatorsKey, translateOperators } from '../errors/operators.js'
 import { callback } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { useDetail } from './detail/detail.js'
@@ -27,7 +28,7 @@ import { rememberWarp } from './made-warps.js'
 import { checkShader, copyUniforms } from './own-shader.js'
 import { withGuards } from './page/guards.js'
 import { withSketchLine } from './page/places.js'
-import { readOptions, type CreateWarpOptions, type GivenSettings } from './settings.js'
+import { readOptions, type CreateWarpOptions, type OptionsWithDefaults } from './settings.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { p5, setInputs, setUniforms, valuesOf, type WarpUniforms } from './sketch-uniforms.js'
 import { applyStrokeShaders } from './strokes.js'
@@ -42,8 +43,8 @@ const place = new Place('createWarp')
 export interface Distort<Uniforms = {}> {
   (uniforms?: UniformOverrides<Uniforms> & WarpUniforms): void
   /**
-   * Where normals are computed, as the option `normals` says or, for `'auto'`, as the warp makes advisable; `'vertex'` if its shader
-   * cannot compute them at pixels.
+   * The stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. `'vertex'` if the shader cannot compute
+   * normals at pixels.
    */
   readonly normals: NormalStage
 }
@@ -60,25 +61,25 @@ export const createWarp = (
   return withSketchLine(() => create(canvas, offset, options))
 }
 
-/** Maps a sketch to the last frame in which it made a warp, and the number of consecutive frames before that in which it made one. */
-const recentWarps = new WeakMap<Canvas, readonly [frame: number, row: number]>()
+/** Maps a sketch to the last frame in which it made a warp, and how many consecutive frames before that one also made one. */
+const recentWarps = new WeakMap<Canvas, readonly [frame: number, streak: number]>()
 
 /** Warns once if the sketch makes a warp in several consecutive frames. */
 function warnIfMadeInDraw(sketch: Canvas) {
   const frame = sketch.frameCount ?? 0
-  const [last, row] = recentWarps.get(sketch) ?? [frame, 0]
-  if (row > 2) return
-  const now = frame === last ? row : frame === last + 1 ? row + 1 : 0
-  recentWarps.set(sketch, [frame, now])
-  if (now > 2)
+  const [lastFrame, lastStreak] = recentWarps.get(sketch) ?? [frame, 0]
+  if (lastStreak > 2) return
+  const streak = frame === lastFrame ? lastStreak : frame === lastFrame + 1 ? lastStreak + 1 : 0
+  recentWarps.set(sketch, [frame, streak])
+  if (streak > 2)
     console.warn(
       'createWarp: each call makes a new shader, which is slow in every frame; call it once, in setup(), and in draw() call the function that it returned.',
     )
 }
 
 function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarpOptions): Distort {
-  const given = readOptions(options)
-  const offset = offsetFor(canvas, userOffset, given)
+  const allOptions = readOptions(options)
+  const offset = offsetFor(canvas, userOffset, allOptions)
   if (!rendererOf(canvas))
     throw new WarpError(
       canvas._renderer?.isP3D
@@ -89,8 +90,8 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
           }.`
         : 'createWarp: a warp needs a 3D canvas; call createCanvas(width, height, WEBGL) first.',
     )
-  const warp = warpFor(canvas, offset, given)
-  const settings = { ...given, stage: warp.stageOfNormals(given.normals) }
+  const warp = warpFor(canvas, offset, allOptions)
+  const settings = { ...allOptions, stage: warp.stageOfNormals(allOptions.normals) }
   let shaders = shadersFor(canvas, warp, settings)
 
   function apply(uniforms: WarpUniforms) {
@@ -99,13 +100,13 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
     // setAttributes() and a second createCanvas() make a new renderer, which cannot use the shaders of the old one.
     if (renderer !== shaders.renderer) shaders = shadersFor(canvas, warp, settings)
 
-    const isNormal = drawsNormals(renderer)
+    const showsNormals = drawsNormals(renderer)
     const shader = shaders.shaderFor(
-      settings.shader ? 'own' : (settings.type ?? (isNormal ? 'normal' : 'specular')),
+      settings.shader ? 'own' : (settings.type ?? (showsNormals ? 'normal' : 'specular')),
     )
-    if (shaders.varies) prepareBuffers(renderer)
+    if (shaders.readsVariation) prepareBuffers(renderer)
     canvas.shader(shader)
-    if (isNormal) rememberNormals(renderer, shader)
+    if (showsNormals) rememberNormals(renderer, shader)
     copyUniforms(settings, shader)
     const values = valuesOf(canvas, uniforms, warp)
     const frame = warp.frame(values)
@@ -113,7 +114,9 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
       setInputs(each, shaders.inputs, canvas, frame)
       setUniforms(each, uniforms, warp, settings, values)
     }
-    if (settings.detail !== undefined && warp.canRunOnCpu)
+    if (settings.detail && !warp.canRunOnCpu)
+      warnOfDetail(warp, 'createWarp', 'each shape', onlyOnGpu)
+    else if (settings.detail)
       useDetail(renderer, shader, {
         canvas,
         warp,
@@ -144,27 +147,27 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
 function offsetFor(
   canvas: Canvas,
   userOffset: OffsetFunction,
-  { returns, scope }: GivenSettings,
+  { returns, scope }: OptionsWithDefaults,
 ): OffsetFunction {
   callback.read(userOffset, place)
   if (scope && !(operatorsKey in globalThis))
     throw new WarpError(
       'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
     )
-  const readable = readOperators(userOffset, {
+  const readable = translateOperators(userOffset, {
     method: 'createWarp',
     scope,
     sketch: sketchOf(canvas),
   })
   const offset = withGuards(canvas, readable)
-  return asOwn((inputs) => {
+  return markLibraryFunction((inputs) => {
     const result = offset(inputs)
     return returns === 'position' && isExpression(result) ? result.sub(inputs.position) : result
   })
 }
 
 /** Calls the offset function, once for all shaders. */
-function warpFor(canvas: Canvas, offset: OffsetFunction, settings: GivenSettings): HostWarp {
+function warpFor(canvas: Canvas, offset: OffsetFunction, settings: OptionsWithDefaults): HostWarp {
   const { style } = styleFor(canvas)
   checkShader(settings, style, rendererOf(canvas)!)
   return new HostWarp(place, offset, {
@@ -186,7 +189,7 @@ export function isWarped(canvas: Canvas): boolean {
 }
 
 /**
- * Applies the current warp again, after the sketch called `normalMaterial()` or `stroke()`. Without it, `normalMaterial()` would
+ * Applies the current warp again, after the sketch called `normalMaterial()` or `stroke()`. Otherwise `normalMaterial()` would
  * drop the warp on p5 1.11 and have no effect on 2.x.
  */
 export function reapplyWarp(canvas: Canvas) {

@@ -150,7 +150,7 @@ export const sketchOf = (canvas: Canvas): Canvas => canvas._pInst ?? canvas
 
 export const stateOf = (renderer: Renderer): MaterialState => renderer.states ?? renderer
 
-/** Sets a field of the material such that pop() restores the value before. */
+/** Sets a field of the material such that pop() restores the previous value. */
 export function setState(renderer: Renderer, name: keyof MaterialState, value: unknown) {
   if (renderer.states) renderer.states.setValue(name, value)
   else Object.assign(renderer, { [name]: value })
@@ -164,7 +164,7 @@ const materialBesideNormals = new WeakMap<Shader, unknown[]>()
 
 /** Records that a warp's shader was applied under `normalMaterial()`. */
 export function rememberNormals(renderer: Renderer, shader: Shader) {
-  materialBesideNormals.set(shader, othersOf(stateOf(renderer)))
+  materialBesideNormals.set(shader, otherFieldsOf(stateOf(renderer)))
 }
 
 /**
@@ -175,10 +175,10 @@ export function drawsNormals(renderer: Renderer): boolean {
   const material = stateOf(renderer)
   if (material._useNormalMaterial) return true
   const others = material.userFillShader && materialBesideNormals.get(material.userFillShader)
-  return others?.every((value, i) => value === othersOf(material)[i]) ?? false
+  return others?.every((value, i) => value === otherFieldsOf(material)[i]) ?? false
 }
 
-const othersOf = (material: MaterialState) => [
+const otherFieldsOf = (material: MaterialState) => [
   material.curFillColor,
   material.curAmbientColor,
   material.curEmissiveColor,
@@ -192,7 +192,7 @@ export const immediateShape = '__IMMEDIATE_MODE_GEOMETRY__'
 const removed = new WeakSet<Canvas>()
 
 /** Records that p5 removed the sketch: its renderer stays in place after `remove()`, so p5's life cycle calls this. */
-export function sketchRemoved(this: Canvas) {
+export function markSketchRemoved(this: Canvas) {
   removed.add(this)
 }
 

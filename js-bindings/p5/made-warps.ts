@@ -9,13 +9,13 @@ export interface MadeWarp {
   settings: WarpSettings
 }
 
-const made = new WeakMap<object, MadeWarp>()
+const madeWarps = new WeakMap<object, MadeWarp>()
 
-export function rememberWarp<Function extends object>(distort: Function, how: MadeWarp): Function {
-  made.set(distort, how)
+export function rememberWarp<Function extends object>(distort: Function, made: MadeWarp): Function {
+  madeWarps.set(distort, made)
   return distort
 }
 
-/** Returns `undefined` for any other value. */
+/** Returns the warp of a function that createWarp returned; `undefined` for any other value. */
 export const madeWarpOf = (value: unknown): MadeWarp | undefined =>
-  typeof value === 'function' ? made.get(value) : undefined
+  typeof value === 'function' ? madeWarps.get(value) : undefined

@@ -2,14 +2,14 @@
 import { WarpError, describe } from '../errors/errors.js'
 import { targetOf, type HookStyle } from './hooks/styles.js'
 import type { Shader } from './host.js'
-import type { GivenSettings, WarpSettings } from './settings.js'
+import type { OptionsWithDefaults, WarpSettings } from './settings.js'
 
 /** Maps the sketch's shader to the uniforms that were set since it was passed to createWarp, for the warp's copies of the shader. */
-const values = new WeakMap<Shader, Map<string, unknown>>()
+const recordedUniforms = new WeakMap<Shader, Map<string, unknown>>()
 
 /** Throws a `WarpError` if the warp cannot be added to the shader. */
 export function checkShader(
-  { shader, hooks }: GivenSettings,
+  { shader, hooks }: OptionsWithDefaults,
   style: HookStyle,
   renderer: Parameters<typeof targetOf>[0],
 ) {
@@ -24,17 +24,17 @@ export function checkShader(
       'createWarp: the option "shader": expected a shader of shapes, such as baseMaterialShader().modify(…), got one without hooks for the vertices of shapes.',
     )
   const isWgsl = targetOf(renderer) === 'wgsl'
-  const inGlsl = isWgsl && Object.keys(vertex).find((name) => /^\s*\(\w+ \w/.test(vertex[name]!))
-  if (inGlsl)
+  const glslHook = isWgsl && Object.keys(vertex).find((name) => /^\s*\(\w+ \w/.test(vertex[name]!))
+  if (glslHook)
     throw new WarpError(
-      `createWarp: the option "shader" has the hook ${inGlsl.split(' ')[1]} in GLSL; on a WEBGPU canvas write it in WGSL or p5.strands.`,
+      `createWarp: the option "shader" has the hook ${glslHook.split(' ')[1]} in GLSL; on a WEBGPU canvas write it in WGSL or p5.strands.`,
     )
-  const own = shader._renderer
-  if (own && (targetOf(own) === 'wgsl') !== isWgsl)
+  const shaderRenderer = shader._renderer
+  if (shaderRenderer && (targetOf(shaderRenderer) === 'wgsl') !== isWgsl)
     throw new WarpError(
       'createWarp: the option "shader" must be made on a canvas of the same kind, WEBGL or WEBGPU, as the canvas of the warp.',
     )
-  if (hooks === 'last' && !style.isOrdered)
+  if (hooks === 'last' && !style.canRunLast)
     throw new WarpError(
       'createWarp: on p5 1.11 the hooks of the shader always run first; leave the option "hooks" out.',
     )
@@ -42,18 +42,18 @@ export function checkShader(
 }
 
 function recordUniforms(shader: Shader) {
-  if (values.has(shader)) return
-  const known = new Map<string, unknown>()
-  values.set(shader, known)
+  if (recordedUniforms.has(shader)) return
+  const recorded = new Map<string, unknown>()
+  recordedUniforms.set(shader, recorded)
   const set = shader.setUniform
   shader.setUniform = (name, value) => {
-    known.set(name, value)
+    recorded.set(name, value)
     return set.call(shader, name, value)
   }
 }
 
 /** Sets the uniforms of the warp's copy to the values that the sketch has set in its own shader. */
 export function copyUniforms({ shader }: WarpSettings, copy: Shader) {
-  for (const [name, value] of (shader && values.get(shader)) ?? [])
+  for (const [name, value] of (shader && recordedUniforms.get(shader)) ?? [])
     if (copy.uniforms[name]) copy.setUniform(name, value)
 }

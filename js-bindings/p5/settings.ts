@@ -38,31 +38,32 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   defs?: string
   /**
    * Where normals are computed: at `'vertex'` and interpolated between vertices, or exactly at each `'pixel'`. `'auto'` selects
-   * `'pixel'` if the offset contains noise or bends strongly within 0.25, and its normal takes at most 4,000 operations.
+   * `'pixel'` if the offset contains noise or bends strongly along an edge of p5's default sphere, and its normal takes at most 4,000
+   * operations.
    * @default 'auto'
    */
   normals?: NormalsOption
   /**
-   * The maximum distance, in pixels of the canvas, between the drawn triangles and the warped surface: shapes are divided as finely as
-   * they need it at present. `'auto'` is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse
-   * shapes. `false` draws shapes with their own vertices, as do
-   * shapes between beginShape() and endShape(), instances, and warps that only the GPU can evaluate.
+   * The maximum distance, in pixels of the canvas, between the drawn triangles and the warped surface: shapes are subdivided as finely as
+   * their current size on the screen requires. `'auto'` is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }`
+   * also rounds coarse shapes. With `false`, shapes have only their own vertices. So do, with any value, shapes between beginShape() and
+   * endShape(), instances, and shapes under a warp that only the GPU can evaluate.
    * @default false
    */
   detail?: DetailOption
   /**
-   * `false` keeps the full strength of noise where its waves cover fewer than four pixels; noise that is finer than a pixel sparkles
-   * then. Normals at vertices are unaffected.
+   * If true, noise fades where its waves cover fewer than four pixels. If false, it keeps its full strength there, and noise that is finer
+   * than a pixel sparkles. Normals at vertices are unaffected.
    * @default true
    */
   fadeNoise?: boolean
   /**
-   * If true, the light of an offset that depends on normal or uv accounts for how these vary over the surface; if false, they count as
-   * constant. Default: true.
+   * If true, the normals of an offset that depends on normal or uv account for how these vary over the surface; if false, normal and uv
+   * are treated as constant. Default: true.
    */
   surfaceVariation?: boolean
   /**
-   * If true, lines and points are warped too, as drawn by `stroke()`, `line()` and `bezier()`; if false, they are not drawn. Default:
+   * If true, lines and points are warped too: outlines by `stroke()`, `line()` and `bezier()`. If false, they are not drawn. Default:
    * true if the sketch has called `stroke()` and the offset reads neither normal, uv nor color, which lines lack.
    */
   stroke?: boolean
@@ -87,9 +88,9 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   scope?: Readonly<Record<string, unknown>>
 }
 
-/** The options with their defaults. */
-export interface GivenSettings {
-  /** The option as the sketch wrote it. */
+/** The options of `createWarp` with defaults filled in. */
+export interface OptionsWithDefaults {
+  /** The option `uniforms` as the sketch passed it. */
   readonly uniforms: object | undefined
   readonly type: WarpType | undefined
   readonly space: WarpSpace
@@ -105,8 +106,8 @@ export interface GivenSettings {
   readonly scope: Readonly<Record<string, unknown>> | undefined
 }
 
-export interface WarpSettings extends GivenSettings {
-  /** The stage that `normals` means for the warp. */
+export interface WarpSettings extends OptionsWithDefaults {
+  /** The stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. */
   readonly stage: NormalStage
 }
 
@@ -130,15 +131,15 @@ const createWarpOptions = object({
   ),
 } satisfies KindsOf<CreateWarpOptions>)
 
-export function readOptions(options?: CreateWarpOptions): GivenSettings {
+export function readOptions(options?: CreateWarpOptions): OptionsWithDefaults {
   const read = createWarpOptions.read(options, place)
   const { type, shader, defs } = read
   if (shader !== undefined && type !== undefined)
     throw place.error('the options "type" and "shader" exclude each other; leave one of them out.')
   const { uniforms } = read
-  const defined = uniformsIn(defs)
+  const inDefs = uniformsIn(defs)
   for (const name of Object.keys(uniforms ?? {}))
-    if (defined.has(name))
+    if (inDefs.has(name))
       throw place.error(
         `the uniform "${name}" is in both options "uniforms" and "defs"; leave it out of one of them.`,
       )

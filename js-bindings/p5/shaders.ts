@@ -7,7 +7,7 @@ import {
   type Target,
 } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { addWarp, hookStyleOf, isOfLines, namesFor } from './hooks/hooks.js'
+import { addWarp, canMoveLines, hookStyleOf, namesFor } from './hooks/hooks.js'
 import { obstacleFor, pixelTextOf } from './hooks/pixel-code.js'
 import { readsInstance, targetOf, type MaterialKind, type PixelCode } from './hooks/styles.js'
 import { pointShaderOf, rendererOf, type Canvas, type Renderer, type Shader } from './host.js'
@@ -27,17 +27,17 @@ export function styleFor(canvas: Canvas) {
 const normalShaderOf = (canvas: Canvas, target: Target) =>
   target === 'wgsl' ? canvas.baseColorShader() : canvas.baseNormalShader()
 
-/** The number of vectors that p5's material and our own hooks pass to pixels, beside the inputs of a warp. */
-const passedByP5 = 6
+/** The maximum number of varyings that p5's material and our hooks use, besides the inputs of a warp. */
+const otherVaryings = 6
 
 function maxVaryingsOf({ GL, device }: Renderer): number {
   const max = GL
     ? GL.getParameter(GL.MAX_VARYING_VECTORS)
     : (device?.limits?.maxInterStageShaderVariables ?? 16)
-  return max - passedByP5
+  return max - otherVaryings
 }
 
-const warnOfVertices = (obstacle: string) =>
+const warnAboutVertexNormals = (obstacle: string) =>
   console.warn(
     `createWarp: the normals of this warp are computed at vertices, although its option "normals" is 'pixel': ${obstacle}.`,
   )
@@ -51,7 +51,7 @@ export interface StrokeShaders {
 
 export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSettings) {
   const { material, style } = styleFor(canvas)
-  const own = settings.shader
+  const sketchShader = settings.shader
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const defs = defsFor(settings, target)
@@ -70,7 +70,7 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
   const names = namesFor(style)
   const warpCode = toWarpCode(
     warp.text(target, ['offset', 'position', 'normal'], { names }),
-    own ?? material,
+    sketchShader ?? material,
   )
   const pixelText = lazily(() => pixelTextOf(warp, target))
   /** Returns the code for pixels, or why the shader cannot run it. */
@@ -83,23 +83,23 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
   }
   const shaders: Partial<Record<MaterialKind, Shader>> = {}
   const baseOf = (type: MaterialKind) =>
-    own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material)
+    sketchShader ?? (type === 'normal' ? normalShaderOf(canvas, target) : material)
   const makeShader = (type: MaterialKind) => {
     const base = baseOf(type)
     const pixel = settings.stage === 'pixel' ? pixelCodeFor(base) : undefined
     if (typeof pixel === 'string') {
-      if (settings.normals === 'pixel') warnOfVertices(pixel)
+      if (settings.normals === 'pixel') warnAboutVertexNormals(pixel)
       return addWarp(base, style, warpCode, type)
     }
     return addWarp(base, style, { ...warpCode, pixel }, type)
   }
   const shaderFor = (type: MaterialKind): Shader => (shaders[type] ??= makeShader(type))
-  const defaultType = own ? 'own' : (settings.type ?? 'specular')
+  const defaultType = sketchShader ? 'own' : (settings.type ?? 'specular')
   if (defs.trim()) checkDefs(shaderFor(defaultType), defs, renderer)
   return {
     renderer,
     inputs: warpCode.text.uniforms,
-    varies: readsVariation(warpCode.text),
+    readsVariation: readsVariation(warpCode.text),
     shaderFor,
     /** Returns the stage in which the shader of the option `shader`, or of p5's material, computes normals. */
     stageOfNormals: lazily((): NormalStage => {
@@ -110,16 +110,16 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
     /** Returns `undefined` if the warp reads inputs that lines lack: then they cannot follow the fill. */
     strokeShaders: lazily((): StrokeShaders | undefined => {
       const text = warp.text(target, ['position', 'jacobian'], { names })
-      if (!isOfLines(text)) return undefined
+      if (!canMoveLines(text)) return undefined
       const base = canvas.baseStrokeShader()
-      const along = toWarpCode(text, base)
+      const lineCode = toWarpCode(text, base)
       const points = style.point && pointShaderOf(renderer)
       return {
-        stroke: base.modify(style.stroke(along, base)),
+        stroke: base.modify(style.stroke(lineCode, base)),
         // p5 1.11 calls isPointShader, but does not define it.
         point:
           points &&
-          Object.assign(points.modify(style.point!(along)), { isPointShader: () => true }),
+          Object.assign(points.modify(style.point!(lineCode)), { isPointShader: () => true }),
       }
     }),
   }

@@ -13,7 +13,7 @@ import {
   type Target,
 } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { own } from '../options/guards.js'
+import { ownProperty } from '../options/guards.js'
 import { glslType } from './hooks/styles.js'
 import { sketchOf, type Canvas, type Shader, type Uniform } from './host.js'
 import { samplingOf } from './sampling.js'
@@ -83,15 +83,15 @@ export function declaredUniforms(
   { defs }: WarpSettings,
   target: Target,
 ): Declared[] {
-  const all = new Set(
+  const names = new Set(
     uniforms.inShader.flatMap(({ label }) => [
       label,
       `${label}Size`,
       samplingUniforms(label).settings,
     ]),
   )
-  if (target === 'wgsl') for (const name of uniformsIn(defs)) all.add(name)
-  return parameters.filter(({ name }) => all.has(name))
+  if (target === 'wgsl') for (const name of uniformsIn(defs)) names.add(name)
+  return parameters.filter(({ name }) => names.has(name))
 }
 
 /**
@@ -110,8 +110,8 @@ export function valuesOf(
   )
   const uniformReaders = [...uniforms.declared].flatMap(([name, { numbers, image }]) => {
     if (image) return []
-    const replaced = Object.hasOwn(overrides, name) && uniforms.numbersFor(name, overrides[name])
-    const read = () => scalarOrArray(replaced || numbers(place))
+    const overridden = Object.hasOwn(overrides, name) && uniforms.numbersFor(name, overrides[name])
+    const read = () => scalarOrArray(overridden || numbers(place))
     return [[name, read] as const]
   })
   const properties = [...inputReaders, ...uniformReaders].map(([name, read]) => [
@@ -127,7 +127,7 @@ const declaration = /\buniform\s+(?:\w+p\s+)?(?:float|vec[234]|mat[234]|sampler2
 export const defsFor = ({ defs }: WarpSettings, target: Target) =>
   target === 'wgsl' ? defs.replace(declaration, (text) => text.replace(/.+/g, '')) : defs
 
-const valueFor = (name: string) =>
+const adviceToDeclare = (name: string) =>
   `give it a value by the option { uniforms: { ${name}: 0.5 } }, and read it as uniforms.${name}`
 
 /** Throws for a parameter that neither p5 nor `defs` declares: the shader would fail, and p5 would print all of its source. */
@@ -143,7 +143,7 @@ export function rejectUndeclared(
   const uniform = isWgsl && /\buniform\s+\w+\s+(\w+)/.exec(defs)
   if (uniform)
     throw new WarpError(
-      `createWarp: on a WEBGPU canvas the option "defs" cannot declare uniforms like this; ${valueFor(uniform[1]!)}.`,
+      `createWarp: on a WEBGPU canvas the option "defs" cannot declare uniforms like this; ${adviceToDeclare(uniform[1]!)}.`,
     )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of ours) declared.add(name)
@@ -152,7 +152,7 @@ export function rejectUndeclared(
       throw new WarpError(
         uniforms.declared.has(name)
           ? `createWarp: the warp reads "${name}" by glsl.${type === 'float' ? 'param' : `${type}Param`}; a uniform of the option "uniforms" is read as uniforms.${name}.`
-          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(type)} ${name};" }`}.`,
+          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? adviceToDeclare(name) : `add the option { defs: "uniform ${glslType(type)} ${name};" }`}.`,
       )
   }
 }
@@ -208,7 +208,7 @@ export function setUniforms(
   const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(overrides)) {
     if (declared.has(name)) continue
-    const uniform = own(shader.uniforms, name) as Uniform | undefined
+    const uniform = ownProperty(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, toUniformValue(name, value, uniform))
     else if (!words.has(name))
       throw new WarpError(

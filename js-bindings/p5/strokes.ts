@@ -7,11 +7,11 @@ import { rendererOf, setState, stateOf, type Canvas, type Renderer, type Shader 
 import type { WarpSettings } from './settings.js'
 import type { StrokeShaders } from './shaders.js'
 
-/** The colours that `stroke()` made, since p5 makes a new one in each call, and the renderers that it was called for. */
+/** The renderers for which `stroke()` was called, and the colour objects that it made: p5 makes a new one in each call. */
 const requested = new WeakSet<object>()
 
 /** Records that the sketch has called `stroke()`. */
-export function strokeWasCalled(canvas: Canvas) {
+export function recordStrokeCall(canvas: Canvas) {
   const renderer = rendererOf(canvas)
   if (renderer) requested.add(renderer).add(colorOf(renderer))
 }
@@ -23,7 +23,7 @@ const hasSketchStroke = (renderer: Renderer) =>
   requested.has(colorOf(renderer)) ||
   (requested.has(renderer) && `${colorOf(renderer)}` !== '0,0,0,1')
 
-/** Returns whether p5 draws lines; on 2.x they have no colour otherwise. */
+/** Returns whether p5 draws lines. If not, 2.x has no colour for them, and 1.11 has a flag. */
 const areLinesVisible = (renderer: Renderer) =>
   renderer.states ? !!renderer.states.strokeColor : !!renderer._doStroke
 
@@ -37,8 +37,8 @@ export function applyStrokeShaders(
   strokeShaders: () => StrokeShaders | undefined,
 ): Shader[] {
   const renderer = rendererOf(canvas)!
-  const isMovedBeside = Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0
-  const isWanted = stroke ?? (hasSketchStroke(renderer) && !isMovedBeside)
+  const hasVertexHooks = Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0
+  const isWanted = stroke ?? (hasSketchStroke(renderer) && !hasVertexHooks)
   if (!isWanted) {
     canvas.noStroke()
     return []
@@ -82,7 +82,7 @@ export const drawsWarpedLines = (renderer: Renderer) =>
 export const hasStrokes = (canvas: Canvas) =>
   isStrokeShader(stateOf(rendererOf(canvas)!).userStrokeShader)
 
-/** Ends the warp of lines too, after the sketch has applied another shader. */
+/** Removes our shaders of lines and points too, after the sketch has applied another fill shader. */
 export function dropStrokes(canvas: Canvas) {
   const renderer = rendererOf(canvas)
   if (!renderer) return

@@ -22,7 +22,7 @@ const sampler2D = 0x8b5e
 /** Maps the WebGL enum of a matrix type to its number of components. */
 const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
 
-/** Returns the value of a uniform that the shader has, which `defs` declares. */
+/** Converts the value of a uniform that `defs` declares and that the shader has. */
 export function toUniformValue(name: string, value: unknown, uniform: Uniform) {
   const { type, isArray, offset, offsetEnd, packInPlace } = uniform
   /** Number of components (WebGPU only). */
@@ -33,9 +33,9 @@ export function toUniformValue(name: string, value: unknown, uniform: Uniform) {
       `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
     )
   if (type === sampler2D) return p5Image(name, value)
-  const wrong =
+  const isInvalid =
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
-  if (wrong || (isList && typeof value !== 'object'))
+  if (isInvalid || (isList && typeof value !== 'object'))
     throw new WarpError(
       `The warp's uniform "${name}": expected ${isList ? 'an array of numbers' : 'a number'}, got ${describe(value)}.`,
     )

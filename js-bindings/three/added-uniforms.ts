@@ -1,17 +1,17 @@
 /**
- * Shares the uniforms that a material's `onBeforeCompile` adds. It adds new objects for each program, and user code that stores the
- * shader (`material.userData.shader = shader`) sets only those of the program that was compiled last. A material and its variants are
- * separate programs, so all of them get the newest objects.
+ * Shares the uniforms that a material's `onBeforeCompile` adds. That function adds new uniform objects for each program, and user code
+ * that stores the shader (`material.userData.shader = shader`) sets only those of the program that was compiled last. A material and its
+ * variants are separate programs, so we give all of these programs the newest objects.
  */
 import type { IUniform, Material, WebGLRenderer } from 'three'
 
 type Uniforms = Record<string, IUniform>
 
-const known = new WeakMap<Material, AddedUniforms>()
+const addedUniforms = new WeakMap<Material, AddedUniforms>()
 
 export function addedUniformsOf(material: Material): AddedUniforms {
-  let added = known.get(material)
-  if (!added) known.set(material, (added = new AddedUniforms()))
+  let added = addedUniforms.get(material)
+  if (!added) addedUniforms.set(material, (added = new AddedUniforms()))
   return added
 }
 
@@ -32,7 +32,7 @@ export class AddedUniforms {
     const [originalUniforms, variantUniforms] = [original, variant].map((each) =>
       uniformsOf(each, renderer),
     )
-    // The material itself was compiled after that, for another mesh.
+    // The material itself was compiled after the variant, for another mesh.
     if (originalUniforms && originalUniforms !== this.originalUniforms)
       this.newest = originalUniforms
     this.originalUniforms = originalUniforms

@@ -4,25 +4,27 @@ import { extentInBatch, stateOf, type Extent } from './extent.js'
 import { remembered } from './remembered.js'
 import type { ThreeWarp } from './three-warp.js'
 
-/** The properties of a warped batch that cull its instances. */
+/** Returns properties for a warped batch by which three.js culls its instances. */
 export function batchProperties(warp: ThreeWarp, object: BatchedMesh) {
   if (!warp.canRunOnCpu) return { perObjectFrustumCulled: false }
   const { getBoundingBoxAt, getBoundingSphereAt } = object
-  // The sphere of three.js calls the method for the box, which would be the warped one.
-  const atRest = Object.create(object, { getBoundingBoxAt: { value: getBoundingBoxAt } }) as object
-  const find = remembered(
+  // Three.js' getBoundingSphereAt calls getBoundingBoxAt of its object, which would return the warped box.
+  const unwarped = Object.create(object, {
+    getBoundingBoxAt: { value: getBoundingBoxAt },
+  }) as object
+  const currentExtents = remembered(
     () => stateOf(warp, object),
-    () => ({ extentOf: extentInBatch(warp, object), known: new Map<number, Extent>() }),
+    () => ({ extentOf: extentInBatch(warp, object), extents: new Map<number, Extent>() }),
   )
   const extentAt = (id: number) => {
-    const { extentOf, known } = find()
-    if (!known.has(id)) {
-      const box = getBoundingBoxAt.call(atRest as BatchedMesh, id, new Box3())
-      const sphere = getBoundingSphereAt.call(atRest as BatchedMesh, id, new Sphere())
+    const { extentOf, extents } = currentExtents()
+    if (!extents.has(id)) {
+      const box = getBoundingBoxAt.call(unwarped as BatchedMesh, id, new Box3())
+      const sphere = getBoundingSphereAt.call(unwarped as BatchedMesh, id, new Sphere())
       if (!box || !sphere) return null
-      known.set(id, extentOf({ box, sphere }))
+      extents.set(id, extentOf({ box, sphere }))
     }
-    return known.get(id)!
+    return extents.get(id)!
   }
   return {
     getBoundingBoxAt(id: number, target: Box3) {

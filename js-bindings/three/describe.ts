@@ -4,18 +4,18 @@ import { WarpError, describe } from '../errors/errors.js'
 
 const flags = ['isObject3D', 'isMaterial', 'isBufferGeometry', 'isTexture']
 
-/** `a BoxGeometry`, `a MeshBasicMaterial`; what is not of three.js as everywhere else. */
+/** Describes an object of three.js by its type, as in `a BoxGeometry`, and other values like `describe`. */
 export function describeOfThree(value: unknown): string {
-  const given = (value ?? {}) as Record<string, unknown>
-  const isOfThree = flags.some((flag) => given[flag] === true)
-  return isOfThree && typeof given.type === 'string' ? `a ${given.type}` : describe(value)
+  const properties = (value ?? {}) as Record<string, unknown>
+  const isOfThree = flags.some((flag) => properties[flag] === true)
+  return isOfThree && typeof properties.type === 'string' ? `a ${properties.type}` : describe(value)
 }
 
-/** `the Mesh "boat"`, or `this Mesh`. */
+/** Returns `the Mesh "boat"`, or `this Mesh` if it has no name. */
 export const nameOf = ({ name, type }: Object3D) =>
   name ? `the ${type} "${name}"` : `this ${type}`
 
-/** `the MeshStandardMaterial "wood"`, or `the MeshStandardMaterial`. */
+/** Returns `the MeshStandardMaterial "wood"`, or `the MeshStandardMaterial` if it has no name. */
 export const nameOfMaterial = ({ name, type }: Material) =>
   name ? `the ${type} "${name}"` : `the ${type}`
 

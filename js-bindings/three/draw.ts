@@ -1,6 +1,6 @@
 /**
- * The one function that all draws of WebGLRenderer go through, whoever chose the material: shadows, override passes, cascades,
- * clones. It is wrapped once per renderer, and draws a warped object with a variant of the material.
+ * Wraps `renderBufferDirect`, through which WebGLRenderer draws every object with every material: in shadows, override passes, cascades
+ * and clones, too. The wrapped function draws a warped object with a variant of the material.
  */
 import type { Material, Mesh, WebGLRenderer } from 'three'
 import type { Warpable } from './pose.js'
@@ -43,7 +43,7 @@ function prepare(variant: Variant, renderer: WebGLRenderer) {
   Object.assign(properties.get(asMaterial) as object, { light })
 }
 
-/** `compile` chooses the materials by itself, and not through `renderBufferDirect`. */
+/** Wraps `compile`, which takes materials from the objects and does not call `renderBufferDirect`. */
 function wrapCompile(renderer: WebGLRenderer) {
   const { compile } = renderer
   renderer.compile = function (scene, camera, target) {

@@ -1,5 +1,5 @@
-// Computes boxes and spheres around warped objects, for culling. They are never too small, and are computed again when something has
-// changed.
+// Computes boxes and spheres around warped objects, for culling. They are never too small, and are computed again when the object or the
+// warp has changed.
 import { Box3, Matrix4, Sphere, Vector3, type BufferAttribute } from 'three'
 import { instanceState, instancesOf } from './instances.js'
 import { isMoved, poseState, type Warpable } from './pose.js'
@@ -12,13 +12,14 @@ import type { ThreeWarp } from './three-warp.js'
 const everything = () =>
   new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity))
 
-/** Bounds everything that the warp makes of the points in a box. */
+/** Returns a box around the warped positions of all points in a box. */
 export function warpedBox(warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
   return warp.canRunOnCpu ? boundsBy('position', warp, object, box) : everything()
 }
 
+/** Returns a box around the warped positions, or the offsets, of all points in a box. */
 function boundsBy(
-  place: 'position' | 'offset',
+  result: 'position' | 'offset',
   warp: ThreeWarp,
   object: Warpable,
   box: Box3,
@@ -28,7 +29,7 @@ function boundsBy(
   const uvs = warp.reads('uv') && uv ? rangeOf(uv as never) : undefined
   if (isInfinite(box) || (uvs && ![...uvs.min, ...uvs.max].every(isFiniteFloat)))
     return everything()
-  const { min, max } = warp.boundsNow(place, {
+  const { min, max } = warp.boundsNow(result, {
     min: box.min.toArray(),
     max: box.max.toArray(),
     ...(uvs && { uvs }),
@@ -50,7 +51,7 @@ function rangeOf(uv: BufferAttribute) {
   return { min, max }
 }
 
-/** Numbers that change when a warped object moves or is deformed. */
+/** Returns numbers that change when a warped object moves or is deformed. */
 export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   const { drawRange, index } = object.geometry
   return [
@@ -61,7 +62,7 @@ export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   ]
 }
 
-/** Numbers that change when an object moves or is deformed before the warp. */
+/** Returns numbers that change when an object moves or is deformed before the warp. */
 function placeState(object: Warpable, space: WarpSpace): number[] {
   return [
     ...poseState(object),
@@ -77,72 +78,78 @@ export interface Extent {
   sphere: Sphere
 }
 
-/** Returns a function that bounds the object as it is drawn, before its own matrix, and computes again only after a change. */
+/**
+ * Returns a function that returns the extent of the object as it is drawn, before its own matrix is applied. The extent is computed again
+ * only after a change.
+ */
 export function extentOf(warp: ThreeWarp, object: Warpable): () => Extent {
-  const before = remembered(
+  const unwarpedInWorld = remembered(
     () => placeState(object, 'world'),
     () => aroundInWorld(object),
   )
   return remembered(
     () => stateOf(warp, object),
-    () => findExtent(warp, object, before),
+    () => findExtent(warp, object, unwarpedInWorld),
   )
 }
 
-/** The extent is infinite, so that the object is never culled, if the warp, a vertex or a matrix yields a position that is not finite. */
-function findExtent(warp: ThreeWarp, object: Warpable, before: () => Extent): Extent {
-  if (!warp.canRunOnCpu) return whole(everything())
+/** Returns an infinite extent, so that the object is never culled, if the warp, a vertex or a matrix yields a position that is not finite. */
+function findExtent(warp: ThreeWarp, object: Warpable, unwarpedInWorld: () => Extent): Extent {
+  if (!warp.canRunOnCpu) return extentOfBox(everything())
   const extent =
     warp.settings.space === 'world'
-      ? extentInWorld(warp, object, before())
+      ? extentInWorld(warp, object, unwarpedInWorld())
       : extentOfAll(warp, object)
   const { center, radius } = extent.sphere
   const isKnown = !isInfinite(extent.box) && [...center.toArray(), radius].every(Number.isFinite)
-  return isKnown ? extent : whole(everything())
+  return isKnown ? extent : extentOfBox(everything())
 }
 
 function extentOfAll(warp: ThreeWarp, object: Warpable): Extent {
   const one = extentOfOne(warp, object)
   if (isInfinite(one.box)) return one
-  const all = whole(new Box3())
+  const all = extentOfBox(new Box3())
   for (const matrix of instancesOf(object).matrices) {
     all.box.union(one.box.clone().applyMatrix4(matrix))
     all.sphere.union(one.sphere.clone().applyMatrix4(matrix))
   }
-  return { box: all.box, sphere: smaller(all.sphere, sphereAround(all.box)) }
+  return { box: all.box, sphere: smallerSphere(all.sphere, sphereAround(all.box)) }
 }
 
 /** Bounds one instance, before its matrix. */
 function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
   const isRest = warp.settings.space === 'rest' && isMoved(object)
-  const from = isRest ? restBox(object) : posedBox(object)
-  const sphere = isMoved(object) ? sphereAround(from) : restSphere(object)
-  const warped = warpedExtent(warp, object, { box: from, sphere })
-  return isRest ? whole(posedFrom(object, warped.box)) : warped
+  const box = isRest ? restBox(object) : posedBox(object)
+  const sphere = isMoved(object) ? sphereAround(box) : restSphere(object)
+  const warped = warpedExtent(warp, object, { box, sphere })
+  return isRest ? extentOfBox(posedFrom(object, warped.box)) : warped
 }
 
-/** Bounds by the image of a box and by the distance that a sphere moves, and takes the smaller sphere. */
+/**
+ * Bounds the warped points of an extent in two ways: by the image of its box, and by its sphere, moved and grown by the range of offsets.
+ * Returns the smaller sphere.
+ */
 function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
-  const warped = whole(warpedBox(warp, object, box))
-  const by = boundsBy('offset', warp, object, box)
-  if (isInfinite(by) || by.isEmpty()) return warped
+  const warped = extentOfBox(warpedBox(warp, object, box))
+  const offsets = boundsBy('offset', warp, object, box)
+  if (isInfinite(offsets) || offsets.isEmpty()) return warped
   const moved = new Sphere(
-    by.getCenter(new Vector3()).add(sphere.center),
-    (sphere.radius + by.getSize(new Vector3()).length() / 2) * slack,
+    offsets.getCenter(new Vector3()).add(sphere.center),
+    (sphere.radius + offsets.getSize(new Vector3()).length() / 2) * slack,
   )
-  return { box: warped.box, sphere: smaller(moved, warped.sphere) }
+  return { box: warped.box, sphere: smallerSphere(moved, warped.sphere) }
 }
 
-const smaller = (a: Sphere, b: Sphere) => (a.radius < b.radius ? a : b)
+const smallerSphere = (a: Sphere, b: Sphere) => (a.radius < b.radius ? a : b)
 
-/** The sines of a GPU are less exact than those of the CPU. */
+/** The factor by which spheres grow, since the sines of a GPU are less exact than those of the CPU. */
 const slack = 1.001
 
 /** Bounds all instances in the world, before the warp. */
 function aroundInWorld(object: Warpable): Extent {
   const box = posedBox(object)
   const sphere = isMoved(object) ? sphereAround(box) : restSphere(object)
-  const all = whole(new Box3())
+  const all = extentOfBox(new Box3())
   for (const matrix of instancesOf(object).matrices) {
     const toWorld = new Matrix4().multiplyMatrices(object.matrixWorld, matrix)
     const moved = sphere.clone().applyMatrix4(toWorld)
@@ -153,10 +160,10 @@ function aroundInWorld(object: Warpable): Extent {
 }
 
 /** Warps the bounds of all instances at once: one by one, ten thousand of them would take a second. */
-function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Extent {
-  const warped = warpedExtent(warp, object, before)
+function extentInWorld(warp: ThreeWarp, object: Warpable, unwarped: Extent): Extent {
+  const warped = warpedExtent(warp, object, unwarped)
   if (isInfinite(warped.box)) return warped
-  // Three.js will apply the matrix, and scales spheres by its largest scale.
+  // Three.js will apply the object's matrix to the extent, and scales spheres by the matrix's largest scale.
   const back = new Matrix4().copy(object.matrixWorld).invert()
   return {
     box: warped.box.applyMatrix4(back),
@@ -168,15 +175,17 @@ function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Exten
 }
 
 /**
- * Bounds a geometry of a batch, for all of its instances. In the world, where each instance is warped differently, the bounds grow
- * by the largest distance that any vertex of any instance moves.
+ * Returns a function that bounds all warped instances of a geometry of a batch, from the geometry's extent at rest. In the world, where
+ * each instance is warped differently, the bounds grow by the largest distance that any vertex of any instance moves.
  */
 export function extentInBatch(warp: ThreeWarp, object: Warpable): (rest: Extent) => Extent {
   if (warp.settings.space !== 'world') return (rest) => warpedExtent(warp, object, rest)
-  const by = boundsBy('offset', warp, object, aroundInWorld(object).box)
-  if (isInfinite(by)) return () => whole(everything())
+  const offsets = boundsBy('offset', warp, object, aroundInWorld(object).box)
+  if (isInfinite(offsets)) return () => extentOfBox(everything())
   const back = new Matrix4().copy(object.matrixWorld).invert().setPosition(0, 0, 0)
-  const farthest = Math.max(...cornersOf(by).map((corner) => corner.applyMatrix4(back).length()))
+  const farthest = Math.max(
+    ...cornersOf(offsets).map((corner) => corner.applyMatrix4(back).length()),
+  )
   const scales = instancesOf(object).matrices.map((matrix) => matrix.getMaxScaleOnAxis())
   const reach = (slack * farthest) / Math.min(...scales.filter((scale) => scale > 0))
   return ({ box, sphere }) => ({
@@ -196,11 +205,11 @@ const isFiniteFloat = (number: number) => Number.isFinite(Math.fround(number))
 const isInfinite = (box: Box3) =>
   !box.isEmpty() && ![...box.min.toArray(), ...box.max.toArray()].every(isFiniteFloat)
 
-/** Transforms a box. An infinite one stays infinite, since infinity times zero is NaN. */
+/** Transforms a box. An infinite box stays infinite; multiplying its corners would give NaN, since infinity times zero is NaN. */
 export const movedBox = (box: Box3, matrix: Matrix4): Box3 =>
   isInfinite(box) ? everything() : box.applyMatrix4(matrix)
 
-const whole = (box: Box3): Extent => ({ box, sphere: sphereAround(box) })
+const extentOfBox = (box: Box3): Extent => ({ box, sphere: sphereAround(box) })
 
 export function sphereAround(box: Box3): Sphere {
   if (box.isEmpty()) return new Sphere(new Vector3(), -1)

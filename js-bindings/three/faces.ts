@@ -1,10 +1,10 @@
-// The outer side of a triangle: where a warp mirrors all of space, the renderer takes it for the back.
+// Corrects which side of a triangle is the front: where a warp mirrors all of space, the renderer takes the outer side for the back.
 import { BackSide, FrontSide, type Material, type Side } from 'three'
 import { shaderNames } from '../compile/hosts.js'
 import { resolveIncludes } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
-/** Empty for a warp that never mirrors. */
+/** Returns the declaration of the warp's orientation; empty for a warp that never mirrors. */
 export const declareOrientation = ({ mirrors }: ThreeWarp): string[] =>
   mirrors === false
     ? []
@@ -16,7 +16,7 @@ export const declareOrientation = ({ mirrors }: ThreeWarp): string[] =>
 
 const isFront = `( gl_FrontFacing == ( ${shaderNames.orientation} > 0.0 ) )`
 
-/** A fragment shader for WebGLRenderer in which double-sided materials light the side that is seen. */
+/** Returns a fragment shader for WebGLRenderer in which double-sided materials light the visible side. */
 export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {
   const [declaration] = declareOrientation(warp)
   if (!declaration) return fragmentShader
@@ -26,14 +26,14 @@ export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {
   return readsOrientation ? `${declaration}\n${oriented}` : fragmentShader
 }
 
-const others = new Map<Side, Side>([
+const oppositeSides = new Map<Side, Side>([
   [FrontSide, BackSide],
   [BackSide, FrontSide],
 ])
 
-/** The material for rays where the surface is inside out. */
+/** Returns a material with the opposite side, for rays where the surface is inside out. */
 export function withOtherSide(material: Material | Material[]): Material | Material[] {
   if (Array.isArray(material)) return material.map((each) => withOtherSide(each) as Material)
-  const side = others.get(material.side) ?? material.side
+  const side = oppositeSides.get(material.side) ?? material.side
   return Object.create(material, { side: { value: side } }) as Material
 }

@@ -1,5 +1,5 @@
 /**
- * A material that forwards every property to another one, read or written, so that it is that material at any moment.
+ * A material that forwards reads and writes of every property to another material, so that both have the same properties at any moment.
  *
  * The accessors are written out: 1,000 draws of 1,000 such materials take 1.7 ms, without forwarding 1.1. Accessors that compute
  * the name (`original[name]`) take 7.3 ms, and `Object.create(original)`, whose results have a hidden class each, 17 ms.
@@ -183,7 +183,7 @@ function forward(name: string) {
   })
 }
 
-// Its target makes `instanceof Material` true.
+// The proxy's target makes `instanceof Material` true.
 Object.setPrototypeOf(
   ForwardingMaterial.prototype,
   new Proxy(Object.create(Material.prototype) as object, {

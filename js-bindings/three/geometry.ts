@@ -1,4 +1,4 @@
-// Geometries of three.js as the meshes of 'warpjet/mesh', and back.
+// Converts geometries of three.js to meshes of 'warpjet/mesh', and back.
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three'
 import { arraysOf, geometryAttributes } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
@@ -6,7 +6,7 @@ import type { Mesh, MeshInput } from '../mesh/mesh-arrays.js'
 
 /**
  * Converts a geometry to a mesh for `bakeWarp`, `subdivide`, `exportGLB` and the other functions of 'warpjet/mesh'. The mesh
- * shares the geometry's arrays where their types fit. Throws a `WarpError` unless it is a geometry with positions.
+ * shares the geometry's arrays where their types fit. Throws a `WarpError` unless the argument is a geometry with positions.
  */
 export function fromBufferGeometry(geometry: BufferGeometry): Mesh {
   if (!geometry?.isBufferGeometry)
@@ -34,18 +34,18 @@ export function toBufferGeometry(mesh: MeshInput, like?: BufferGeometry): Buffer
   }
   const { indices } = mesh
   if (indices) geometry.setIndex(new BufferAttribute(Uint32Array.from(indices), 1))
-  if (like) takeOver(geometry, like)
+  if (like) copyFrom(geometry, like)
   return geometry
 }
 
-function takeOver(geometry: BufferGeometry, like: BufferGeometry) {
+function copyFrom(geometry: BufferGeometry, like: BufferGeometry) {
   const { count } = geometry.attributes.position!
-  const before = like.attributes.position?.count
-  if (before !== count)
+  const likeCount = like.attributes.position?.count
+  if (likeCount !== count)
     throw new WarpError(
-      `toBufferGeometry: the mesh has ${count} vertices and the geometry that it is like ${before}, so that nothing can be taken over; leave the second argument out.`,
+      `toBufferGeometry: the mesh has ${count} vertices, but the geometry of the second argument has ${likeCount}, so its attributes cannot be copied; leave the second argument out.`,
     )
-  // Interleaved attributes stay so: those of one buffer share its clone.
+  // Interleaved attributes stay interleaved: those that share a buffer share its clone.
   const cloned = {}
   for (const [name, attribute] of Object.entries(like.attributes))
     if (!(name in geometry.attributes))

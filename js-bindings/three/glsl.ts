@@ -12,7 +12,7 @@ export function uniformsInGlsl(warp: ThreeWarp, texts: readonly HostText[]): str
   ]
 }
 
-/** Returns a part of the only text, or of both: that with tangents, and that without. */
+/** Returns a part of the only text. If there are two, the first is for geometries with tangents, and a macro chooses between their parts. */
 export const choosePartByTangent = (
   texts: readonly HostText[],
   part: (text: HostText) => string,

@@ -2,13 +2,13 @@
 import { Matrix4, type BatchedMesh, type InstancedMesh } from 'three'
 import type { Warpable } from './pose.js'
 
-/** Numbers that change when an instance moves, appears or disappears. */
+/** Returns numbers that change when an instance moves, appears or disappears. */
 export function instanceState(object: Warpable): number[] {
   const { instanceMatrix, count } = object as InstancedMesh
   return [
     ...(instanceMatrix ? [instanceMatrix.version, count] : []),
     ...batchState(object as BatchedMesh),
-    // @three.ez/instanced-mesh has no version, so that its instances count as moved each time.
+    // @three.ez/instanced-mesh has no version, so we treat its instances as moved each time: NaN never equals itself.
     ...(isInstancedMesh2(object) ? [NaN] : []),
   ]
 }
@@ -17,7 +17,7 @@ export function instanceState(object: Warpable): number[] {
 export const isInstancedMesh2 = (object: Warpable) =>
   (object as { isInstancedMesh2?: boolean }).isInstancedMesh2 === true
 
-/** A batch keeps the matrices of its instances in a texture, and which of them are visible beside it. */
+/** Returns such numbers for a batch, which has the matrices of its instances in a texture, and flags for those that are visible. */
 function batchState(object: BatchedMesh): number[] {
   if (!object.isBatchedMesh) return []
   const { _matricesTexture: matrices } = object as unknown as {
@@ -26,7 +26,7 @@ function batchState(object: BatchedMesh): number[] {
   return [matrices?.version ?? NaN, ...idsOf(object)]
 }
 
-/** The matrix of each instance; the identity for an object without instances. */
+/** Returns the matrix of each instance; the identity for an object without instances. */
 export function instancesOf(object: Warpable): {
   matrices: Matrix4[]
   ids: (number | undefined)[]
@@ -43,12 +43,12 @@ export function instancesOf(object: Warpable): {
   return { matrices, ids }
 }
 
-/** The visible instances of a batch that were not deleted. Three.js 0.159 keeps them in a list of their own. */
+/** Returns the ids of the visible instances of a batch that were not deleted. Three.js 0.159 has a separate list of flags for them. */
 function idsOf(object: Warpable): number[] {
   const { _instanceInfo, _active = [] } = object as unknown as {
     _instanceInfo?: { active: boolean; visible: boolean }[]
     _active?: boolean[]
   }
-  const isThere = _instanceInfo?.map(({ active, visible }) => active && visible) ?? _active
-  return isThere.flatMap((is, i) => (is ? i : []))
+  const flags = _instanceInfo?.map(({ active, visible }) => active && visible) ?? _active
+  return flags.flatMap((isVisible, i) => (isVisible ? i : []))
 }

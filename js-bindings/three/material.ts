@@ -1,23 +1,23 @@
-// `warpMaterial`: a material whose vertices a warp moves, and those that draw its shadows.
+// `warpMaterial`: warps a material, and makes the materials that draw its shadows.
 import { MeshDepthMaterial, MeshDistanceMaterial, RGBADepthPacking, type Material } from 'three'
 import { WarpError, describe } from '../errors/errors.js'
 import { describeOfThree, nameOfMaterial } from './describe.js'
 import { readOptions, type ThreeOffset, type WarpOptions, type WarpSpace } from './settings.js'
 import { ShaderWeaver, type WovenSurface } from './shader-weaver.js'
-import { isWarpedByHand, markWarped, unsupportedMaterial } from './supported.js'
+import { isWarpedMaterial, markWarped, unsupportedMaterial } from './supported.js'
 import { ThreeWarp } from './three-warp.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
 import { Variant } from './variant.js'
 
 /** The common part of a warped material and a warped object. */
 export interface Warped<Uniforms = {}> {
-  /** As in three.js: `warped.uniforms.amount.value = 2`. */
+  /** The uniforms, to be set as in three.js: `warped.uniforms.amount.value = 2`. */
   readonly uniforms: UniformHandles<Uniforms>
-  /** The stage that computes normals: the value of the option, or the choice of `'auto'`. */
+  /** The stage that computes normals: the option `normals`, with `'auto'` resolved. */
   readonly normals: 'vertex' | 'pixel'
   /** Sets `millis`, which the offset may read: `renderer.setAnimationLoop((time) => warped.update(time))`. */
   update(millis?: number): void
-  /** Frees everything that was created, and restores everything as it was before. */
+  /** Frees everything that was created for the warp, and restores everything that it changed. */
   dispose(): void
 }
 
@@ -27,16 +27,16 @@ export interface WarpedMaterial<
 > extends Warped<Uniforms> {
   /** A warped live view of the material, with the same properties; with `share: true`, the material itself. */
   readonly material: Kind
-  /** For the mesh's property of that name: shadows of directional and spot lights. */
+  /** For the mesh's property of the same name: draws shadows of directional and spot lights. */
   readonly customDepthMaterial: Material
-  /** For the mesh's property of that name: shadows of point lights. */
+  /** For the mesh's property of the same name: draws shadows of point lights. */
   readonly customDistanceMaterial: Material
 }
 
 /**
  * Warps a material, for WebGLRenderer. The results `material`, `customDepthMaterial` and `customDistanceMaterial` are for the
  * mesh's properties with these names. `warp` does more: culling, rays, and passes that replace the material. Any material of three.js
- * that makes vertices from a geometry can be warped, also one with an `onBeforeCompile`, which is called first.
+ * that draws the vertices of a geometry can be warped, also one with an `onBeforeCompile`, which is called first.
  *
  * Throws a `WarpError` for any other material.
  */
@@ -50,23 +50,23 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   checkMaterial(method, material, settings.space)
   const warp = new ThreeWarp(offset as never, settings)
   const surface = {
-    surface: material,
+    material,
     hasColors: material.vertexColors && warp.reads('color'),
     name: nameOfMaterial(material),
   }
   const depth = new MeshDepthMaterial({ depthPacking: RGBADepthPacking })
   const releases = settings.isShared ? [weaveInto(material, warp, surface)] : []
-  const view = (of: Material) => {
-    const variant = new Variant(of, warp, surface)
-    const made = variant as unknown as Material
-    markWarped(made, true)
+  const makeView = (original: Material) => {
+    const variant = new Variant(original, warp, surface)
+    const view = variant as unknown as Material
+    markWarped(view, true)
     releases.push(() => variant.dispose())
-    return made
+    return view
   }
   return {
-    material: (settings.isShared ? material : view(material)) as Kind,
-    customDepthMaterial: view(depth),
-    customDistanceMaterial: view(new MeshDistanceMaterial()),
+    material: (settings.isShared ? material : makeView(material)) as Kind,
+    customDepthMaterial: makeView(depth),
+    customDistanceMaterial: makeView(new MeshDistanceMaterial()),
     uniforms: warp.handles as never,
     normals: warp.normals,
     update: updateOf(warp),
@@ -76,7 +76,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   }
 }
 
-/** Adds the warp to the material itself; call the returned function to remove it. */
+/** Adds the warp to the material itself; the returned function removes the warp. */
 function weaveInto(material: Material, warp: ThreeWarp, surface: WovenSurface): () => void {
   const weaver = new ShaderWeaver(warp, surface)
   const before = ['onBeforeCompile', 'customProgramCacheKey'].map(
@@ -128,9 +128,9 @@ export function checkMaterial(
     )
 }
 
-/** Two warps in one shader would not compile. */
+/** Throws for a material that `warpMaterial` has warped: a shader with two warps would not compile. */
 export function checkUnwarped(method: string, material: Material) {
-  if (isWarpedByHand(material)) checkMaterial(method, material)
+  if (isWarpedMaterial(material)) checkMaterial(method, material)
 }
 
 export { markWarped as mark } from './supported.js'

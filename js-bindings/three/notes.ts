@@ -2,22 +2,12 @@
 import type { ThreeWarp } from './three-warp.js'
 
 const warned = new WeakSet<ThreeWarp>()
-const warnedOfDetail = new WeakSet<ThreeWarp>()
 
-/** Says why normals are computed at vertices although the option asks for pixels. `name` is that of the material and its object. */
+/** Warns why normals are computed at vertices although the option asks for pixels. `name` names the material and its object. */
 export function warnOfVertices(warp: ThreeWarp, name: string, obstacle: string) {
   if (warned.has(warp)) return
   warned.add(warp)
   console.warn(
     `${warp.settings.method}: the normals of ${name} are computed at vertices, although the option normals is 'pixel': ${obstacle}.`,
-  )
-}
-
-/** Says why an object is drawn with its own vertices although the option asks for detail. */
-export function warnOfDetail(warp: ThreeWarp, name: string, obstacle: string) {
-  if (warnedOfDetail.has(warp)) return
-  warnedOfDetail.add(warp)
-  console.warn(
-    `${warp.settings.method}: ${name} is drawn with its own vertices, although the option detail asks for more: ${obstacle}.`,
   )
 }

@@ -1,4 +1,4 @@
-// One warped object: what renderers, culling, rays and clones meet while it is warped.
+// Warps one object: replaces the properties that renderers, culling, rays and clones read.
 import type { BatchedMesh, Box3, InstancedMesh, Mesh, Object3D } from 'three'
 import { batchProperties } from './batch.js'
 import { DetailedPart } from './detail/detailed-part.js'
@@ -8,7 +8,7 @@ import type { Warpable } from './pose.js'
 import { asProperties, computedProperty, replaceProperties, wrapMethod } from './properties.js'
 import { raycastOf, type Raycast } from './rays.js'
 import { isWarped, register, unregister } from './registry.js'
-import { carryByNodes, prepareRenderer } from './renderers.js'
+import { attachToWebGPU, prepareRenderer } from './renderers.js'
 import type { Variants } from './variants.js'
 
 export interface Part {
@@ -27,37 +27,37 @@ export function warpPart(
   const { warp } = variants
   const detail = warp.settings.detail === undefined ? undefined : new DetailedPart(warp, object)
   const extent = extentOf(warp, detail?.undivided ?? object)
-  const around = () => extent().sphere
+  const boundingSphere = () => extent().sphere
   const restore = [
     ...['onBeforeRender', 'onBeforeShadow'].map((name) =>
-      wrapMethod<Mesh['onBeforeRender']>(object, name, (own) => {
+      wrapMethod<Mesh['onBeforeRender']>(object, name, (original) => {
         return function (this: Mesh, renderer, ...others) {
           prepareRenderer(renderer, warp, object)
           detail?.enterScene()
-          own?.call(this, renderer, ...others)
+          original?.call(this, renderer, ...others)
         }
       }),
     ),
-    wrapMethod<Raycast>(object, 'raycast', (own) =>
-      raycastOf(warp, object, own, around, () => detail?.surfaceNow()),
+    wrapMethod<Raycast>(object, 'raycast', (original) =>
+      raycastOf(warp, object, original, boundingSphere, () => detail?.surfaceNow()),
     ),
-    wrapMethod<Object3D['clone']>(object, 'clone', (own) => {
+    wrapMethod<Object3D['clone']>(object, 'clone', (original) => {
       return function (this: Object3D, recursive) {
-        const clone = own.call(this, recursive)
+        const clone = original.call(this, recursive)
         if (!isWarped(clone)) adopt(clone)
         return clone
       }
     }),
     replaceProperties(object, {
       // They are computed when they are read, so that uniforms may be set at any time.
-      boundingSphere: computedProperty(around),
+      boundingSphere: computedProperty(boundingSphere),
       boundingBox: computedProperty(() => extent().box),
       ...asProperties({ computeBoundingSphere() {}, computeBoundingBox() {} }),
       ...((object as BatchedMesh).isBatchedMesh &&
         asProperties(batchProperties(warp, object as BatchedMesh))),
     }),
     isInstancedMesh2(object) ? showAllInstances(object as never) : () => {},
-    carryByNodes(object, warp),
+    attachToWebGPU(object, warp),
     () => unregister(object),
     detail ? drawDivided(detail) : () => {},
   ]
@@ -73,14 +73,14 @@ export function warpPart(
   }
 }
 
-/** Divides an object in the scene that it is in whenever matrices are updated, which three.js does before it calls the scene's hooks. */
+/** Makes `detail` enter the scene of its object whenever matrices are updated, which three.js does before it calls the scene's hooks. */
 function drawDivided(detail: DetailedPart) {
   const stop = wrapMethod<Object3D['updateMatrixWorld']>(
     detail.object,
     'updateMatrixWorld',
-    (own) =>
+    (original) =>
       function (this: Object3D, force) {
-        own.call(this, force)
+        original.call(this, force)
         detail.enterScene()
       },
   )
@@ -91,14 +91,14 @@ function drawDivided(detail: DetailedPart) {
   }
 }
 
-/** @three.ez/instanced-mesh culls each instance by the bounds of the unwarped geometry. */
+/** Disables the culling by which @three.ez/instanced-mesh hides instances: it uses the bounds of the unwarped geometry. */
 function showAllInstances(object: { perObjectFrustumCulled: boolean }) {
   const before = object.perObjectFrustumCulled
   object.perObjectFrustumCulled = false
   return () => void (object.perObjectFrustumCulled = before)
 }
 
-/** Three.js copies bounds to clones, where they would be those of the warp. */
+/** Removes the bounds that three.js copies to a clone, since they are those of the warped object. */
 export function forgetBounds(clone: Object3D) {
   const { boundingBox, boundingSphere } = clone as InstancedMesh
   if (boundingBox) (clone as InstancedMesh).boundingBox = null

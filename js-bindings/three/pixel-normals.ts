@@ -15,14 +15,15 @@ import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /**
- * The matrix that transforms normals from the space of the offset to view space. `'uniform'`: by the matrix of the object, or of the camera for a warp
- * of the world. `'flat'`: by matrices that are constant in each instance. `'smooth'`: by those of bones, which vary.
+ * The way in which pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix of the object
+ * or, for a warp in the space `'world'`, of the camera. `'flat'`: as a varying that is constant in each instance. `'smooth'`: as an
+ * interpolated varying, since the matrices of bones vary.
  */
 export type Matrices = 'uniform' | 'flat' | 'smooth'
 
 export interface PixelOptions {
   matrices: Matrices
-  /** `true` if some geometries that are drawn have tangents that the material reads. */
+  /** True if the shader may draw geometries with tangents that the material reads. */
   mayHaveTangents: boolean
 }
 
@@ -34,13 +35,13 @@ const names = Object.fromEntries(
   ]),
 )
 
-/** A varying for the interpolated normal and its length, which interpolation shortens. */
+/** The varying for the normal and its length. Interpolation shortens the normal, so its length is interpolated separately. */
 const normalVarying = 'warpjetPixel_normalAndLength'
 const toViewVarying = 'warpjetPixelToView'
 const viewPositionVarying = 'warpjetPixelViewPosition'
 
 export class PixelNormals {
-  /** With tangents and without, or without. */
+  /** The code for geometries with tangents and that for those without, or only the latter. */
   private readonly texts: readonly HostText[]
   private readonly isWorld: boolean
 
@@ -92,14 +93,14 @@ export class PixelNormals {
     ].join('\n')
   }
 
-  /** Returns statements for where a warp of the world is not evaluated. The normal is that of the flat triangle there. */
+  /** Returns statements that set the varyings to zero, where a warp in world space is not evaluated. Pixels there get the normal of the flat triangle. */
   get clear(): string {
     return [...this.inputs]
       .map(([input, type]) => `${varyingOf(input)} = ${type}( 0.0 );`)
       .join('\n')
   }
 
-  /** Returns statements that pass the matrices, after bones and instances: three's own lines, on each axis. */
+  /** Returns statements that pass the matrices, after bones and instances: they apply three.js' own lines for normals to each axis. */
   get passMatrices(): string {
     const { matrices } = this.options
     if (matrices === 'uniform') return ''
@@ -133,7 +134,7 @@ ${toViewVarying}[ warpjetAxis ] = transformedNormal;
     ].join('\n')
   }
 
-  /** Maps each input that the normal depends on → type, but for the tangent. */
+  /** Maps each input on which the normal depends, except the tangent → type. */
   private get inputs(): ReadonlyMap<string, string> {
     const attributes = this.texts.flatMap(({ attributes }) => attributes)
     return new Map(
@@ -168,7 +169,7 @@ return warpjetNormalized( warpjetFlip * warpjetViewNormal, warpjetFacingNormal )
 }`
   }
 
-  /** The matrix that transforms tangents, up to its scale, consists of the cofactors of the one that transforms normals. */
+  /** Returns statements for the tangents. The matrix that transforms them is, up to scale, the cofactor matrix of the one for normals. */
   private get tangents(): string {
     const { warp } = this
     const orientation = warp.mirrors === false ? '1.0' : shaderNames.orientation
@@ -189,7 +190,7 @@ const varyingOf = (input: string) => (input === 'normal' ? normalVarying : names
 const doesFlipTangents = () =>
   /transformedTangent\s*=\s*-\s*transformedTangent/.test(chunkSource('defaultnormal_vertex'))
 
-/** Not all of three's shaders pass the position in view space. */
+/** Declares a varying for the position in view space, for those shaders of three.js that do not pass that position. */
 const declareViewPosition = `#ifndef WARPJET_VIEW_POSITION
 varying highp vec3 ${viewPositionVarying};
 #define WARPJET_VIEW_POSITION ${viewPositionVarying}
@@ -208,8 +209,8 @@ export const markViewPosition = (source: string) =>
   )
 
 /**
- * Declares functions for where a warp collapses the surface. `warpjetFacing` returns the geometric normal of the triangle as it is drawn,
- * before three.js negates normals of back faces. It is called outside of branches, where derivatives on the screen are defined.
+ * Declares functions for where a warp collapses the surface. `warpjetFacing` returns the geometric normal of the drawn triangle,
+ * before three.js negates normals of back faces. It is called outside of branches, where screen-space derivatives are defined.
  * `warpjetNormalized` returns `other` for a vector that is zero or not finite.
  */
 export const declareFacing = `vec3 warpjetFacing() {

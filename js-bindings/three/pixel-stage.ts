@@ -1,4 +1,4 @@
-// Decides whether a shader of WebGLRenderer computes normals at each pixel, where the warp's option asks for it.
+// Decides whether a shader of WebGLRenderer computes normals at each pixel if the warp's option asks for that.
 import type { Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
 import { warnOfVertices } from './notes.js'
 import { PixelNormals, type Matrices } from './pixel-normals.js'
@@ -19,7 +19,7 @@ type Shader = WebGLProgramParametersWithUniforms & {
   defines?: object
 }
 
-/** Returns what a shader needs for normals at each pixel; `undefined` if it gets those of vertices. `name` is for the message. */
+/** Returns the code by which a shader computes normals at each pixel; `undefined` if it computes them at vertices. `name` is for the message. */
 export function pixelNormalsFor(
   shader: Shader,
   material: Material,
@@ -28,7 +28,7 @@ export function pixelNormalsFor(
   name: string,
   obstacleInVertices = obstacleInVertex,
 ): PixelNormals | undefined {
-  // Facets stay facets.
+  // Flat shading stays flat.
   if (warp.normals === 'vertex' || shader.flatShading) return undefined
   const pixel = new PixelNormals(warp, {
     matrices: matricesFor(shader, warp),
@@ -80,7 +80,7 @@ function matricesFor(
   const { space } = warp.settings
   if (space === 'world') return 'uniform'
   if (space === 'rest' && skinning) return 'smooth'
-  // InstancedMesh2 of @three.ez/instanced-mesh defines it.
+  // InstancedMesh2 of @three.ez/instanced-mesh defines this macro.
   const isIndirect = defines !== undefined && 'USE_INSTANCING_INDIRECT' in defines
   return instancing || batching || isIndirect ? 'flat' : 'uniform'
 }
@@ -95,6 +95,6 @@ function varyingsOfThree(shader: Shader): number {
   // Normal, tangents, colour, fog, depth, clipping, and positions in view space and in the world.
   const others = 9
   const ofShadows = shadows.reduce((sum, [, count]) => sum + (count as number), 0)
-  // Two of two components share a vector.
+  // Two uvs, of two components each, share a vector.
   return others + Math.ceil(uvs.length / 2) + ofShadows
 }

@@ -15,11 +15,11 @@ export type Warpable = Mesh | Points | Line
 export const isSkinned = (object: Warpable): object is SkinnedMesh =>
   (object as SkinnedMesh).isSkinnedMesh === true
 
-/** The influences that instances have each for itself. */
+/** Returns the texture with each instance's own influences of morph targets, if the object has one. */
 export const morphTextureOf = (object: Warpable) =>
   (object as { morphTexture?: { version: number } | null }).morphTexture
 
-/** Numbers that change when the vertices do. */
+/** Returns numbers that change when the vertices change. */
 export function poseState(object: Warpable): number[] {
   const { attributes } = object.geometry
   const state = [
@@ -35,7 +35,7 @@ export function poseState(object: Warpable): number[] {
   return state
 }
 
-/** The vertices as arrays: `isPosed` says whether morph targets and bones have moved them. */
+/** Returns the vertices as arrays: after morph targets and bones if `isPosed` is true, otherwise before them. */
 export function verticesOf(object: Warpable, isPosed: boolean, fill: number[]): Vertices {
   const { geometry } = object
   const { position, normal, uv, color } = geometry.attributes
@@ -66,6 +66,7 @@ function colorsOf(object: Warpable, color: Attribute | undefined, count: number,
   return colors
 }
 
+/** Tests whether morph targets or bones move the vertices. */
 export const isMoved = (object: Warpable) =>
   isSkinned(object) || !!object.geometry.morphAttributes.position?.length
 
@@ -85,7 +86,7 @@ export function poseArrays(object: Warpable, arrays: Poseable): Poseable {
 
 const isPresent = (array: Float32Array | undefined) => array !== undefined
 
-/** Returns a copy of an array, moved by morph targets; three.js has none of tangents. */
+/** Returns a copy of an array, moved by morph targets, of which three.js has none for tangents. */
 function applyMorphs(object: Warpable, name: keyof Poseable, rest: Float32Array): Float32Array {
   const { morphAttributes, morphTargetsRelative, attributes } = object.geometry
   const influences = (object as Mesh).morphTargetInfluences ?? []
@@ -95,9 +96,9 @@ function applyMorphs(object: Warpable, name: keyof Poseable, rest: Float32Array)
   targets?.forEach((attribute, target) => {
     const influence = influences[target] ?? 0
     if (influence === 0) return
-    const to = attributeNumbers(attribute, size)
+    const values = attributeNumbers(attribute, size)
     for (let i = 0; i < moved.length; i++)
-      moved[i]! += influence * (to[i]! - (morphTargetsRelative ? 0 : rest[i]!))
+      moved[i]! += influence * (values[i]! - (morphTargetsRelative ? 0 : rest[i]!))
   })
   return moved
 }

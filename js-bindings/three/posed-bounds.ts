@@ -15,9 +15,9 @@ import { attributeNumbers } from '../compile/hosts.js'
 import { versionOf, type Attribute } from './attribute.js'
 import { isMoved, isSkinned, morphTextureOf, type Warpable } from './pose.js'
 
-/** Numbers that change when the geometry gets other bounds of its own. */
+/** Returns numbers that change when the user sets other bounds of an InstancedBufferGeometry. */
 export function boundsState({ geometry }: Warpable): number[] {
-  const sphere = ownBounds(geometry)?.sphere
+  const sphere = boundsSetByUser(geometry)?.sphere
   return sphere ? [...sphere.center.toArray(), sphere.radius] : []
 }
 
@@ -26,13 +26,14 @@ const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }
 
 const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
 
-/** Bounds of the geometry. Where instances of an InstancedBufferGeometry are, as of text, is known only to who sets its bounds. */
+/** Returns bounds of the geometry. Instances of an InstancedBufferGeometry, as of text, can be anywhere: only the bounds that the user sets include them. */
 export const restBox = ({ geometry }: Warpable): Box3 =>
-  ownBounds(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
+  boundsSetByUser(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
 export const restSphere = ({ geometry }: Warpable): Sphere =>
-  ownBounds(geometry)?.sphere ?? boundsAtRest(geometry.attributes.position as Attribute).sphere
+  boundsSetByUser(geometry)?.sphere ??
+  boundsAtRest(geometry.attributes.position as Attribute).sphere
 
-function ownBounds(geometry: BufferGeometry) {
+function boundsSetByUser(geometry: BufferGeometry) {
   const { isInstancedBufferGeometry } = geometry as Partial<InstancedBufferGeometry>
   const { boundingBox, boundingSphere } = geometry
   if (!isInstancedBufferGeometry || !boundingSphere) return undefined
@@ -41,18 +42,18 @@ function ownBounds(geometry: BufferGeometry) {
 
 function boundsAtRest(attribute: Attribute) {
   const version = versionOf(attribute)
-  const known = boxes.get(attribute)
-  if (known?.version === version) return known
+  const cached = boxes.get(attribute)
+  if (cached?.version === version) return cached
   const positions = attributeNumbers(attribute, 3)
   const box = new Box3().setFromArray(positions)
   const center = box.getCenter(new Vector3())
   const sphere = new Sphere(center, box.isEmpty() ? -1 : farthest(positions, center))
-  const made = { version, box, sphere }
-  boxes.set(attribute, made)
-  return made
+  const bounds = { version, box, sphere }
+  boxes.set(attribute, bounds)
+  return bounds
 }
 
-// Plain numbers: of a large mesh this is a good part of the first frame.
+// Uses plain numbers, since this takes a considerable part of the first frame of a large mesh.
 function farthest(positions: Float32Array, from: Vector3): number {
   let max = 0
   for (let i = 0; i < positions.length; i += 3) {
@@ -64,14 +65,14 @@ function farthest(positions: Float32Array, from: Vector3): number {
   return Math.sqrt(max)
 }
 
-/** Bounds everything that morph targets make of the points in `box`, for all instances: never too small. */
+/** Returns a box, never too small, around all positions to which morph targets move points of `box`, in all instances. */
 function boxOfMorphs(object: Warpable, box: Box3): Box3 {
   const all = new Box3()
   for (const influences of influencesOf(object)) all.union(morphedBox(object, box, influences))
   return all
 }
 
-/** The influences of each instance; without instances those of the object. */
+/** Returns the influences of each instance; without instances those of the object. */
 function influencesOf(object: Warpable): number[][] {
   if (!morphTextureOf(object)) return [(object as Mesh).morphTargetInfluences ?? []]
   const { count } = object as InstancedMesh
@@ -91,9 +92,9 @@ function morphedBox({ geometry }: Warpable, box: Box3, influences: number[]): Bo
   const grown = scaleBox(box, base)
   targets.forEach((target, i) => {
     if (used[i] === 0) return
-    const by = scaleBox(boxOf(target as BufferAttribute), used[i]!)
-    grown.min.add(by.min)
-    grown.max.add(by.max)
+    const change = scaleBox(boxOf(target as BufferAttribute), used[i]!)
+    grown.min.add(change.min)
+    grown.max.add(change.max)
   })
   return grown
 }
@@ -103,9 +104,9 @@ const scaleBox = ({ min, max }: Box3, factor: number) => {
   return new Box3(a.clone().min(b), a.max(b))
 }
 
-const place = new Vector3()
+const point = new Vector3()
 
-/** Maps bones to boxes around the vertices at rest that they move; `undefined` if weights do not sum to 1. */
+/** Maps geometries → for each bone, a box around the vertices at rest that it moves; `boxes` is `undefined` if weights do not sum to 1. */
 const bonesOf = new WeakMap<
   BufferGeometry,
   { version: string; boxes: Map<number, Box3> | undefined }
@@ -114,19 +115,19 @@ const bonesOf = new WeakMap<
 function boxesOfBones(geometry: BufferGeometry) {
   const { position, skinIndex, skinWeight } = geometry.attributes as Record<string, Attribute>
   const version = [position, skinIndex, skinWeight].map(versionOf).join()
-  const known = bonesOf.get(geometry)
-  if (known?.version === version) return known.boxes
+  const cached = bonesOf.get(geometry)
+  if (cached?.version === version) return cached.boxes
   let boxes: Map<number, Box3> | undefined = new Map<number, Box3>()
   const [indices, weights] = [attributeNumbers(skinIndex!, 4), attributeNumbers(skinWeight!, 4)]
   for (let i = 0; i < position!.count && boxes; i++) {
-    place.fromBufferAttribute(position as BufferAttribute, i)
+    point.fromBufferAttribute(position as BufferAttribute, i)
     let sum = 0
     for (let k = 4 * i; k < 4 * i + 4; k++) {
       sum += weights[k]!
       if (weights[k] === 0) continue
       const bone = indices[k]!
       if (!boxes.has(bone)) boxes.set(bone, new Box3())
-      boxes.get(bone)!.expandByPoint(place)
+      boxes.get(bone)!.expandByPoint(point)
     }
     if (Math.abs(sum - 1) > 1e-3) boxes = undefined
   }
@@ -145,11 +146,11 @@ export function posedBox(object: Warpable): Box3 {
   if (boxes) return throughBones(object, boxes)
   const box = new Box3()
   for (let i = 0; i < object.geometry.attributes.position!.count; i++)
-    box.expandByPoint(object.getVertexPosition(i, place))
+    box.expandByPoint(object.getVertexPosition(i, point))
   return box
 }
 
-/** Bounds everything that morph targets and bones make of the points in a box. */
+/** Returns a box around all positions to which morph targets and bones move points of a box. */
 export function posedFrom(object: Warpable, box: Box3): Box3 {
   const morphed = boxOfMorphs(object, box)
   if (!isSkinned(object)) return morphed

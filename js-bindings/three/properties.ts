@@ -1,6 +1,6 @@
 // Properties of an object that are replaced while it is warped, and restored afterwards.
 
-/** Defines properties; call the result to restore what was there before. */
+/** Defines properties; the returned function restores the previous ones. */
 export function replaceProperties(object: object, properties: PropertyDescriptorMap): () => void {
   const before = Object.keys(properties).map(
     (name) => [name, Object.getOwnPropertyDescriptor(object, name)] as const,
@@ -22,34 +22,34 @@ export function replaceProperties(object: object, properties: PropertyDescriptor
 type Method = (...given: never[]) => unknown
 
 /**
- * Wraps a method of an object, and any that is assigned to it later; call the result to end that. Whoever reads the method gets the
- * one that wraps the present one for good, so that an assigned method may call it.
+ * Wraps a method of an object, and any method that is assigned to it later; the returned function ends that. Reading the property gives a
+ * wrapper of the current method, which keeps wrapping that method, so that a method that is assigned later may call it.
  */
 export function wrapMethod<Wrapped extends Method>(
   object: object,
   name: string,
-  wrap: (own: Wrapped) => Wrapped,
+  wrap: (method: Wrapped) => Wrapped,
 ): () => void {
-  let own = (object as Record<string, Wrapped>)[name]!
-  let wrapper = wrap(own)
+  let method = (object as Record<string, Wrapped>)[name]!
+  let wrapper = wrap(method)
   let isAssigned = false
   const restore = replaceProperties(object, {
     [name]: {
       get: () => wrapper,
       set(assigned: Wrapped) {
         isAssigned = true
-        own = assigned
+        method = assigned
         wrapper = wrap(assigned)
       },
     },
   })
   return () => {
     restore()
-    if (isAssigned) (object as Record<string, Wrapped>)[name] = own
+    if (isAssigned) (object as Record<string, Wrapped>)[name] = method
   }
 }
 
-/** A property computed when it is read. It ignores assignments: three.js writes the value without a warp into it. */
+/** Returns a property that is computed when it is read. It ignores assignments, since three.js assigns the value without a warp. */
 export const computedProperty = <Value>(value: () => Value): PropertyDescriptor => ({
   get: value,
   set: () => {},

@@ -24,23 +24,25 @@ import type { ThreeWarp } from './three-warp.js'
 
 export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void
 
-const noted = new WeakSet<ThreeWarp>()
+const warned = new WeakSet<ThreeWarp>()
 
 /**
- * Creates the `raycast` of a warped object. `own` is its method without the warp, and `around` bounds everything that is drawn of it.
- * `surfaceNow` returns its divided surface, if it is drawn so.
+ * Creates the `raycast` of a warped object. `original` is its method without the warp. `bounds` returns a sphere around everything that is
+ * drawn of the object, and `surfaceNow` its divided surface, if that is drawn.
  */
 export function raycastOf(
   warp: ThreeWarp,
   object: Warpable,
-  own: Raycast,
-  around: () => Sphere,
+  original: Raycast,
+  bounds: () => Sphere,
   surfaceNow: () => DrawnSurface | undefined = () => undefined,
 ): Raycast {
-  if (!warp.canRunOnCpu) return () => noteMiss(warp)
+  if (!warp.canRunOnCpu) return () => warnOfMiss(warp)
   const castOn = (each: Warpable): Cast =>
-    warp.settings.space === 'world' ? castInWorld(warp, each, own) : castHere(warp, each, own)
-  const castOnOwn = castOn(object)
+    warp.settings.space === 'world'
+      ? castInWorld(warp, each, original)
+      : castBeforeMatrix(warp, each, original)
+  const castOnOriginal = castOn(object)
   const castOnDivided = memoizeLast((surface: DrawnSurface): Cast => {
     const castOnSurface = castOn(surface.object)
     return (raycaster, intersects, extent) => {
@@ -50,11 +52,11 @@ export function raycastOf(
     }
   })
   return (raycaster, intersects) => {
-    if (object.material === undefined || !isNear(raycaster, object, around(), object.matrixWorld))
+    if (object.material === undefined || !isNear(raycaster, object, bounds(), object.matrixWorld))
       return
     const surface = surfaceNow()
-    const castOne = surface ? castOnDivided(surface) : castOnOwn
-    castOne(raycaster, intersects, around())
+    const castOne = surface ? castOnDivided(surface) : castOnOriginal
+    castOne(raycaster, intersects, bounds())
   }
 }
 
@@ -69,9 +71,9 @@ function memoizeLast<Key, Value>(work: (key: Key) => Value): (key: Key) => Value
 }
 
 /** Warns once that rays miss a warp that only the GPU can run. */
-function noteMiss(warp: ThreeWarp) {
-  if (noted.has(warp)) return
-  noted.add(warp)
+function warnOfMiss(warp: ThreeWarp) {
+  if (warned.has(warp)) return
+  warned.add(warp)
   console.warn(
     `${warp.settings.method}: rays miss a warp that calls a glsl.fn or reads an image, which only the GPU can run; raycast another object in its place.`,
   )
@@ -81,15 +83,15 @@ function noteMiss(warp: ThreeWarp) {
 const isNear = ({ ray }: Raycaster, object: Warpable, sphere: Sphere, matrix: Matrix4) =>
   !(object as Mesh).isMesh || ray.intersectsSphere(sphere.clone().applyMatrix4(matrix))
 
-/** Hides what three-mesh-bvh and @three.ez/instanced-mesh know about the unwarped geometry. */
-const ofOthers = (geometry: BufferGeometry) => ({
+/** Properties that hide the data of three-mesh-bvh and @three.ez/instanced-mesh about the unwarped geometry. */
+const hiddenCaches = (geometry: BufferGeometry) => ({
   boundsTree: undefined,
   boundsTrees: undefined,
   bvh: null,
   _geometry: geometry,
 })
 
-/** The object with a geometry that no morph targets and no bones move. */
+/** Returns a stand-in for the object, with a geometry that no morph targets and no bones move. */
 const standInFor = (
   object: Warpable,
   geometry: BufferGeometry,
@@ -103,19 +105,19 @@ const standInFor = (
         target.fromBufferAttribute(geometry.attributes.position as BufferAttribute, i),
       boundingSphere: geometry.boundingSphere,
       boundingBox: geometry.boundingBox,
-      ...ofOthers(geometry),
+      ...hiddenCaches(geometry),
       ...more,
     }),
   ) as Warpable
 
-/** The hits of three's own `raycast`. `isReversed` is `true` if the back of its triangles is outside. */
-function cast(own: Raycast, standIn: Warpable, isReversed: boolean, raycaster: Raycaster) {
+/** Returns the hits of three's own `raycast`. `isReversed` is true if the stand-in's triangles have their backs outside. */
+function cast(original: Raycast, standIn: Warpable, isReversed: boolean, raycaster: Raycaster) {
   const found: Intersection[] = []
   if (!isReversed || !(standIn as Mesh).isMesh) {
-    own.call(standIn, raycaster, found)
+    original.call(standIn, raycaster, found)
     return found
   }
-  own.call(
+  original.call(
     Object.assign(standIn, { material: withOtherSide(standIn.material) }) as never,
     raycaster,
     found,
@@ -125,30 +127,30 @@ function cast(own: Raycast, standIn: Warpable, isReversed: boolean, raycaster: R
 }
 
 /** Casts in the spaces before the object's matrix, where all instances have one surface. */
-function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
+function castBeforeMatrix(warp: ThreeWarp, object: Warpable, original: Raycast) {
   const geometry = remembered(
     () => stateOf(warp, object),
     () => warpedGeometry(warp, object),
   )
   const isRest = warp.settings.space === 'rest'
-  const isMany = (object as InstancedMesh).isInstancedMesh
+  const hasInstances = (object as InstancedMesh).isInstancedMesh
   return (raycaster: Raycaster, intersects: Intersection[], extent: Sphere) => {
     const warped = geometry()
-    // Morph targets and bones go on from there, to at most the extent of the whole.
+    // Morph targets and bones move the vertices further, but not out of the extent of the whole object.
     if (isRest) Object.assign(warped, { boundingSphere: extent, boundingBox: null })
     const standIn = standInFor(object, warped, {
       ...(isRest && { getVertexPosition: (object as Mesh).getVertexPosition }),
-      ...(isMany && { boundingSphere: extent, boundingBox: null }),
+      ...(hasInstances && { boundingSphere: extent, boundingBox: null }),
     })
-    const hits = cast(own, standIn, warp.isMirroredNow(), raycaster)
-    for (const hit of hits.filter(isPlace)) intersects.push({ ...hit, object })
+    const hits = cast(original, standIn, warp.isMirroredNow(), raycaster)
+    for (const hit of hits.filter(hasDistance)) intersects.push({ ...hit, object })
   }
 }
 
 /** Casts in the world, on one instance after the other. */
-function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
+function castInWorld(warp: ThreeWarp, object: Warpable, original: Raycast) {
   const isBatch = (object as BatchedMesh).isBatchedMesh
-  const isMany = isBatch || (object as InstancedMesh).isInstancedMesh
+  const hasInstances = isBatch || (object as InstancedMesh).isInstancedMesh
   const instances = remembered(
     () => stateOf(warp, object),
     () => {
@@ -163,13 +165,13 @@ function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
       const range = isBatch && rangeOf(object as BatchedMesh, id!)
       if (range) warped.setDrawRange(range.start, range.count)
       const standIn = standInFor(object, warped, { matrixWorld: identity })
-      const ownHere = isMany ? (Mesh.prototype.raycast as Raycast) : own
-      // A matrix that mirrors has turned the triangles over, since they are in the world here.
+      const raycastInstance = hasInstances ? (Mesh.prototype.raycast as Raycast) : original
+      // The triangles are in world space here, where a matrix that mirrors has turned them over.
       const isReversed = warp.isMirroredNow() !== toWorld.determinant() < 0
-      const hits = cast(ownHere, standIn, isReversed, raycaster)
-      for (const hit of hits.filter(isPlace))
+      const hits = cast(raycastInstance, standIn, isReversed, raycaster)
+      for (const hit of hits.filter(hasDistance))
         intersects.push({
-          ...turnedBack(hit, toWorld),
+          ...withLocalNormals(hit, toWorld),
           object,
           ...(id !== undefined && { [isBatch ? 'batchId' : 'instanceId']: id }),
         })
@@ -177,8 +179,8 @@ function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
   }
 }
 
-/** Three.js has every ray meet a triangle with a vertex that is NaN, at the distance NaN. */
-const isPlace = ({ distance }: Intersection) => Number.isFinite(distance)
+/** Tests for a hit at a finite distance: three.js reports that every ray hits a triangle with a vertex that is NaN, at the distance NaN. */
+const hasDistance = ({ distance }: Intersection) => Number.isFinite(distance)
 
 const identity = new Matrix4()
 
@@ -195,14 +197,14 @@ function instanceOf(warp: ThreeWarp, object: Warpable, matrix: Matrix4, id: numb
   }
 }
 
-/** Transforms normals to the space before the matrix of the object or the instance, as three.js returns them. */
-function turnedBack(hit: Intersection, toWorld: Matrix4): Intersection {
+/** Transforms the normals of a hit to the space before the matrix of the object or the instance, as three.js returns them. */
+function withLocalNormals(hit: Intersection, toWorld: Matrix4): Intersection {
   const back = new Matrix3().setFromMatrix4(toWorld).transpose()
   for (const normal of [hit.face?.normal, hit.normal]) normal?.applyMatrix3(back).normalize()
   return hit
 }
 
-/** The range of the batch's triangles that an instance shows. */
+/** Returns the range of the batch's triangles that an instance draws. */
 function rangeOf(object: BatchedMesh, id: number) {
   const geometry = object.getGeometryIdAt?.(id) ?? id
   const range = object.getGeometryRangeAt?.(geometry)

@@ -12,7 +12,7 @@ import type { ThreeWarp } from './three-warp.js'
 export interface Nodes {
   check: (method: string, material: Material, object?: Mesh) => void
   /** Makes WebGPURenderer warp an object, or all objects with a material; call the returned function to stop. */
-  carryObject: (target: Object3D | Material, warp: ThreeWarp) => () => void
+  attachWarp: (target: Object3D | Material, warp: ThreeWarp) => () => void
   /** Tests whether a renderer belongs to the copy of three.js whose methods are replaced. */
   isOurs: (renderer: unknown) => boolean
   computeDivision: (input: ComputeInput) => ComputeDetail
@@ -21,7 +21,7 @@ export interface Nodes {
 let nodes: Nodes | undefined
 
 /** Called by 'warpjet/three/webgpu': 'warpjet/three' itself cannot import 'three/tsl', which three.js 0.159 lacks. */
-export const provideNodes = (given: Nodes) => void (nodes = given)
+export const provideNodes = (provided: Nodes) => void (nodes = provided)
 
 const isForNodes = (material: Material) =>
   (material as { isNodeMaterial?: boolean }).isNodeMaterial === true
@@ -47,10 +47,10 @@ export function problemOf(
 }
 
 /** Makes WebGPURenderer, if it is imported, warp an object or all objects with a material; call the returned function to stop. */
-export const carryByNodes = (target: Object3D | Material, warp: ThreeWarp): (() => void) =>
-  nodes?.carryObject(target, warp) ?? (() => {})
+export const attachToWebGPU = (target: Object3D | Material, warp: ThreeWarp): (() => void) =>
+  nodes?.attachWarp(target, warp) ?? (() => {})
 
-/** Divides a mesh by compute passes; `undefined` if WebGPURenderer is not imported. */
+/** Returns an object that divides a mesh by compute passes; `undefined` if WebGPURenderer is not imported. */
 export const computeDivision = (input: ComputeInput): ComputeDetail | undefined =>
   nodes?.computeDivision(input)
 

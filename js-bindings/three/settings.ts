@@ -27,39 +27,40 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * textures of three.js, or functions that return one of them, called once per frame. */
   uniforms?: Uniforms
   /**
-   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'` chooses
-   * `'pixel'` for a warp that contains noise or bends strongly, unless that takes too many operations per pixel. A shader whose normals
-   * are changed after the warp, or that lights none of three's, keeps those of vertices.
+   * The stage that computes normals: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * `'pixel'` for a warp that contains noise or bends strongly, unless that takes too many operations per pixel. Shaders that change
+   * normals after the warp, or that do not use three.js' normals, always get normals of vertices.
    * @default 'auto'
    */
   normals?: 'auto' | 'vertex' | 'pixel'
   /**
-   * `false` keeps the full strength of noise where its waves cover fewer than four pixels; noise that is finer than a pixel sparkles
-   * then. Normals at vertices are unaffected.
+   * If true, noise fades where its waves cover fewer than four pixels. If false, it keeps its full strength there, and noise that is finer
+   * than a pixel sparkles. Normals at vertices are unaffected.
    * @default true
    */
   fadeNoise?: boolean
   /**
-   * Draws meshes with as many triangles as their warped surface needs, so that it is at most this many pixels from the true one: a number,
-   * or `'auto'`, which is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse meshes. `false` draws the vertices of the geometry. Of `warp` only. Bones and morph
-   * targets are applied on the CPU then. Batches, points and lines keep their vertices, as do meshes with bones or morph targets in the
-   * space `'rest'`, instances in the space `'world'`, and all meshes outside of a `Scene`. Shadows are as close in texels of their maps.
+   * Draws meshes with as many triangles as needed for the drawn surface to be within this number of pixels of the true warped surface: a
+   * number, or `'auto'`, which is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse meshes.
+   * `false` draws the vertices of the geometry. For `warp` only. With this option, bones and morph targets are applied on the CPU.
+   * Batches, points and lines keep their vertices. So do meshes with bones or morph targets in the space `'rest'`, instances in the space
+   * `'world'`, and all meshes outside of a `Scene`. For shadows, the number is in texels of their maps.
    * @default false
    */
   detail?: DetailOption
   /** `true` warps the material on every mesh that uses it. */
   share?: boolean
-  /** `false` accepts that normal and uv count as constant over the surface, without a note. */
+  /** `false` silences the warning that normal and uv are treated as constant over the surface. */
   surfaceVariation?: false
 }
 
 /** The inputs that only p5 has. */
-type OfP5 =
+type P5Input =
   'mouse' | 'mouseX' | 'mouseY' | 'size' | 'width' | 'height' | 'pixelDensity' | 'instance'
 
 /** Maps a vertex to the offset that moves it. The inputs of the mouse, the canvas and `instance` exist in p5 only. */
 export type ThreeOffset<Values = {}> = (
-  inputs: Omit<WarpInputs, 'uniforms' | OfP5> & {
+  inputs: Omit<WarpInputs, 'uniforms' | P5Input> & {
     uniforms: UniformExpressions<PlainOf<Values>>
   },
 ) => Vec3
@@ -67,7 +68,7 @@ export type ThreeOffset<Values = {}> = (
 export interface Settings {
   method: string
   space: WarpSpace
-  /** `true` if the vertex is warped after the matrices of instances, in the space 'local'. */
+  /** True if the vertex is warped after the matrices of instances, although the space is 'local'. */
   isAfterInstances?: boolean
   uniforms: object | undefined
   normals: NormalsOption
@@ -90,8 +91,8 @@ const options = object({
   ),
 } satisfies KindsOf<WarpOptions<object>>)
 
-export function readOptions(method: string, given?: WarpOptions<object>): Settings {
-  const { uniforms, share, ...others } = options.read(given, new Place(method))
+export function readOptions(method: string, userOptions?: WarpOptions<object>): Settings {
+  const { uniforms, share, ...others } = options.read(userOptions, new Place(method))
   if (others.detail !== undefined && method !== 'warp')
     throw new WarpError(
       `${method}: the option detail divides meshes, of which a material knows nothing; use warp(mesh, offset, { detail }).`,

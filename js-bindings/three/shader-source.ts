@@ -10,13 +10,13 @@ export const resolveIncludes = (source: string): string =>
     return chunk === undefined ? line : resolveIncludes(chunk)
   })
 
-/** The source of a chunk; empty if this version of three.js has no chunk with that name. */
+/** Returns the source of a chunk; empty if this version of three.js has no chunk with that name. */
 export const chunkSource = (name: string): string => resolveIncludes(chunks[name] ?? '')
 
 /** The head of `main`. */
 const mainHead = /\bvoid\s+main\s*\(\s*(?:void)?\s*\)/
 
-/** Splits a source in front of `main`; `undefined` if it has none. */
+/** Splits a source before the function `main`; returns `undefined` if it has none. */
 export function splitAtMain(source: string): { top: string; main: string } | undefined {
   const start = source.search(mainHead)
   return start < 0 ? undefined : { top: source.slice(0, start), main: source.slice(start) }

@@ -4,12 +4,12 @@ import { attributeNumbers } from '../compile/hosts.js'
 import { versionOf, type Attribute } from './attribute.js'
 
 /**
- * Moves places and directions in place, each by the sum of the matrices of its vertex's bones, times their weights. Of each vertex, the
- * first three numbers are moved.
+ * Transforms positions and directions in place, each by the weighted sum of the matrices of its vertex's bones. In each array, the first
+ * three numbers of a vertex are transformed.
  */
 export function moveByBones(
   object: SkinnedMesh,
-  places: readonly Float32Array[],
+  positions: readonly Float32Array[],
   directions: readonly Float32Array[],
 ) {
   const { skinIndex, skinWeight } = object.geometry.attributes
@@ -25,43 +25,43 @@ export function moveByBones(
       const start = 16 * indices[k]!
       if (weight !== 0) for (let i = 0; i < 16; i++) sum[i]! += weight * matrices[start + i]!
     }
-    for (const each of places) move(each, (each.length / count) * vertex, sum, 1)
-    for (const each of directions) move(each, (each.length / count) * vertex, sum, 0)
+    for (const each of positions) transform(each, (each.length / count) * vertex, sum, 1)
+    for (const each of directions) transform(each, (each.length / count) * vertex, sum, 0)
   }
 }
 
-/** Multiplies the vector at this place of an array, with `w` as its fourth number, by a matrix. */
-function move(values: Float32Array, at: number, m: Float64Array, w: 0 | 1) {
-  const x = values[at]!
-  const y = values[at + 1]!
-  const z = values[at + 2]!
+/** Multiplies the vector that starts at `start` in an array, with `w` as its fourth number, by a matrix. */
+function transform(values: Float32Array, start: number, m: Float64Array, w: 0 | 1) {
+  const x = values[start]!
+  const y = values[start + 1]!
+  const z = values[start + 2]!
   for (let row = 0; row < 3; row++)
-    values[at + row] = m[row]! * x + m[4 + row]! * y + m[8 + row]! * z + m[12 + row]! * w
+    values[start + row] = m[row]! * x + m[4 + row]! * y + m[8 + row]! * z + m[12 + row]! * w
 }
 
-const ofBone = new Matrix4()
+const boneMatrix = new Matrix4()
 
-/** The matrices of all bones, from the space of the geometry to itself, by columns. */
+/** Returns the matrices of all bones, which transform within the space of the geometry, column by column. */
 function matricesOf({ skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh): Float64Array {
   const { bones, boneInverses } = skeleton
   const all = new Float64Array(16 * bones.length)
   bones.forEach((bone, i) => {
-    ofBone.copy(bindMatrixInverse)
-    // Three.js takes the identity for a missing bone.
-    if (bone) ofBone.multiply(bone.matrixWorld)
-    ofBone.multiply(boneInverses[i]!).multiply(bindMatrix)
-    all.set(ofBone.elements, 16 * i)
+    boneMatrix.copy(bindMatrixInverse)
+    // Three.js uses the identity for a missing bone.
+    if (bone) boneMatrix.multiply(bone.matrixWorld)
+    boneMatrix.multiply(boneInverses[i]!).multiply(bindMatrix)
+    all.set(boneMatrix.elements, 16 * i)
   })
   return all
 }
 
-const read = new WeakMap<Attribute, { readonly version: number; readonly numbers: Float32Array }>()
+const cache = new WeakMap<Attribute, { readonly version: number; readonly numbers: Float32Array }>()
 
-/** The numbers of an attribute, which are read again only if it changes. */
+/** Returns the numbers of an attribute, which are read again only if it changes. */
 function numbersOf(attribute: Attribute): Float32Array {
   const version = versionOf(attribute)
-  let found = read.get(attribute)
+  let found = cache.get(attribute)
   if (found?.version !== version)
-    read.set(attribute, (found = { version, numbers: attributeNumbers(attribute, 4) }))
+    cache.set(attribute, (found = { version, numbers: attributeNumbers(attribute, 4) }))
   return found.numbers
 }

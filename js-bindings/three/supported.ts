@@ -7,13 +7,13 @@ type Flags = Material &
   Partial<Record<'isNodeMaterial' | 'isSpriteMaterial' | 'isLineMaterial', boolean>> &
   Partial<RawShaderMaterial>
 
-/** Materials in which `warpMaterial` has put a warp. */
-const byHand = new WeakSet<Material>()
+/** Materials that `warpMaterial` has warped. */
+const warpedMaterials = new WeakSet<Material>()
 export const markWarped = (material: Material, isWarped: boolean) =>
-  void (isWarped ? byHand.add(material) : byHand.delete(material))
-export const isWarpedByHand = (material: Material) => byHand.has(material)
+  void (isWarped ? warpedMaterials.add(material) : warpedMaterials.delete(material))
+export const isWarpedMaterial = (material: Material) => warpedMaterials.has(material)
 
-/** Says why a material cannot be warped and what to write instead, for a message; `undefined` if it can. */
+/** Returns why a material cannot be warped and what to write instead, for a message; `undefined` if it can. */
 export function unsupportedMaterial(material: Material, space?: WarpSpace): string | undefined {
   const {
     isNodeMaterial,
@@ -24,7 +24,7 @@ export function unsupportedMaterial(material: Material, space?: WarpSpace): stri
     isRawShaderMaterial,
     glslVersion,
   } = material as Flags
-  if (isWarpedByHand(material))
+  if (isWarpedMaterial(material))
     return 'a call of warpMaterial has warped it already; give the object a material without a warp'
   if (isNodeMaterial) return "only WebGPURenderer draws it; import 'warpjet/three/webgpu'"
   if (isSpriteMaterial)

@@ -13,7 +13,7 @@ import { variationNames, type Vertices } from '../compile/hosts.js'
 import { verticesOf, type Warpable } from './pose.js'
 import type { ThreeWarp } from './three-warp.js'
 
-/** `toWorld` is for a warp of that space: the geometry is in it then. */
+/** Returns the object's geometry with warped vertices. For a warp in world space, pass `toWorld`; then the geometry is in that space. */
 export function warpedGeometry(
   warp: ThreeWarp,
   object: Warpable,
@@ -22,36 +22,36 @@ export function warpedGeometry(
   const isRest = warp.settings.space === 'rest'
   const { geometry } = object
   const vertices = verticesOf(object, !isRest, fillOf(object.material))
-  const placed = toWorld ? inWorld(vertices, toWorld) : vertices
-  const { positions, normals } = warp.evaluateNow(placed)
-  const made = new BufferGeometry()
-  Object.assign(made.attributes, geometry.attributes, {
+  const unwarped = toWorld ? inWorld(vertices, toWorld) : vertices
+  const { positions, normals } = warp.evaluateNow(unwarped)
+  const warped = new BufferGeometry()
+  Object.assign(warped.attributes, geometry.attributes, {
     position: new BufferAttribute(positions, 3),
     ...(normals && { normal: new BufferAttribute(normals, 3) }),
   })
   const { index, groups, drawRange } = geometry
-  Object.assign(made, { index, groups, drawRange: { ...drawRange } })
+  Object.assign(warped, { index, groups, drawRange: { ...drawRange } })
   if (isRest) {
-    made.morphAttributes = geometry.morphAttributes
-    made.morphTargetsRelative = geometry.morphTargetsRelative
+    warped.morphAttributes = geometry.morphAttributes
+    warped.morphTargetsRelative = geometry.morphTargetsRelative
   }
-  made.boundingBox = boxOfFinite(positions)
-  made.boundingSphere = made.boundingBox.getBoundingSphere(new Sphere())
-  return made
+  warped.boundingBox = boxOfFinite(positions)
+  warped.boundingSphere = warped.boundingBox.getBoundingSphere(new Sphere())
+  return warped
 }
 
-/** Around all places that rays can meet. */
+/** Returns a box around all finite positions: rays cannot hit others. */
 function boxOfFinite(positions: Float32Array): Box3 {
   const box = new Box3()
-  const place = new Vector3()
+  const point = new Vector3()
   for (let i = 0; i < positions.length; i += 3)
     // NaN unless all three are finite.
     if (positions[i]! * 0 + positions[i + 1]! * 0 + positions[i + 2]! * 0 === 0)
-      box.expandByPoint(place.fromArray(positions, i))
+      box.expandByPoint(point.fromArray(positions, i))
   return box
 }
 
-/** The colour that vertices without one have. */
+/** Returns the colour of vertices without a colour of their own. */
 export function fillOf(material: Material | Material[]): number[] {
   const { color, opacity } = [material].flat()[0] as Material & {
     color?: { r: number; g: number; b: number }
@@ -63,19 +63,19 @@ export function fillOf(material: Material | Material[]): number[] {
 export function inWorld(vertices: Vertices, toWorld: Matrix4): Vertices {
   const covariant = new Matrix3().getNormalMatrix(toWorld)
   const { positions, normals, ...others } = vertices as unknown as Arrays
-  const ofUvs = gradientsOfUvs.flatMap((name) => {
+  const uvGradients = gradientsOfUvs.flatMap((name) => {
     const numbers = others[name]
-    return numbers ? [[name, each(numbers, (v) => v.applyMatrix3(covariant))] as const] : []
+    return numbers ? [[name, mapVectors(numbers, (v) => v.applyMatrix3(covariant))] as const] : []
   })
-  const made: Arrays = {
+  const transformed: Arrays = {
     ...others,
-    ...Object.fromEntries(ofUvs),
-    positions: each(positions!, (vector) => vector.applyMatrix4(toWorld)),
-    ...(normals && { normals: each(normals, (v) => v.applyMatrix3(covariant).normalize()) }),
+    ...Object.fromEntries(uvGradients),
+    positions: mapVectors(positions!, (vector) => vector.applyMatrix4(toWorld)),
+    ...(normals && { normals: mapVectors(normals, (v) => v.applyMatrix3(covariant).normalize()) }),
   }
   if (normals && gradientsOfNormals.every((name) => name in others))
-    Object.assign(made, turnedGradients(vertices as unknown as Arrays, covariant))
-  return made as unknown as Vertices
+    Object.assign(transformed, transformedGradients(vertices as unknown as Arrays, covariant))
+  return transformed as unknown as Vertices
 }
 
 type Arrays = Record<string, Float32Array>
@@ -85,13 +85,13 @@ const gradientsOfNormals = gradients.filter((name) => name.startsWith('normal'))
 const gradientsOfUvs = gradients.filter((name) => !name.startsWith('normal'))
 
 /**
- * The rows of the derivative of the normal. That is C n / |C n| in the world, C being `covariant`: its derivative loses what
- * would change its length, and is by the position in the world, which the transpose of C leads back from.
+ * Returns the rows of the derivative of the normal in the world. With C = `covariant`, that normal is C n / |C n|. Its derivative has no
+ * part along the normal, and is with respect to the position in the world, which Cᵀ transforms back to the geometry.
  */
-function turnedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
+function transformedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
   const rows = gradientsOfNormals.map((name) => vertices[name]!)
-  const turned = rows.map((numbers) => new Float32Array(numbers.length))
-  const back = covariant.clone().transpose()
+  const transformed = rows.map((numbers) => new Float32Array(numbers.length))
+  const transposed = covariant.clone().transpose()
   const varies = new Matrix3()
   const normal = new Vector3()
   const column = new Vector3()
@@ -103,9 +103,9 @@ function turnedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
     rows.forEach((numbers, k) =>
       column.fromArray(numbers, i).toArray(varies.elements as unknown as number[], 3 * k),
     )
-    varies.premultiply(covariant).multiply(back)
+    varies.premultiply(covariant).multiply(transposed)
     along.copy(normal).applyMatrix3(varies)
-    turned.forEach((numbers, k) =>
+    transformed.forEach((numbers, k) =>
       column
         .fromArray(varies.elements, 3 * k)
         .addScaledVector(along, -normal.getComponent(k))
@@ -113,10 +113,10 @@ function turnedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
         .toArray(numbers, i),
     )
   }
-  return Object.fromEntries(gradientsOfNormals.map((name, k) => [name, turned[k]!]))
+  return Object.fromEntries(gradientsOfNormals.map((name, k) => [name, transformed[k]!]))
 }
 
-function each(numbers: Float32Array, work: (vector: Vector3) => Vector3) {
+function mapVectors(numbers: Float32Array, work: (vector: Vector3) => Vector3) {
   const moved = new Float32Array(numbers.length)
   const vector = new Vector3()
   for (let i = 0; i < numbers.length; i += 3) work(vector.fromArray(numbers, i)).toArray(moved, i)

@@ -1,4 +1,5 @@
-// A warp for three.js, whatever it is put on: texts for both renderers, and the same warp on the CPU, at the time of `update`.
+// A warp for three.js, of an object or a material: shader code for both renderers, and evaluation on the CPU at the time of the last
+// `update`.
 import {
   HostWarp,
   otherName,
@@ -18,10 +19,10 @@ import type { Settings } from './settings.js'
 import { handlesOf, type UniformHandle } from './uniforms.js'
 import { three } from './values.js'
 
-/** The last of position, normal and tangent that a text computes. */
+/** The results of the code in the vertex stage: it computes the position and, up to the named one, the normal and the tangent. */
 export type VertexStage = 'position' | 'normal' | 'tangent'
 
-/** The results of a text in the vertex stage, or in the fragment stage. */
+/** The results of the code in the vertex stage or in the fragment stage. */
 export type Stage = VertexStage | 'normal of pixel' | 'tangent of pixel'
 
 const resultsOf: Record<Stage, readonly Result[]> = {
@@ -48,7 +49,7 @@ export class ThreeWarp extends HostWarp {
   readonly normals: NormalStage
   /** In milliseconds. */
   readonly millis = { value: 0 }
-  /** `true` if it mirrors all of space with the present uniforms. */
+  /** Returns whether the warp mirrors all of space with the current uniforms. */
   readonly isMirroredNow = remembered(
     () => this.numbers(),
     () => this.isMirrored(this.given),
@@ -60,7 +61,7 @@ export class ThreeWarp extends HostWarp {
   constructor(
     offset: OffsetFunction,
     readonly settings: Settings,
-    /** Present if the offset may read variables of the shader that are not uniforms. Has those whose types matter. */
+    /** Present if the offset may read variables of the shader that are not uniforms. Contains those whose types the warp needs. */
     readonly outerTypes?: OuterTypes,
     others?: HostOptions['others'],
   ) {
@@ -85,7 +86,7 @@ export class ThreeWarp extends HostWarp {
     return text
   }
 
-  /** The numbers that the place of a vertex depends on now. */
+  /** Returns the current values of the inputs on which the position of a vertex depends. */
   numbers(): number[] {
     return this.state(this.given)
   }
@@ -94,22 +95,22 @@ export class ThreeWarp extends HostWarp {
     return this.frame(this.given)
   }
 
-  /** Moves vertices with the present uniforms. Some may have numbers that are not finite. */
+  /** Warps vertices with the current uniforms. Results may contain numbers that are not finite. */
   evaluateNow(vertices: Vertices) {
     return this.evaluate(vertices, this.given)
   }
 
-  /** Bounds of the places that the warp makes of a box now, or of how far it moves them. */
-  boundsNow(place: 'position' | 'offset', box: Box) {
-    return this.quickBounds(place, box, this.given)
+  /** Returns bounds of the warped positions, or of the offsets, of all points in a box, with the current uniforms. */
+  boundsNow(result: 'position' | 'offset', box: Box) {
+    return this.quickBounds(result, box, this.given)
   }
 
-  /** Warps with equal code have equal keys, if it was recorded equally. */
+  /** Equal for warps that were recorded equally, and so have equal code. */
   get key(): string {
     return (this.hash ??= this.hashOfModule())
   }
 
-  /** The names in the vertex stage of the numbers that the offset function has computed beside the offset. */
+  /** The names, in the vertex stage, of the numbers that the offset function computes in addition to the offset. */
   get otherNames(): readonly string[] {
     return this.others.map(otherName)
   }
@@ -124,7 +125,7 @@ export class ThreeWarp extends HostWarp {
       : this.text(target, [...resultsOf[stage], ...this.others], { names })
   }
 
-  /** The values of a draw call now. */
+  /** The current values of the inputs of a draw call. */
   get given() {
     return { millis: this.millis.value }
   }
@@ -139,7 +140,7 @@ export class ThreeWarp extends HostWarp {
   }
 }
 
-/** 64 bits, of two hashes that begin and multiply differently. */
+/** Returns 64 bits: two hashes with different start values and factors. */
 function hash(words: readonly number[]) {
   let [low, high] = [0x811c9dc5, 0x9747b28c]
   for (const word of words) {

@@ -1,4 +1,4 @@
-// The uniforms of a warp, as three.js has them: objects with a `value`, which may be changed at any time.
+// The uniforms of a warp in three.js' form: objects with a `value`, which may be changed at any time.
 import type { Color, Matrix3, Matrix4, Quaternion, Texture, Vector2, Vector3, Vector4 } from 'three'
 import type { HostUniform, HostWarp } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
@@ -48,20 +48,20 @@ interface Numbers<Count> extends ArrayLike<number> {
   readonly length: Count & number
 }
 
-/** Handles as three.js has them: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
+/** Handles like three.js' uniforms: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
 export type UniformHandles<Values> = {
   readonly [Name in keyof Values]: UniformHandle<Values[Name]>
 }
 
 export interface UniformHandle<Value> {
-  /** The present value. */
+  /** The current value. */
   get value(): Value
   /** Sets a value of the same type, or a function that returns it. */
   set value(value: Value | (() => Value))
 }
 
-/** For three.js, which reads `value` whenever it sets uniforms. */
-export const inShader = (uniform: HostUniform): { readonly value: unknown } => ({
+/** Returns a uniform for three.js, which reads `value` whenever it sets uniforms. */
+export const liveUniform = (uniform: HostUniform): { readonly value: unknown } => ({
   get value() {
     return valueNow(uniform)
   },
@@ -87,11 +87,11 @@ export function handlesOf(method: string, uniforms: HostWarp['uniforms']) {
       },
     ]),
   )
-  return withoutUnknown(method, uniforms, handles)
+  return rejectUnknownNames(method, uniforms, handles)
 }
 
-/** Throws a `WarpError` for an unknown name; JavaScript would say that it cannot set a property of undefined. */
-const withoutUnknown = (
+/** Makes handles throw a `WarpError` for an unknown name; JavaScript would say that it cannot set a property of undefined. */
+const rejectUnknownNames = (
   method: string,
   uniforms: HostWarp['uniforms'],
   handles: Record<string, UniformHandle<unknown>>,

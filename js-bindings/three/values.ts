@@ -1,4 +1,4 @@
-// Values of three.js, as a warp has them: textures, and the numbers of vectors, colours and matrices.
+// Converts values of three.js for a warp: textures, and the numbers of vectors, colours and matrices.
 import {
   MirroredRepeatWrapping,
   NearestFilter,
@@ -28,10 +28,11 @@ export const three: Host = {
 
 function toNumbers(value: unknown): unknown {
   if (typeof value !== 'object' || value === null) return value
-  const it = value as Partial<Vector4 & Color & Matrix4>
-  if (Array.isArray(it.elements)) return it.elements
-  if (it.isColor) return [it.r, it.g, it.b]
-  if ('x' in it && 'y' in it) return [it.x, it.y, it.z, it.w].filter((part) => part !== undefined)
+  const object = value as Partial<Vector4 & Color & Matrix4>
+  if (Array.isArray(object.elements)) return object.elements
+  if (object.isColor) return [object.r, object.g, object.b]
+  if ('x' in object && 'y' in object)
+    return [object.x, object.y, object.z, object.w].filter((component) => component !== undefined)
   return value
 }
 
@@ -40,7 +41,7 @@ function wrapOf(wrapping: Wrapping): Wrap {
   return wrapping === MirroredRepeatWrapping ? 'mirror' : 'clamp'
 }
 
-/** The transform is the matrix of the texture's `offset`, `repeat` and `rotation`. */
+/** Returns the sampling of a texture. `transform` is the matrix of the texture's `offset`, `repeat` and `rotation`. */
 function samplingOf(texture: Texture): ImageSampling {
   if (texture.matrixAutoUpdate) texture.updateMatrix()
   return {

@@ -19,7 +19,7 @@ import type { ThreeWarp } from './three-warp.js'
 
 type Shader = WebGLProgramParametersWithUniforms
 
-// Negative, so that no other material has them.
+// Ids are negative, so that no other material has the same.
 let lastId = 0
 
 export class Variant extends ForwardingMaterial {
@@ -28,7 +28,7 @@ export class Variant extends ForwardingMaterial {
   readonly uuid = MathUtils.generateUUID()
   /** The listeners of `EventDispatcher`. */
   _listeners: object | undefined = undefined
-  /** The uniforms that the material's `onBeforeCompile` adds, which all variants of the material have in common. */
+  /** The uniforms that the material's `onBeforeCompile` adds, which all variants of the material share. */
   added: AddedUniforms | undefined = undefined
   /** The number of programs that it has been compiled for. */
   compilations = 0
@@ -38,7 +38,7 @@ export class Variant extends ForwardingMaterial {
   constructor(original: Material, warp: ThreeWarp, surface: WovenSurface) {
     super(original)
     this.weaver = new ShaderWeaver(warp, surface)
-    // The material may outlive the warp, and must not keep it.
+    // The material may outlive the warp, and must not keep it in memory.
     const self = new WeakRef(this)
     this.onOriginalDispose = () => self.deref()?.freePrograms()
     original.addEventListener('dispose', this.onOriginalDispose)
@@ -50,7 +50,7 @@ export class Variant extends ForwardingMaterial {
     const before = new Set(Object.keys(shader.uniforms))
     withNormalsAtVertices(() => original.onBeforeCompile(shader, renderer))
     if (original.isShaderMaterial) {
-      // These are the user's own uniforms: this way they stay live, and ours are not added to them.
+      // The uniforms are the user's own object. As a prototype it stays live, and we add nothing to it.
       shader.uniforms = Object.create(shader.uniforms) as Shader['uniforms']
     } else {
       const added = Object.keys(shader.uniforms).filter((name) => !before.has(name))
@@ -69,7 +69,7 @@ export class Variant extends ForwardingMaterial {
     return this.original.clone()
   }
 
-  /** Frees its programs. It can be drawn again. */
+  /** Frees the programs. The variant can be drawn again, with new ones. */
   freePrograms() {
     ;(this as unknown as Material).dispatchEvent({ type: 'dispose' })
   }
@@ -80,7 +80,7 @@ export class Variant extends ForwardingMaterial {
   }
 }
 
-// Assigned properties would be forwarded.
+// These are defined, since assigned properties would be forwarded to the original material.
 for (const name of [
   'addEventListener',
   'removeEventListener',

@@ -2,7 +2,7 @@
 import type { BufferGeometry, Material } from 'three'
 import { nameOf, nameOfMaterial } from './describe.js'
 import type { Warpable } from './pose.js'
-import { isWarpedByHand, unsupportedMaterial } from './supported.js'
+import { isWarpedMaterial, unsupportedMaterial } from './supported.js'
 import type { ThreeWarp } from './three-warp.js'
 import { Variant } from './variant.js'
 
@@ -11,7 +11,7 @@ type ByMaterial = WeakMap<Material, Variant | undefined>
 
 export class Variants {
   private readonly plain: ByMaterial = new WeakMap()
-  private readonly bySurface = new WeakMap<Material, ByMaterial>()
+  private readonly byOwnMaterial = new WeakMap<Material, ByMaterial>()
   private readonly all = new Set<WeakRef<Variant>>()
   private readonly readsColor: boolean
 
@@ -19,14 +19,14 @@ export class Variants {
     this.readsColor = warp.reads('color')
   }
 
-  /** The variant that draws `object` in place of `material`; `undefined` if the material cannot be warped. */
+  /** Returns the variant that draws `object` in place of `material`; `undefined` if the material cannot be warped. */
   get(material: Material, object: Warpable): Variant | undefined {
-    const variants = this.readsColor ? this.ofSurface(object) : this.plain
+    const variants = this.readsColor ? this.forOwnMaterial(object) : this.plain
     const variant = variants.get(material)
     if (variant !== undefined || variants.has(material)) return variant
-    const made = this.create(material, object)
-    variants.set(material, made)
-    return made
+    const created = this.create(material, object)
+    variants.set(material, created)
+    return created
   }
 
   /** Frees all programs, and lets go of the materials. */
@@ -35,11 +35,14 @@ export class Variants {
     this.all.clear()
   }
 
-  /** The color of a vertex may be that of the object's own material, which another one replaces for its shadow. */
-  private ofSurface(object: Warpable): ByMaterial {
-    const surface = surfaceOf(object)
-    let variants = this.bySurface.get(surface)
-    if (!variants) this.bySurface.set(surface, (variants = new WeakMap()))
+  /**
+   * Returns the variants of objects with the same own material: the warp may read its color, even where another material draws the
+   * object's shadow.
+   */
+  private forOwnMaterial(object: Warpable): ByMaterial {
+    const own = ownMaterialOf(object)
+    let variants = this.byOwnMaterial.get(own)
+    if (!variants) this.byOwnMaterial.set(own, (variants = new WeakMap()))
     return variants
   }
 
@@ -47,14 +50,14 @@ export class Variants {
     const problem = unsupportedMaterial(material, this.warp.settings.space)
     if (problem) {
       // A material that warpMaterial has warped draws the warp already.
-      if (!isWarpedByHand(material))
+      if (!isWarpedMaterial(material))
         console.error(
           `${this.warp.settings.method}: ${nameOfMaterial(material)} of ${nameOf(object)} is drawn without the warp: ${problem}.`,
         )
       return undefined
     }
     const variant = new Variant(material, this.warp, {
-      surface: surfaceOf(object),
+      material: ownMaterialOf(object),
       hasColors: this.readsColor && hasColors(object),
       name: `${nameOfMaterial(material)} of ${nameOf(object)}`,
     })
@@ -63,7 +66,7 @@ export class Variants {
   }
 }
 
-const surfaceOf = ({ material }: Warpable): Material => [material].flat()[0]!
+const ownMaterialOf = ({ material }: Warpable): Material => [material].flat()[0]!
 
 const hasColors = (object: Warpable) =>
-  surfaceOf(object).vertexColors && 'color' in (object.geometry as BufferGeometry).attributes
+  ownMaterialOf(object).vertexColors && 'color' in (object.geometry as BufferGeometry).attributes

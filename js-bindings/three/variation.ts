@@ -23,7 +23,7 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
   return geometry
 }
 
-/** Adds the attributes. `find` is `surfaceVariation` of 'warpjet/mesh'. */
+/** Adds the attributes. `find` is `surfaceVariation` of 'warpjet/mesh', which the caller loads. */
 export function addVariation(geometry: BufferGeometry, find: typeof surfaceVariation) {
   const variation = find(fromBufferGeometry(geometry))
   const found = variationNames.filter((name) => variation[`${name}s`])
@@ -41,9 +41,9 @@ function interleave(lists: readonly Float32Array[]): InterleavedBuffer {
   const stride = 3 * lists.length
   const count = lists[0] ? lists[0].length / 3 : 0
   const numbers = new Float32Array(stride * count)
-  lists.forEach((list, at) => {
+  lists.forEach((list, column) => {
     for (let i = 0; i < count; i++)
-      numbers.set(list.subarray(3 * i, 3 * i + 3), stride * i + 3 * at)
+      numbers.set(list.subarray(3 * i, 3 * i + 3), stride * i + 3 * column)
   })
   return new InterleavedBuffer(numbers, stride)
 }

@@ -5,15 +5,15 @@ import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 import type { Surface, WarpCode } from './warp-code.js'
 
-/** The statements that warp `transformed` and the normals. */
+/** Returns the statements that warp `transformed` and the normals. `isUnchanged` is true if only three.js' own lines compute the normal. */
 export function warpBlock(
   code: WarpCode,
   isLit: boolean,
   isUnchanged: boolean,
   pixel: PixelNormals | undefined,
 ): string {
-  const lit = isUnchanged ? fromObject(code, pixel) : fromView(code)
-  const unlit = positionOnly(code)
+  const lit = isUnchanged ? warpAtObject(code, pixel) : warpAtView(code)
+  const unlit = warpPositionOnly(code)
   const both = `#if defined( WARPJET_OBJECT_NORMAL ) && defined( WARPJET_TRANSFORMED_NORMAL ) && ! defined( WARPJET_NORMAL_DONE )
 ${lit}
 #else
@@ -27,8 +27,8 @@ ${code.preparation}${code.isWorld && pixel ? `${pixel.clear}\n` : ''}${code.guar
 
 export const atObject: Surface = { normal: 'objectNormal', tangent: 'objectTangent' }
 
-/** Nothing but the position. An offset along the normal needs that after morph targets and bones. */
-function positionOnly(code: WarpCode) {
+/** Returns statements that warp only the position. An offset along the normal needs the normal after morph targets and bones. */
+function warpPositionOnly(code: WarpCode) {
   const { code: statements, position } = code.evaluate('warpjetStart', {
     normal: code.movesByNormal ? 'warpjetObjectNormal' : 'vec3( normal )',
     tangent: 'tangent.xyz',
@@ -53,8 +53,8 @@ warpjetObjectNormal = objectNormal;
   return `${code.movesByNormal ? normal : ''}${statements}\ntransformed = ${position};`
 }
 
-/** Position and normals, where only three's own lines have made the normal. */
-function fromObject(code: WarpCode, pixel: PixelNormals | undefined) {
+/** Returns statements that warp position and normals, if only three.js' own lines compute the normal. */
+function warpAtObject(code: WarpCode, pixel: PixelNormals | undefined) {
   const { code: statements, position, ...surface } = code.evaluate('warpjetStart', atObject)
   return `${statements}
 ${pixel ? `${pixel.pass(code.names)}\n` : ''}transformed = ${position};
@@ -63,10 +63,10 @@ ${toView(code, surface, true)}
 transformedNormal = warpjetViewNormal;`
 }
 
-/** Position and normals, where someone has changed a normal: each of them is led back to the object by itself. */
-function fromView(code: WarpCode) {
+/** Returns statements that warp position and normals, if other code changes a normal: each normal is transformed back to the object by itself. */
+function warpAtView(code: WarpCode) {
   const moved = code.evaluate('warpjetStart', atObject)
-  const back = (normal: string, tangent: string, hasVarying: boolean) => {
+  const warpBack = (normal: string, tangent: string, hasVarying: boolean) => {
     const { code: statements, ...surface } = code.evaluate('warpjetStart', {
       normal: `warpjetFlip * ( ${normal} * warpjetObjectToView )`,
       tangent: `inverse( warpjetObjectToView ) * ${tangent}`,
@@ -91,15 +91,15 @@ float warpjetFlip = 1.0;
 #endif
 vec3 warpjetViewNormal;
 #ifdef WARPJET_VARYING_NORMAL
-${back('vNormal', 'vTangent', true)}
+${warpBack('vNormal', 'vTangent', true)}
 #endif
-${back('transformedNormal', 'transformedTangent', false)}
+${warpBack('transformedNormal', 'transformedTangent', false)}
 transformedNormal = warpjetViewNormal;`
 }
 
 /**
- * Runs three's own lines from the normal of the object to that of the view, with the results of an evaluation. `pose` are lines
- * that come before these.
+ * Returns statements that run three.js' own lines from the normal of the object to that of the view, with the results of an evaluation.
+ * `pose` are lines that come before these.
  */
 export const toView = (
   { warp }: WarpCode,
@@ -137,7 +137,7 @@ transformedNormal.z += warpjetFlat;
 transformedTangent.x += float( transformedTangent == vec3( 0.0 ) );
 #endif`
 
-/** Three.js takes the side of the bitangent from the attribute. */
+/** Returns statements that correct the side of the bitangent, which three.js takes from the attribute, for a warp that mirrors. */
 export const orientBitangent = ({ mirrors }: ThreeWarp) =>
   mirrors === false
     ? ''

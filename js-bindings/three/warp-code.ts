@@ -10,15 +10,15 @@ import { declareOrientation } from './faces.js'
 import { choosePartByTangent, uniformsInGlsl } from './glsl.js'
 import type { ThreeWarp, VertexStage } from './three-warp.js'
 
-/** A normal and a tangent in the units of the object, before the warp. */
+/** A normal and a tangent in the space of the object, before the warp. */
 export interface Surface {
   normal: string
   tangent: string
 }
 
-/** The results of `WarpCode.evaluate`, in the units of the object. */
+/** The results of `WarpCode.evaluate`, in the space of the object. */
 export interface Evaluation {
-  /** Statements, for a block of their own. */
+  /** Statements, to be put into a block of their own. */
   code: string
   position: string
   normal: string
@@ -26,9 +26,9 @@ export interface Evaluation {
 }
 
 interface CodeOptions {
-  /** `true` if the shader has normals. Without them only the position is computed. */
+  /** True if the shader has normals. If false, only the position is computed. */
   isLit: boolean
-  /** `true` if some geometries that are drawn have tangents that the material reads. */
+  /** True if the shader may draw geometries with tangents that the material reads. */
   mayHaveTangents: boolean
   /** `true` if the geometries have colors. */
   hasColors: boolean
@@ -48,7 +48,7 @@ export class WarpCode {
     this.texts = stagesFor(options).map((stage) => this.textFor(stage))
   }
 
-  /** `true` if the place of a vertex depends on its normal. */
+  /** True if the warped position of a vertex depends on its normal. */
   get movesByNormal() {
     return this.warp.reads('normal')
   }
@@ -69,13 +69,16 @@ export class WarpCode {
     ].join('\n')
   }
 
-  /** Statements in front of all evaluations. */
+  /** Statements to insert before all evaluations. */
   get preparation(): string {
     const color = this.reads('color') ? colorOfVertex(this.options.hasColors) : ''
     return `${color}${this.isWorld ? toWorld : ''}`
   }
 
-  /** Skips the statements, which follow `preparation`, for an instance that is scaled to zero: its matrix has no inverse, and it is invisible. */
+  /**
+   * Makes statements, to be inserted after `preparation`, skip instances that are scaled to zero: such an instance has a matrix without
+   * inverse, and is invisible.
+   */
   guard(statements: string): string {
     return this.isWorld
       ? `if ( determinant( warpjetLinear ) != 0.0 ) {\n${statements}\n}`
@@ -196,7 +199,7 @@ mat3 warpjetCovariant = transpose( warpjetInverse );
 
 const [nx, ny, nz] = variationNames.map(variationAttribute)
 
-/** The rows of the derivative of the normal, transformed, and without what would change its length. */
+/** Computes the rows of the derivative of the normal in world space, without the part that would change the normal's length. */
 const gradientsInWorld = `mat3 warpjetGradients = warpjetCovariant * mat3( ${nx}, ${ny}, ${nz} ) * warpjetInverse;
 if ( warpjetLength > 0.0 ) warpjetGradients = ( warpjetGradients - outerProduct( warpjetGradients * warpjetRestNormal, warpjetRestNormal ) ) / warpjetLength;
 vec3 warpjet_${variationNames[0]} = warpjetGradients[ 0 ];

@@ -1,4 +1,4 @@
-// `warp`: an object of three.js, its shadows, its bounds and what rays meet, all warped.
+// `warp`: warps an object of three.js, with its shadows, bounds and raycasts.
 import { Box3, Matrix4, type Intersection, type Object3D, type Raycaster } from 'three'
 import { movedBox } from './extent.js'
 import { updateOf, type Warped } from './material.js'
@@ -9,8 +9,8 @@ import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 import { WarpedTree } from './warped-tree.js'
 
 export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
-  /** Around everything that is drawn now, in the units of the object, before its own matrix: never too small. Infinite where
-   * only the GPU can run the warp, and where the warp or a vertex has no finite value. */
+  /** Returns a box, never too small, around everything that is drawn now, in the space of the object before its own matrix. The box is
+   * infinite if only the GPU can evaluate the warp, or if the warp or a vertex is not finite. */
   bounds(): Box3
   /** Adds hits on the warped surface to `intersects`. A `Raycaster` calls it. */
   raycast(raycaster: Raycaster, intersects: Intersection[]): void
@@ -45,15 +45,15 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
   }
 }
 
-/** The bounds of all parts, before the matrix of the warped object. */
-function boundsOf(whole: Object3D, parts: readonly Part[]) {
-  const back = new Matrix4().copy(whole.matrixWorld).invert()
+/** Returns the bounds of all parts, before the matrix of the warped object. */
+function boundsOf(root: Object3D, parts: readonly Part[]) {
+  const toRoot = new Matrix4().copy(root.matrixWorld).invert()
   const all = new Box3()
   for (const { object, bounds } of parts) {
     const box = bounds()
-    const isWhole = object === (whole as unknown)
+    const isRoot = object === (root as unknown)
     all.union(
-      isWhole ? box : movedBox(box, new Matrix4().multiplyMatrices(back, object.matrixWorld)),
+      isRoot ? box : movedBox(box, new Matrix4().multiplyMatrices(toRoot, object.matrixWorld)),
     )
   }
   return all

@@ -8,7 +8,7 @@ import { forgetBounds, warpPart, type Part } from './part.js'
 import type { Warpable } from './pose.js'
 import { wrapMethod } from './properties.js'
 import { isWarped, share, unshare } from './registry.js'
-import { carryByNodes, problemOf } from './renderers.js'
+import { attachToWebGPU, problemOf } from './renderers.js'
 import type { Settings } from './settings.js'
 import type { ThreeWarp } from './three-warp.js'
 import { Variants } from './variants.js'
@@ -23,7 +23,7 @@ export class WarpedTree {
   private readonly partOf = new WeakMap<Object3D, Part>()
   private readonly releases: (() => void)[] = []
 
-  /** Throws before anything is changed. */
+  /** Throws, if at all, before it changes anything. */
   constructor(
     readonly root: Object3D,
     private readonly settings: Settings,
@@ -40,7 +40,7 @@ export class WarpedTree {
         `${method}: there is nothing to draw in ${nameOf(root)}; add what is to be warped first.`,
       )
     for (const each of drawn) if (isWarped(each)) throw this.error(warpedAlready(each))
-    const problems = drawn.map((each) => this.problemBefore(each))
+    const problems = drawn.map((each) => this.problemWithObject(each))
     const possible = drawn.filter((_, i) => !problems[i])
     if (!possible.length) throw this.error(problems[0]!)
     this.warp = createWarp()
@@ -49,9 +49,9 @@ export class WarpedTree {
       const problem = this.problemWithInputs(each)
       if (problem) throw this.error(problem)
     }
-    this.note(problems.filter((problem) => problem !== undefined))
+    this.warnOf(problems.filter((problem) => problem !== undefined))
     this.skipped.push(...drawn.filter((_, i) => problems[i]))
-    for (const each of possible) this.parts.push(this.put(each))
+    for (const each of possible) this.parts.push(this.warpObject(each))
     this.watch(root)
     if (settings.isShared) this.shareMaterials()
   }
@@ -68,13 +68,13 @@ export class WarpedTree {
     return new WarpError(`${this.settings.method}: ${problem}.`)
   }
 
-  /** Says what cannot be warped, in one message. */
-  private note(problems: readonly string[]) {
+  /** Warns of objects that cannot be warped, in one message. */
+  private warnOf(problems: readonly string[]) {
     if (problems.length)
       console.warn(`${this.settings.method}: drawn without the warp: ${problems.join('; ')}.`)
   }
 
-  private put(object: Warpable): Part {
+  private warpObject(object: Warpable): Part {
     const { warp } = this
     if (warp.varies && this.settings.surfaceVariation !== false && !hasVariation(object))
       noteApproximation(this.settings.method, 'await addSurfaceVariation(geometry)')
@@ -91,14 +91,14 @@ export class WarpedTree {
     const problems: string[] = []
     for (const each of drawnIn(object)) {
       if (isWarped(each)) continue
-      const problem = this.problemBefore(each) ?? this.problemWithInputs(each)
+      const problem = this.problemWithObject(each) ?? this.problemWithInputs(each)
       if (problem) problems.push(problem)
-      else this.later.add(new WeakRef(this.put(each)))
+      else this.later.add(new WeakRef(this.warpObject(each)))
     }
-    this.note(problems)
+    this.warnOf(problems)
   }
 
-  /** Adopts what is added to an object or to anything in it. */
+  /** Adopts objects when they are added to an object or to one of its descendants. */
   private watch(object: Object3D) {
     const onChildAdded = (child: Object3D) => {
       this.adopt(child)
@@ -111,7 +111,7 @@ export class WarpedTree {
     object.traverse(listen)
   }
 
-  /** Warps the other objects that have a material of ours: those in the scene now, and others when they are drawn. */
+  /** Warps the other objects that share a material with a part: those in the scene now, and others when they are drawn. */
   private shareMaterials() {
     const materials = new Set(this.parts.flatMap(({ object }) => [object.material].flat()))
     const adopt = (object: Object3D) => {
@@ -120,7 +120,7 @@ export class WarpedTree {
     }
     for (const material of materials) {
       share(material, adopt)
-      this.releases.push(carryByNodes(material, this.warp), () => unshare(material))
+      this.releases.push(attachToWebGPU(material, this.warp), () => unshare(material))
     }
     let top = this.root
     while (top.parent) top = top.parent
@@ -131,7 +131,7 @@ export class WarpedTree {
   }
 
   /** Describes why an object cannot be warped by any offset; `undefined` if it can. */
-  private problemBefore(object: Warpable): string | undefined {
+  private problemWithObject(object: Warpable): string | undefined {
     if ((object as { isSprite?: boolean }).isSprite)
       return `${nameOf(object)} always faces the camera and has no surface; use a Mesh with a PlaneGeometry`
     if (!object.geometry.attributes?.position)
@@ -154,14 +154,14 @@ export class WarpedTree {
   }
 }
 
-/** Calls `work` with each child that an object gets; call the result to end that. */
+/** Calls `work` with each child that is added to an object; the returned function ends that. */
 function onAdded(object: Object3D, work: (child: Object3D) => void): () => void {
   const weak = new WeakRef(object)
   // Three.js dispatches the event since 0.164.
   if (Number(REVISION) < 164) {
-    const stop = wrapMethod<Object3D['add']>(object, 'add', (own) => {
+    const stop = wrapMethod<Object3D['add']>(object, 'add', (original) => {
       return function (this: Object3D, ...children) {
-        own.apply(this, children)
+        original.apply(this, children)
         children.forEach(work)
         return this
       }
@@ -176,7 +176,7 @@ function onAdded(object: Object3D, work: (child: Object3D) => void): () => void 
 const warpedAlready = (object: Object3D) =>
   `${nameOf(object)} is warped already, or a clone of a warped object; call dispose() of that warp first, or compose both offsets, as with chain of warpjet/deformers`
 
-/** Lists what three.js draws of an object: itself and its descendants, as far as they have a geometry. */
+/** Returns those of an object and its descendants that three.js draws: the ones with a geometry and a material. */
 function drawnIn(object: Object3D): Warpable[] {
   const drawn: Warpable[] = []
   object.traverse((each) => {

@@ -1,6 +1,6 @@
 /**
- * Puts a warp into vertex shaders that have no `transformed`, such as those of a ShaderMaterial or a RawShaderMaterial: what they
- * read as the attributes `position` and `normal` is warped.
+ * Adds a warp to vertex shaders that have no `transformed`, such as those of a ShaderMaterial or a RawShaderMaterial: instead of the
+ * attributes `position` and `normal` they read warped values.
  */
 import { renameMain, splitAtMain } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
@@ -28,7 +28,7 @@ export function weaveAttributes(source: string, warp: ThreeWarp, options: WeaveO
 }
 
 /**
- * Wraps `main`, so that it reads the warped attributes. The globals come first, since functions may read them, too.
+ * Wraps `main`, so that it reads the warped attributes from globals. The globals are declared first, since functions may read them, too.
  */
 export function wrapMain(
   source: string,
@@ -68,7 +68,7 @@ function renameAttributes(source: string, attributes: readonly string[]) {
   return source.replace(either, (found, name?: 'position') => (name ? globals[name] : found))
 }
 
-/** Extensions must come before anything else. */
+/** Splits a source after its extensions, which must come before anything else. */
 function splitExtensions(top: string): [string, string] {
   const end = top.lastIndexOf('#extension')
   if (end < 0) return ['', top]
@@ -76,7 +76,7 @@ function splitExtensions(top: string): [string, string] {
   return [top.slice(0, line), top.slice(line)]
 }
 
-/** A RawShaderMaterial declares only what it reads itself. */
+/** Returns declarations of variables that the code `needed` reads and a RawShaderMaterial lacks: it declares only what it reads itself. */
 function declareMissing(source: string, needed: string): string {
   const qualifier = /\battribute\s/.test(source) ? 'attribute' : 'in'
   const inputs = {

@@ -1,19 +1,19 @@
 /**
- * Puts the normals of a warp into the fragment shaders of WebGLRenderer. Three.js reads the interpolated normal in one line of its chunk
- * `normal_fragment_begin`. Everything after that line, such as both sides, maps, clearcoats and lights, follows from a change of it.
+ * Adds the normals of a warp to the fragment shaders of WebGLRenderer. Three.js reads the interpolated normal in one line of its chunk
+ * `normal_fragment_begin`, which we replace. Everything after it, such as both sides, maps, clearcoats and lights, uses the new normal.
  */
 import { declareFacing, markViewPosition, type PixelNormals } from './pixel-normals.js'
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
 
-const line = /\bvec3\s+normal\s*=\s*normalize\s*\(\s*vNormal\s*\)\s*;/g
+const normalLine = /\bvec3\s+normal\s*=\s*normalize\s*\(\s*vNormal\s*\)\s*;/g
 
-/** Splits a fragment shader in front of `main` if the line is in it. */
+/** Splits a fragment shader before `main`; returns `undefined` unless `main` contains the line once. */
 function splitAtLine(fragmentShader: string) {
   const parts = splitAtMain(resolveIncludes(fragmentShader))
-  return parts?.main.match(line)?.length === 1 ? parts : undefined
+  return parts?.main.match(normalLine)?.length === 1 ? parts : undefined
 }
 
-/** Tests whether normals can be computed in a fragment shader. */
+/** Tests whether a fragment shader has the line, so that it can compute normals. */
 export const hasNormalLine = (fragmentShader: string) => splitAtLine(fragmentShader) !== undefined
 
 export const readsVaryingNormal = (fragmentShader: string) =>
@@ -29,7 +29,7 @@ export function weavePixelNormals(
   const others = top.replace(chunkSource('normalmap_pars_fragment'), '')
   const isMatrixDeclared = /\buniform\b[^;]*\bnormalMatrix\b/.test(others)
   const woven = main
-    .replace(line, 'vec3 normal = warpjetNormalOfPixel();')
+    .replace(normalLine, 'vec3 normal = warpjetNormalOfPixel();')
     .replace(/\bnormalize\(\s*vTangent\s*\)/g, 'warpjetTangentOfPixel')
     .replace(/\bnormalize\(\s*vBitangent\s*\)/g, 'warpjetBitangentOfPixel')
   return `${markViewPosition(top)}
@@ -40,8 +40,8 @@ ${woven}`
 }
 
 /**
- * Lights a triangle that the warp collapses by its geometric normal, where normals are those of vertices: see `avoidNaN` in warp-block.ts.
- * Shaders without a position in view space light it as if it faced the eye.
+ * If normals are computed at vertices: makes a fragment shader light a triangle that the warp collapses by its geometric normal; see
+ * `avoidNaN` in warp-block.ts. A shader without the position in view space lights such a triangle as if it faced the eye.
  */
 export function weaveVertexNormals(fragmentShader: string): string {
   const parts = splitAtLine(fragmentShader)
@@ -56,5 +56,5 @@ return dot( vNormal, vNormal ) > 1e-10 ? normalize( vNormal ) : warpjetFacingNor
 #else
 #define warpjetNormalOfPixel() normalize( vNormal )
 #endif
-${parts.main.replace(line, 'vec3 normal = warpjetNormalOfPixel();')}`
+${parts.main.replace(normalLine, 'vec3 normal = warpjetNormalOfPixel();')}`
 }

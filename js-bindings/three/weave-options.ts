@@ -1,7 +1,7 @@
-// Properties of a shader that decide how a warp is put into it.
+// Properties of a shader that determine how a warp is added to it.
 
 export interface WeaveOptions {
-  /** `true` if some geometries that are drawn have tangents that the material reads. */
+  /** True if the shader may draw geometries with tangents that the material reads. */
   mayHaveTangents: boolean
   /** `true` if the geometries have colors. */
   hasColors: boolean

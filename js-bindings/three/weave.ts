@@ -1,10 +1,10 @@
 /**
- * Puts a warp into the vertex shaders of WebGLRenderer without moving any lines that are not three's own.
+ * Adds a warp to the vertex shaders of WebGLRenderer without moving any lines that are not three's own.
  *
- * Three.js finishes the normal before there is a position. So the warp goes where the position is finished, in front of
- * `mvPosition`, and transforms whatever normals there are by then. Where only three's own lines have made the normal, it warps
- * `objectNormal` and runs these lines there instead. Where anyone else has changed a normal, it is led back from view space to the
- * object, warped, and led forth again.
+ * Three.js computes the normal before the position. So we insert the warp where the position is finished, before `mvPosition`, and
+ * transform the normals that exist by then. If only three's own lines compute the normal, we warp `objectNormal` and run these lines
+ * after that instead. If other code changes a normal, we transform that normal back from view space to the object, warp it, and transform
+ * it to view space again.
  */
 import { markViewPosition, passViewPosition, type PixelNormals } from './pixel-normals.js'
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
@@ -17,13 +17,13 @@ import type { WeaveOptions } from './weave-options.js'
 /** Matches the first statement that uses the finished position of the vertex. */
 export const anchor = /\b(?:vec4\s+mvPosition|gl_Position)\s*=[^;]*\btransformed\b[^;]*;/
 
-/** Tests whether a warp can be put into a vertex shader. */
+/** Tests whether a warp can be added to a vertex shader. */
 export function canWeave(vertexShader: string): boolean {
   const source = resolveIncludes(vertexShader)
   return anchor.test(source) || readsPosition(splitAtMain(source)?.main ?? '')
 }
 
-/** Splits a source in front of the function that has the anchor, which need not be `main`: others may call it. */
+/** Splits a source before the function that contains the anchor. That need not be `main`, which may call it. */
 export function splitAtAnchor(source: string) {
   const { index } = anchor.exec(source) ?? {}
   if (index === undefined) return undefined
@@ -34,7 +34,7 @@ export function splitAtAnchor(source: string) {
     : { top: source.slice(0, start), main: source.slice(start) }
 }
 
-/** Returns a vertex shader with the warp in it. With `pixel` it also passes what normals at each pixel need. */
+/** Returns a vertex shader with the warp. If `pixel` is passed, the shader also passes the varyings from which pixels compute normals. */
 export function weave(
   vertexShader: string,
   warp: ThreeWarp,
@@ -45,7 +45,7 @@ export function weave(
   const parts = splitAtAnchor(source)
   if (!parts) return weaveAttributes(source, warp, options)
   const isLit = /\btransformedNormal\b/.test(parts.main)
-  // A shader that makes its own normal from the attribute.
+  // True for a shader that computes its own normal from the attribute.
   const readsAttribute =
     !isLit && options.isShaderMaterial && readsNormal(withoutNormalChunks(source))
   const code = new WarpCode(warp, {
@@ -77,7 +77,7 @@ export const projection = /\bgl_Position\s*=\s*projectionMatrix\s*\*\s*mvPositio
 export const passToPixels = (after: string, pixel: PixelNormals) =>
   `${pixel.passMatrices}\n${after.replace(projection, `$&\n${passViewPosition}`)}`
 
-/** Returns why a vertex shader cannot leave the normals to the fragment shader; `undefined` if it can. */
+/** Returns why normals cannot be computed in the fragment shader; `undefined` if they can. */
 export function obstacleInVertex(vertexShader: string): string | undefined {
   const source = resolveIncludes(vertexShader)
   const { main = '' } = splitAtAnchor(source) ?? {}
@@ -93,7 +93,7 @@ export function obstacleInVertex(vertexShader: string): string | undefined {
     : "its vertex shader lacks three's line gl_Position = projectionMatrix * mvPosition;"
 }
 
-/** Lets the preprocessor know which variables there are, also where that depends on conditions. */
+/** Defines macros for the variables that exist, also where their declarations depend on conditions of the preprocessor. */
 export const markNormals = (main: string) =>
   main
     .replace(/\bvec3\s+objectNormal\s*=[^;]*;/g, '$&\n#define WARPJET_OBJECT_NORMAL\n')
@@ -105,7 +105,7 @@ export const markVaryings = (top: string) =>
 const normalNames =
   /\b(?:objectNormal|transformedNormal|vNormal|objectTangent|transformedTangent|vTangent|vBitangent)\b/
 
-/** Tests whether only three's own chunks have made the normal. */
+/** Tests whether only three's own chunks compute the normal. */
 const isUnchanged = (main: string) => !normalNames.test(withoutNormalChunks(main))
 
 export function withoutNormalChunks(source: string): string {
@@ -114,13 +114,13 @@ export function withoutNormalChunks(source: string): string {
   return chunks.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), source)
 }
 
-/** Leaves out three's own lines from the normal of the object to that of the view, which run behind the warp. */
+/** Removes three's own lines that transform the normal of the object to the view, since they run after the warp instead. */
 const withoutFirstRun = (main: string) =>
   main
     .replace(chunkSource('defaultnormal_vertex'), 'vec3 transformedNormal = vec3( 0.0 );')
     .replace(chunkSource('normal_vertex'), '')
 
-/** Puts the warp in front of morph targets and bones. */
+/** Inserts the warp before morph targets and bones. */
 function weaveAtRest(
   before: string,
   code: WarpCode,
@@ -138,26 +138,26 @@ ${pixel ? `${pixel.pass(code.names)}\n` : ''}objectNormal = ${normal};
 objectTangent = ${tangent};
 #endif
 }`
-  const inFront = (text: string, statement: RegExp, inserted: string) =>
+  const insertBefore = (text: string, statement: RegExp, inserted: string) =>
     text.replace(statement, (found) => `${inserted}\n${found}`)
   let text = before
   for (const statement of [
     /\bobjectNormal\s*\*=\s*morphTargetBaseInfluence/,
     /\bmat4\s+skinMatrix\s*=/,
   ])
-    if (isLit) text = inFront(text, statement, once('WARPJET_NORMAL_DONE', normals))
+    if (isLit) text = insertBefore(text, statement, once('WARPJET_NORMAL_DONE', normals))
   for (const statement of [
     /\btransformed\s*\*=\s*morphTargetBaseInfluence/,
     /\bvec4\s+skinVertex\s*=/,
   ])
-    text = inFront(text, statement, once('WARPJET_POSITION_DONE', block))
+    text = insertBefore(text, statement, once('WARPJET_POSITION_DONE', block))
   return text
 }
 
 const once = (mark: string, statements: string) =>
   `\n#ifndef ${mark}\n#define ${mark}\n${statements}\n#endif`
 
-/** Completes the normal and the bitangent that three's own lines made of a normal that was warped in front of the bones. */
+/** Returns statements that complete the normal and the bitangent, which three's own lines compute from a normal that was warped before the bones. */
 const afterPose = (
   warp: ThreeWarp,
 ) => `#if defined( WARPJET_NORMAL_DONE ) && defined( WARPJET_VARYING_NORMAL )

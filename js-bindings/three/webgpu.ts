@@ -11,7 +11,7 @@ import {
   type Warped,
 } from './material.js'
 import { ComputedMesh } from './nodes/computed-mesh.js'
-import { carry, install, isOurs, markNode } from './nodes/context.js'
+import { attachWarp, install, isOurs, markNode } from './nodes/context.js'
 import { warmUpWhenIdle } from './nodes/exact-normals/warm-up.js'
 import { nodeFor } from './nodes/vertex.js'
 import { provideNodes } from './renderers.js'
@@ -19,7 +19,7 @@ import { readOptions, type ThreeOffset, type WarpOptions } from './settings.js'
 import { ThreeWarp } from './three-warp.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 
-/** Properties of materials of nodes. Three.js copies them from other materials, too. */
+/** The properties of a NodeMaterial that we read. Three.js copies these flags when it converts another material to a NodeMaterial. */
 interface NodeMaterial extends Material {
   isNodeMaterial?: boolean
   isShaderMaterial?: boolean
@@ -39,17 +39,19 @@ function checkMaterial(
   else checkUnwarped(method, material as Material)
   const name = nameOfMaterial(material as Material, object)
   if (is.isShaderMaterial)
-    throw new WarpError(`${method}: WebGPURenderer does not draw ${name}; use a material of nodes.`)
+    throw new WarpError(
+      `${method}: WebGPURenderer does not draw ${name}; use a node material, such as MeshStandardNodeMaterial.`,
+    )
   const isPoints =
     is.isPointsNodeMaterial && (object as { isPoints?: boolean } | undefined)?.isPoints
   if (is.isPointsNodeMaterial && object && !isPoints)
     throw new WarpError(
-      `${method}: ${name} draws squares that face the camera, unless it is on Points; put it on Points with the geometry.`,
+      `${method}: ${name} draws squares that face the camera, unless its object is a Points; use new Points(geometry, material).`,
     )
   if (is.isSpriteNodeMaterial && !is.isPointsNodeMaterial) throw spriteError(method, 'a sprite')
   if (vertexNode)
     throw new WarpError(
-      `${method}: the vertexNode of ${name} replaces the position of the vertex, so that a warp would do nothing; put it into positionNode.`,
+      `${method}: the vertexNode of ${name} replaces the position of the vertex, so that a warp would do nothing; move that node to positionNode.`,
     )
 }
 
@@ -58,9 +60,9 @@ function nameOfMaterial({ name, type }: Material, object?: Mesh) {
   return object ? `${material} of ${nameOf(object)}` : material
 }
 
-/** Warps a material on all objects that have it; call the result to end that. */
-function carryMaterial(material: Material, warp: ThreeWarp) {
-  const release = carry(material, warp)
+/** Warps a material on all objects that have it; the returned function ends that. */
+function attachToMaterial(material: Material, warp: ThreeWarp) {
+  const release = attachWarp(material, warp)
   mark(material, true)
   material.needsUpdate = true
   return () => {
@@ -73,7 +75,7 @@ function carryMaterial(material: Material, warp: ThreeWarp) {
 install()
 provideNodes({
   check: checkMaterial,
-  carryObject: carry,
+  attachWarp,
   isOurs,
   computeDivision: (input) => new ComputedMesh(input),
 })
@@ -87,7 +89,7 @@ export interface NodeWarpedMaterial<
   readonly material: Kind
 }
 
-/** A material that moves its vertices by a warp and transforms their normals, with its shadows, on every object that has it. */
+/** Warps a clone of the material, or with `share: true` the material itself: vertices, normals and shadows of every object that has it. */
 export function warpMaterial<Kind extends Material, const Uniforms extends ThreeUniforms = {}>(
   material: Kind,
   offset: ThreeOffset<ValuesOf<Uniforms>>,
@@ -98,26 +100,26 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   checkMaterial(method, material)
   const warp = new ThreeWarp(offset as never, settings)
   const { isShared } = settings
-  const carrying = isShared ? material : material.clone()
-  const release = carryMaterial(carrying, warp)
+  const warped = isShared ? material : material.clone()
+  const release = attachToMaterial(warped, warp)
   return {
-    material: carrying as Kind,
+    material: warped as Kind,
     uniforms: warp.handles as never,
     normals: warp.normals,
     update: updateOf(warp),
     dispose() {
       release()
-      if (!isShared) carrying.dispose()
+      if (!isShared) warped.dispose()
     },
   }
 }
 
 export interface WarpNode<Uniforms = {}> extends Omit<Warped<Uniforms>, 'dispose'> {
-  /** For the `positionNode` of any material of nodes; it transforms `normalLocal` and `tangentLocal`, too. */
+  /** A node for the `positionNode` of any node material; it transforms `normalLocal` and `tangentLocal`, too. */
   readonly node: Node
 }
 
-/** The warp as a node: `material.positionNode = warpNode(offset).node`. */
+/** Makes a node of a warp: `material.positionNode = warpNode(offset).node`. */
 export function warpNode<const Uniforms extends ThreeUniforms = {}>(
   offset: ThreeOffset<ValuesOf<Uniforms>>,
   options: WarpOptions<Uniforms> = {},

@@ -80,13 +80,13 @@ std::vector<std::string> operationNames() {
   return names;
 }
 
-// Returns flags of all operations: bit 0 for methods, bit 1 for those that are listed, which
-// operations of GLSL source only are not.
+// Returns flags of all operations: bit 0 for methods, bit 1 for those that are listed. Internal
+// operations are neither.
 std::vector<std::uint8_t> operationFlags() {
   std::vector<std::uint8_t> flags;
   for (const Operation& operation : operations) {
-    const bool isMethod = !operation.isGlslOnly && !operation.isConstructor();
-    flags.push_back((isMethod ? 1 : 0) | (operation.isGlslOnly ? 0 : 2));
+    const bool isMethod = !operation.isInternal && !operation.isConstructor();
+    flags.push_back((isMethod ? 1 : 0) | (operation.isInternal ? 0 : 2));
   }
   return flags;
 }
@@ -150,7 +150,7 @@ struct Stats {
 // The record that JavaScript receives.
 struct ShaderTextRecord {
   std::string problem, code = {}, declarations = {};
-  std::vector<Variable> inputs = {};  // the host's expressions that the text reads
+  std::vector<Variable> inputs = {};  // the inputs that the code reads
   Stats stats = {};
 };
 
@@ -159,7 +159,7 @@ struct CpuProgram {
   std::string problem;
   Words words = {};
   std::uint32_t instructions = 0;
-  std::vector<Variable> inputs = {};  // whose numbers it takes, in order
+  std::vector<Variable> inputs = {};  // the program takes their numbers in this order
 };
 
 Module* openModule(const Words& words) { return new Module(load(words)); }
@@ -178,10 +178,10 @@ std::vector<Variable> inputs(const Module& module) {
 
 // Returns the inputs that the results depend on.
 std::vector<Variable> inputsReadBy(const Module& module, const Words& results) {
-  std::vector<Variable> read;
+  std::vector<Variable> variables;
   for (const std::uint32_t i : inputsRead(module, results))
-    read.push_back(inputVariable(module, i));
-  return read;
+    variables.push_back(inputVariable(module, i));
+  return variables;
 }
 
 std::vector<Variable> results(const Module& module) {
@@ -193,15 +193,15 @@ std::vector<Variable> results(const Module& module) {
 
 std::uint32_t separate(Module& module, const Words& known) { return separateFrame(module, known); }
 
-// Combines numbers and names of inputs or results. They cross as two arrays, since a record for
-// each pair takes three calls.
+// Pairs the numbers of inputs or results with their names. JavaScript passes two arrays, since a
+// record for each pair takes three calls.
 std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>& names) {
   std::vector<Naming> all;
   for (std::size_t i = 0; i < numbers.size(); ++i) all.push_back({numbers[i], names[i]});
   return all;
 }
 
-// Writes shader code. A depth of 0 selects the default.
+// Writes shader code. A `maxDepth` of 0 selects the default.
 ShaderTextRecord writeText(const Module& module, std::string_view target, const Words& inputs,
                            const std::vector<std::string>& inputNames, const Words& results,
                            const std::vector<std::string>& resultNames, int maxDepth,
@@ -235,8 +235,9 @@ std::vector<Phase> phases(Module& module, const Words& results, const Words& var
   return addPhases(module, results, varying);
 }
 
-// Returns for each input whether the program reads it. `sizes` are the counts of their numbers.
-std::vector<std::uint8_t> inputsOfProgramRead(const Words& words, std::uint32_t instructions,
+// Returns for each input whether the program reads it. `sizes` has the number of components of each
+// input.
+std::vector<std::uint8_t> inputsReadByProgram(const Words& words, std::uint32_t instructions,
                                               const Words& sizes) {
   const Program program{words, instructions};
   std::vector<std::uint8_t> all;
@@ -342,7 +343,7 @@ EMSCRIPTEN_BINDINGS(core) {
 
   function("operationNames", &operationNames);
   function("operationFlags", &operationFlags);
-  function("inputsRead", &inputsOfProgramRead);
+  function("inputsRead", &inputsReadByProgram);
   function("evaluate", &evaluateInDouble);
   function("memoryInUse", &memoryInUse);
 }

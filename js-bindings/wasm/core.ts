@@ -1,4 +1,4 @@
-// The compiler (core.cpp). It starts with the first warp.
+// Loads the wasm module of the compiler (core.cpp). It starts when the first warp is compiled.
 import type { Bound } from '../generated/core-bindings.js'
 import inlined from '../generated/core-wasm.js'
 import factory from '../generated/core.js'
@@ -24,7 +24,7 @@ export const core = new WasmInstance<Core>({
 export const getCore = () => core.get()
 
 /**
- * Returns the number of bytes that the compiler holds in the wasm, which is the same between any two warps.
+ * Returns the number of bytes that the compiler holds in the wasm. Between warps, it is always the same.
  * @internal
  */
 export const memoryInUse = (): number => getCore().memoryInUse()

@@ -19,8 +19,8 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// Makes a mesh with arrays to fill. `sizes` are the numbers per vertex of its attributes, of which
-// the first one is its positions.
+// Makes a mesh with arrays to fill. `sizes` has the number of components of each attribute, and
+// `areUnit` a nonzero number for unit vectors. The first attribute has the positions.
 Detail* makeDetail(const Words& sizes, const Words& areUnit, std::uint32_t vertices,
                    std::uint32_t triangles, const Words& groups, bool isCurved) {
   std::vector<Attribute> attributes;
@@ -45,11 +45,12 @@ View<std::uint32_t> groups(const Detail& detail) { return View(detail.groups());
 
 // `numbers` has 19 numbers for each view: a matrix by columns, half of the size of the viewport in
 // pixels, and `ScreenView::facing`.
-bool update(Detail& detail, const std::vector<float>& numbers, float tolerance) {
-  return detail.update(numbers, tolerance);
+View<std::uint32_t> show(Detail& detail, const std::vector<float>& numbers) {
+  return View(detail.show(numbers));
 }
 
-// For compute passes: the base, the pieces of its edges, and the numbers of the criterion.
+// The following functions return what compute passes read: the base mesh, the numbers of pieces of
+// its edges, and the numbers of the criterion.
 Words topology(const Detail& detail) { return topologyOf(detail.base()); }
 Words pieces(const Detail& detail) { return {detail.pieces().begin(), detail.pieces().end()}; }
 std::uint32_t vertexCount(const Detail& detail) {
@@ -84,10 +85,13 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("pose", &Detail::pose)
       .function("cut", &Detail::cut)
       .function("sampleCount", &Detail::sampleCount)
+      .function("cutSampleCount", &Detail::cutSampleCount)
       .function("sample", &sample)
       .function("phases", &phases)
       .function("warped", &warped)
-      .function("update", &update)
+      .function("forgetSamples", &Detail::forgetSamples)
+      .function("show", &show)
+      .function("update", &Detail::update)
       .function("attribute", &attribute)
       .function("indices", &indices)
       .function("groups", &groups)

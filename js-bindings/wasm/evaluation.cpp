@@ -40,7 +40,7 @@ class CpuProgram {
   // components of each input.
   std::vector<std::uint8_t> inputsRead(const Words& wanted, const Words& sizes) const {
     std::vector<std::uint8_t> isRead;
-    std::vector<std::size_t> inputOf;  // by number
+    std::vector<std::size_t> inputOf;  // the input that each number belongs to
     for (const std::uint32_t size : sizes) {
       inputOf.insert(inputOf.end(), size, isRead.size());
       isRead.push_back(0);
@@ -55,16 +55,17 @@ class CpuProgram {
   // component of the inputs. `budget` can only lower that of `BoundsOptions`.
   std::vector<double> bounds(const std::vector<double>& ranges, const Words& wanted,
                              double budget) const {
-    std::vector<Range> given;
+    std::vector<Range> inputRanges;
     for (std::size_t i = 0; i + 1 < ranges.size(); i += 2)
-      given.push_back({ranges[i], ranges[i + 1]});
+      inputRanges.push_back({ranges[i], ranges[i + 1]});
     BoundsOptions options;
     if (budget < static_cast<double>(options.budget))
       options.budget = static_cast<std::uint64_t>(budget);
-    std::vector<double> found;
-    for (const auto& [low, high] : warpjet::bounds(words_, instructions_, given, wanted, options))
-      found.insert(found.end(), {low, high});
-    return found;
+    std::vector<double> lowsAndHighs;
+    for (const auto& [low, high] :
+         warpjet::bounds(words_, instructions_, inputRanges, wanted, options))
+      lowsAndHighs.insert(lowsAndHighs.end(), {low, high});
+    return lowsAndHighs;
   }
 
   bool isTooLongForMachineCode() const { return instructions_ > maxInstructions; }
@@ -85,8 +86,8 @@ class CpuProgram {
   std::uint32_t instructions_;
 };
 
-// Interprets a program for some of its results, in batches of at most `vertices` vertices. The
-// caller fills the inputs: uniform ones before the first run.
+// Computes the wanted results of a program by interpreting it, in batches of at most `vertices`
+// vertices. The caller fills the inputs before each run; uniform ones only before the first.
 class Evaluator {
  public:
   Evaluator(const CpuProgram& program, const Words& wanted, const std::vector<InputArray>& inputs,
@@ -122,7 +123,8 @@ class Evaluator {
 struct Code {
   std::vector<std::uint8_t> module;  // empty if the program is too long
   Words inputsAt = {}, resultsAt = {};
-  // Bits of floats that must be at this offset before `start`: the last part of the memory.
+  // The bits of floats that the caller copies to offset `sharedAt` before it calls the exported
+  // `start`. They are the last part of the memory.
   Words shared = {};
   std::uint32_t sharedAt = 0;
 };
@@ -135,19 +137,20 @@ Code makeCode(const CpuProgram& program, const Words& wanted, const std::vector<
     return std::exchange(end, end + static_cast<std::uint32_t>(sizeof(float) * numbers));
   };
   Code code{};
-  std::vector<Placement> from, to;
+  std::vector<Placement> inputPlaces, resultPlaces;
   for (const InputArray& input : inputs) {
     code.inputsAt.push_back(place(input.length(vertices)));
-    from.push_back({code.inputsAt.back(), input.size, input.isUniform});
+    inputPlaces.push_back({code.inputsAt.back(), input.size, input.isUniform});
   }
   for (const std::uint32_t size : resultSizes) {
     code.resultsAt.push_back(place(std::size_t{size} * vertices));
-    to.push_back({code.resultsAt.back(), size});
+    resultPlaces.push_back({code.resultsAt.back(), size});
   }
-  MachineCode made = machineCode(program.allocate(wanted, inputs), from, to, end);
-  code.module = std::move(made.module);
-  code.shared = std::move(made.shared);
-  code.sharedAt = made.sharedAt;
+  MachineCode compiled =
+      machineCode(program.allocate(wanted, inputs), inputPlaces, resultPlaces, end);
+  code.module = std::move(compiled.module);
+  code.shared = std::move(compiled.shared);
+  code.sharedAt = compiled.sharedAt;
   return code;
 }
 
@@ -155,8 +158,8 @@ std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
 
-// Functions that machine code imports. `Staged` in src/eval/staged.hpp has the operations that it
-// contains itself.
+// Functions that machine code imports. It contains the other operations itself: see `Staged` in
+// src/eval/staged.hpp.
 extern "C" {
 #define LANES(name) \
   EMSCRIPTEN_KEEPALIVE simd::Floats lanes_##name(simd::Floats x) { return name(Lanes(x)).floats; }

@@ -31,12 +31,12 @@ export const evaluation = new WasmInstance<Evaluation>({
 function withImports(bound: Bound & Emscripten): Evaluation {
   const memory = Object.values(bound.asm).find((each) => each instanceof WebAssembly.Memory)
   const lanes = Object.entries(bound).filter(([name]) => name.startsWith('_lanes_'))
-  const named = lanes.map(([name, call]) => [name.slice(1), call])
-  return Object.assign(bound, { imports: { memory, ...Object.fromEntries(named) } })
+  const functions = lanes.map(([name, call]) => [name.slice(1), call])
+  return Object.assign(bound, { imports: { memory, ...Object.fromEntries(functions) } })
 }
 
 /**
- * Returns the number of bytes held in the wasm, which is the same between any two calls.
+ * Returns the number of bytes held in the wasm. Between calls, it is always the same.
  * @internal
  */
 export const evaluationMemoryInUse = (): number => evaluation.get().memoryInUse()

@@ -1,5 +1,5 @@
-// The border to JavaScript of the front end for shader source. A source is read once, and its
-// functions are listed in words that JavaScript replays.
+// The bindings of the front end for shader source. A source is parsed once; each function that is
+// needed is lowered to a list of operations, as words, which JavaScript replays.
 #include "source/glsl/glsl.hpp"
 
 #include <malloc.h>
@@ -18,7 +18,7 @@ using namespace warpjet::source;
 
 namespace {
 
-// The builder's name of each code; empty where it is none of its operations.
+// Returns the name of the builder's operation for each code; empty for codes that are no operation.
 std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeNames)}; }
 
 Source* openSource(std::string_view text, bool isWgsl) {

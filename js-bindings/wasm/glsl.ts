@@ -1,4 +1,4 @@
-// The front end for shader source (glsl.cpp). It starts with the first source.
+// Loads the wasm module of the front end for shader source (glsl.cpp). It starts when the first source is parsed.
 import type { Bound } from '../generated/glsl-bindings.js'
 import inlined from '../generated/glsl-wasm.js'
 import factory from '../generated/glsl.js'
@@ -16,7 +16,7 @@ export const glsl = new WasmInstance<Bound & Emscripten>({
 })
 
 /**
- * Returns the number of bytes that the front end holds in the wasm, which is the same between any two calls.
+ * Returns the number of bytes that the front end holds in the wasm. Between calls, it is always the same.
  * @internal
  */
 export const glslMemoryInUse = (): number => glsl.get().memoryInUse()

@@ -16,7 +16,7 @@ export interface Emscripten {
   isBroken: boolean
 }
 
-/** An object of C++. */
+/** A C++ object bound by embind. */
 interface Handle {
   delete(): void
 }
@@ -42,15 +42,15 @@ interface Options {
 }
 
 export class WasmInstance<Bound extends Emscripten> {
-  private present: Bound | undefined
+  private instance: Bound | undefined
 
   constructor(private readonly options: Options) {}
 
   get(): Bound {
-    return (this.present ??= this.start())
+    return (this.instance ??= this.start())
   }
 
-  /** Does `work` with an object of C++, and deletes it whatever happens. */
+  /** Makes a C++ object, calls `work` with it, and deletes it, also if `work` throws. */
   use<Owned extends Handle, Result>(
     make: (bound: Bound) => Owned,
     work: (owned: Owned, bound: Bound) => Result,
@@ -67,24 +67,24 @@ export class WasmInstance<Bound extends Emscripten> {
   }
 
   private drop(bound: Bound) {
-    if (this.present === bound) this.present = undefined
+    if (this.instance === bound) this.instance = undefined
   }
 
   private start(): Bound {
     const { factory, inlined, explainStart } = this.options
     const fail = (error: unknown) => this.failure(bound, error)
-    let made: Bound
+    let module: Bound
     try {
-      made = withBytes(inlined, (wasmBinary) =>
+      module = withBytes(inlined, (wasmBinary) =>
         factory({ wasmBinary, printErr() {}, fail }),
       ) as Bound
     } catch (cause) {
       throw (!(cause instanceof WarpError) && explainStart?.(cause)) || cause
     }
-    // Engines treat Emscripten's object as a slow dictionary; functions of a prototype are fast to look up.
-    const bound: Bound = Object.assign(Object.create(made), { isBroken: false })
-    for (const [name, call] of Object.entries(made))
-      if (/^_[a-z]/.test(name)) Reflect.set(made, name, this.guard(bound, call as never))
+    // Engines treat Emscripten's object as a slow dictionary. As the prototype of another object, its functions are fast to look up.
+    const bound: Bound = Object.assign(Object.create(module), { isBroken: false })
+    for (const [name, call] of Object.entries(module))
+      if (/^_[a-z]/.test(name)) Reflect.set(module, name, this.guard(bound, call as never))
     return bound
   }
 
@@ -92,8 +92,8 @@ export class WasmInstance<Bound extends Emscripten> {
    * Wraps a plain export so that failures are handled; bound functions are wrapped already. Seven parameters are enough for all
    * exports, and take half the time of a rest parameter.
    */
-  guard<Call extends (...given: never[]) => unknown>(bound: Bound, call: Call): Call {
-    const plain = call as unknown as (...given: unknown[]) => unknown
+  guard<Call extends (...args: never[]) => unknown>(bound: Bound, call: Call): Call {
+    const plain = call as unknown as (...args: unknown[]) => unknown
     const guarded: typeof plain = (a, b, c, d, e, f, g) => {
       try {
         return plain(a, b, c, d, e, f, g)
@@ -119,7 +119,7 @@ export const outOfMemory =
   (message: (megabytes: number) => string) => (cause: unknown, megabytes: number) =>
     cause instanceof RangeError ? cause : new WarpError(message(megabytes))
 
-/** Tests for a failure: a trap, a stack overflow, lack of memory, or an uncaught C++ exception. */
+/** Returns whether an error means that the instance has failed: a trap, a stack overflow, lack of memory, or an uncaught C++ exception. */
 const isTrap = (error: unknown) =>
   error instanceof WebAssembly.RuntimeError ||
   error instanceof RangeError ||

@@ -1,5 +1,5 @@
-// The data that enters and leaves one call of the module of meshes. Its arrays have names, which
-// `npm run reference` writes for JavaScript.
+// The data of one call into the mesh wasm module. `npm run reference` generates mesh-tables.ts from
+// the names in `jobArrays`.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,26 @@ namespace warpjet {
 
 struct Job {
   Mesh mesh;
-  Origins origins;  // of a refined mesh
-  // The input or output file, and the next one of the further files that it needs.
-  std::vector<std::uint8_t> file, contents;
+  Origins origins;                 // of a refined mesh
+  std::vector<std::uint8_t> file;  // the input or output file
+  // The bytes that the next call takes or returns: an external file that `file` refers to (a
+  // buffer, image or .mtl), a compressed part, or a decoded piece.
+  std::vector<std::uint8_t> transfer;
   std::optional<ModelFile> model;  // parsed from the file when it is first needed
   Files files;
-  std::vector<PackedPart> parts;  // the compressed ones of the model
+  std::vector<PackedPart> parts;  // the compressed parts of the model
   Pieces pieces;                  // of the part that is being unpacked
-  // The textures of the base color and of normals.
-  std::vector<std::uint8_t> picture, mimeType, normalPicture, normalMimeType;
+  // The images of the material's base-color texture and normal texture.
+  std::vector<std::uint8_t> baseColorImage, baseColorMimeType, normalImage, normalMimeType;
 };
 
-template <class Of>
+template <class Get>
 struct JobArray {
   std::string_view name;
-  Of of;  // a job
+  Get get;  // returns the array of a job
 };
-template <class Of>
-JobArray(std::string_view, Of) -> JobArray<Of>;
+template <class Get>
+JobArray(std::string_view, Get) -> JobArray<Get>;
 
 inline constexpr std::tuple jobArrays{
     JobArray{"positions", [](auto& job) -> decltype(auto) { return (job.mesh.positions); }},
@@ -51,14 +53,16 @@ inline constexpr std::tuple jobArrays{
     JobArray{"uGradients", [](auto& job) -> decltype(auto) { return (job.mesh.gradients[3]); }},
     JobArray{"vGradients", [](auto& job) -> decltype(auto) { return (job.mesh.gradients[4]); }},
     JobArray{"indices", [](auto& job) -> decltype(auto) { return (job.mesh.indices); }},
-    JobArray{"ends", [](auto& job) -> decltype(auto) { return (job.origins.ends); }},
-    JobArray{"triangles", [](auto& job) -> decltype(auto) { return (job.origins.triangles); }},
-    JobArray{"picture", [](auto& job) -> decltype(auto) { return (job.picture); }},
-    JobArray{"mimeType", [](auto& job) -> decltype(auto) { return (job.mimeType); }},
-    JobArray{"normalPicture", [](auto& job) -> decltype(auto) { return (job.normalPicture); }},
+    JobArray{"originEnds", [](auto& job) -> decltype(auto) { return (job.origins.ends); }},
+    JobArray{"originTriangles",
+             [](auto& job) -> decltype(auto) { return (job.origins.triangles); }},
+    JobArray{"baseColorImage", [](auto& job) -> decltype(auto) { return (job.baseColorImage); }},
+    JobArray{"baseColorMimeType",
+             [](auto& job) -> decltype(auto) { return (job.baseColorMimeType); }},
+    JobArray{"normalImage", [](auto& job) -> decltype(auto) { return (job.normalImage); }},
     JobArray{"normalMimeType", [](auto& job) -> decltype(auto) { return (job.normalMimeType); }},
     JobArray{"file", [](auto& job) -> decltype(auto) { return (job.file); }},
-    JobArray{"contents", [](auto& job) -> decltype(auto) { return (job.contents); }},
+    JobArray{"transfer", [](auto& job) -> decltype(auto) { return (job.transfer); }},
     JobArray{"painted", [](auto& job) -> decltype(auto) { return (job.mesh.painted); }},
 };
 

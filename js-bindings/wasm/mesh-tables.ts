@@ -11,9 +11,15 @@ export type FloatArray =
   | 'normalZGradients'
   | 'uGradients'
   | 'vGradients'
-export type IndexArray = 'indices' | 'ends' | 'triangles'
+export type IndexArray = 'indices' | 'originEnds' | 'originTriangles'
 export type ByteArray =
-  'picture' | 'mimeType' | 'normalPicture' | 'normalMimeType' | 'file' | 'contents' | 'painted'
+  | 'baseColorImage'
+  | 'baseColorMimeType'
+  | 'normalImage'
+  | 'normalMimeType'
+  | 'file'
+  | 'transfer'
+  | 'painted'
 
 export const triangleLimit = 268435456
 /** The default of the option `maxTriangles`. */

@@ -63,8 +63,8 @@ template <class Number>
 std::vector<Number>& arrayOf(Job& job, std::string_view name) {
   std::vector<Number>* found = nullptr;
   const auto consider = [&](const auto& each) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(each.of(job))>, std::vector<Number>>)
-      if (each.name == name) found = &each.of(job);
+    if constexpr (std::is_same_v<std::decay_t<decltype(each.get(job))>, std::vector<Number>>)
+      if (each.name == name) found = &each.get(job);
   };
   std::apply([&](const auto&... each) { (consider(each), ...); }, jobArrays);
   if (!found) throw std::out_of_range(std::string(name));
@@ -111,10 +111,10 @@ std::uint32_t triangleCount(const Job& job) {
   return static_cast<std::uint32_t>(job.mesh.triangleCount());
 }
 
-// Adds `contents` to the files that the model refers to.
+// Adds `transfer` to the files that the model refers to.
 Outcome keepFile(Job& job, const std::string& name) {
   return attempt([&]() -> Texts {
-    job.files[name] = std::exchange(job.contents, {});
+    job.files[name] = std::exchange(job.transfer, {});
     return {};
   });
 }
@@ -134,19 +134,19 @@ Outcome findPacked(Job& job) {
   });
 }
 
-// Copies the bytes of a compressed part into `contents`.
+// Copies the bytes of a compressed part into `transfer`.
 Outcome openPacked(Job& job, std::uint32_t part) {
   return attempt([&]() -> Texts {
     const Bytes bytes = job.parts.at(part).bytes;
-    job.contents.assign(bytes.begin(), bytes.end());
+    job.transfer.assign(bytes.begin(), bytes.end());
     return {};
   });
 }
 
-// Appends `contents` to the decoded pieces, which `unpack` takes.
+// Appends `transfer` to the decoded pieces, which `unpack` takes.
 Outcome keepPiece(Job& job) {
   return attempt([&]() -> Texts {
-    job.pieces.push_back(std::exchange(job.contents, {}));
+    job.pieces.push_back(std::exchange(job.transfer, {}));
     return {};
   });
 }
@@ -175,8 +175,8 @@ Outcome loadFile(Job& job) {
     job.mesh = std::move(*loaded.mesh);
     if (job.mesh.material && job.mesh.material->baseColorTexture) {
       const auto& [bytes, mimeType] = *job.mesh.material->baseColorTexture;
-      job.picture = bytes;
-      job.mimeType.assign(mimeType.begin(), mimeType.end());
+      job.baseColorImage = bytes;
+      job.baseColorMimeType.assign(mimeType.begin(), mimeType.end());
     }
     return std::move(loaded.warnings);
   });
@@ -207,7 +207,7 @@ Outcome addVariation(Job& job) {
   });
 }
 
-// Replaces the normals of a checked mesh by those that a file gets.
+// Replaces the normals of a checked mesh by unit normals, as they are written to files.
 Outcome normalizeNormals(Job& job) {
   return attempt([&]() -> Texts {
     job.mesh.normals = unitNormals(job.mesh);
@@ -229,8 +229,8 @@ void setTexture(std::optional<Image>& texture, std::vector<std::uint8_t>& bytes,
 Outcome writeFile(Job& job) {
   return attempt([&]() -> Texts {
     if (job.mesh.material) {
-      setTexture(job.mesh.material->baseColorTexture, job.picture, "baseColorTexture");
-      setTexture(job.mesh.material->normalTexture, job.normalPicture, "normalTexture");
+      setTexture(job.mesh.material->baseColorTexture, job.baseColorImage, "baseColorTexture");
+      setTexture(job.mesh.material->normalTexture, job.normalImage, "normalTexture");
     }
     job.file = exportGlb(job.mesh);
     return {};
@@ -242,12 +242,12 @@ struct Borrowed {
   Job* job;
 };
 
-// Subdivides a checked mesh where the warp needs it. `warp` moves the vertices of the job that is
-// passed to it, whose normals may be lost, and returns `false` if it fails; it must not throw. The
-// texts say which goals were not reached.
+// Subdivides a checked mesh where the warp needs it. `warp` receives a job and moves its vertices;
+// it may drop its normals. It returns `false` if it fails, and must not throw. The texts say which
+// goals were not reached.
 Outcome refine(Job& job, float tolerance, float angle, std::uint32_t maxTriangles,
                const val& warp) {
-  const auto warped = [&](const Mesh& vertices) -> Moved {
+  const auto moveVertices = [&](const Mesh& vertices) -> Moved {
     Job moved;
     moved.mesh = vertices;
     if (!warp(Borrowed{&moved}).as<bool>()) throw std::runtime_error("the warp failed");
@@ -255,7 +255,7 @@ Outcome refine(Job& job, float tolerance, float angle, std::uint32_t maxTriangle
   };
   return attempt([&] {
     const Refinement refinement{tolerance, angle, maxTriangles};
-    Refined refined = subdivide(job.mesh, refinement, warped);
+    Refined refined = subdivide(job.mesh, refinement, moveVertices);
     Texts texts = shortfallOf(refined, refinement);
     job.mesh = std::move(refined.mesh);
     job.origins = std::move(refined.origins);

@@ -1,4 +1,4 @@
-// The module of meshes (mesh.cpp). It starts when it is first used, and holds nothing between two calls.
+// Loads the wasm module for meshes (mesh.cpp). It starts when it is first used, and holds no data between two calls.
 import type { Bound } from '../generated/mesh-bindings.js'
 import inlined from '../generated/mesh-wasm.js'
 import factory from '../generated/mesh.js'
@@ -23,7 +23,7 @@ export const meshes = new WasmInstance<MeshModule>({
 })
 
 /**
- * Returns the number of bytes that the module holds in its wasm, which is the same between any two calls. For tests only.
+ * Returns the number of bytes that the module holds in its wasm. Between calls, it is always the same. For tests only.
  * @internal
  */
 export const meshMemoryInUse = (): number => meshes.get().memoryInUse()

@@ -1,5 +1,5 @@
-// MikkTSpace tangents, by the wasm of the package mikktspace. The package's own loader needs an `import` of wasm, which bundlers and
-// browsers lack, or files, which browsers lack; so this calls the exports that it calls.
+// Computes MikkTSpace tangents with the wasm of the package mikktspace. The package's own loader needs an `import` of wasm, which bundlers
+// and browsers lack, or files, which browsers lack. So we call the exports of the wasm ourselves, as that loader does.
 import inlined from '../generated/mikktspace-wasm.js'
 import { withBytes } from './inlined.js'
 
@@ -8,14 +8,14 @@ interface Exports extends WebAssembly.Exports {
   /** Frees the three arrays, and writes the address and length of the result to `result`. */
   generateTangents(result: number, ...addressesAndLengths: number[]): void
   __wbindgen_malloc(bytes: number): number
-  /** Moves the pointer of the stack, and returns it. */
+  /** Adds to the stack pointer, and returns it. */
   __wbindgen_add_to_stack_pointer(bytes: number): number
 }
 
 let compiled: WebAssembly.Module | undefined
 
 /**
- * Returns 4 numbers per vertex, a unit tangent and the sign of its bitangent, of triangles that share no vertices. MikkTSpace expects v
+ * Returns 4 numbers per vertex (a unit tangent and the sign of its bitangent) for triangles that share no vertices. MikkTSpace expects v
  * to increase upwards. Throws a `RangeError` or a `RuntimeError` if there is not enough memory.
  */
 export function generateTangents(
@@ -30,12 +30,12 @@ export function generateTangents(
   })
   const wasm = exports as Exports
   const result = wasm.__wbindgen_add_to_stack_pointer(-16)
-  const given = [positions, normals, uvs].flatMap((numbers) => {
+  const inputs = [positions, normals, uvs].flatMap((numbers) => {
     const address = wasm.__wbindgen_malloc(numbers.byteLength)
     new Float32Array(wasm.memory.buffer, address, numbers.length).set(numbers)
     return [address, numbers.length]
   })
-  wasm.generateTangents(result, ...given)
+  wasm.generateTangents(result, ...inputs)
   const [address, length] = new Uint32Array(wasm.memory.buffer, result, 2)
   return new Float32Array(wasm.memory.buffer, address, length).slice()
 }

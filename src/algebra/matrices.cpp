@@ -8,7 +8,7 @@ namespace warpjet {
 
 namespace {
 
-// The rows or columns that remain of a matrix, ascending.
+// The rows or columns of a matrix that a minor contains, ascending.
 struct Remaining {
   std::array<int, 4> indices{};
   int count = 0;
@@ -28,8 +28,8 @@ struct Remaining {
   }
 };
 
-// Laplace expansion. The rows of a 4x4 matrix are kept in pairs, (0, 1) and (2, 3), so that all
-// cofactors share the same twelve 2x2 minors.
+// Returns the minor of these rows and columns by Laplace expansion. The rows of a 4x4 matrix are
+// paired as (0, 1) and (2, 3), so that all cofactors share the same twelve 2x2 minors.
 Expression minor(const Value& m, const Remaining& rows, const Remaining& columns) {
   if (rows.count == 1) return m.at(columns.indices[0], rows.indices[0]);
   const bool expandsByLast = rows.count == 3 && rows.indices[1] == 1 && m.shape().rows == 4;
@@ -45,8 +45,8 @@ Expression minor(const Value& m, const Remaining& rows, const Remaining& columns
 
 Expression cofactor(const Value& m, int column, int row) {
   const Remaining all = Remaining::all(m.shape().rows);
-  const Expression found = minor(m, all.without(row), all.without(column));
-  return (column + row) % 2 == 0 ? found : -found;
+  const Expression value = minor(m, all.without(row), all.without(column));
+  return (column + row) % 2 == 0 ? value : -value;
 }
 
 Expression inner(const Value& a, const Value& b, int column, int row) {
@@ -99,10 +99,10 @@ Value rotationAbout(const Value& axis, Expression angle) {
   const Value u = normalize(axis);
   const Expression c = cos(angle), s = sin(angle);
   return fillMatrix(axis.graph(), 3, 3, [&](int column, int row) {
-    const Expression straight = u[column] * u[row] * (1.0 - c);
-    if (column == row) return straight + c;
-    const Expression across = u[3 - column - row] * s;
-    return (column + 1) % 3 == row ? straight + across : straight - across;
+    const Expression symmetric = u[column] * u[row] * (1.0 - c);
+    if (column == row) return symmetric + c;
+    const Expression skew = u[3 - column - row] * s;
+    return (column + 1) % 3 == row ? symmetric + skew : symmetric - skew;
   });
 }
 

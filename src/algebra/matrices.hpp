@@ -5,19 +5,20 @@
 
 namespace warpjet {
 
-// Multiplies a matrix by a matrix, by a vector, or a row vector by a matrix.
+// Multiplies two matrices, a matrix by a vector, or a row vector by a matrix.
 Value multiply(const Value& a, const Value& b);
 Value transpose(const Value& m);
 Expression determinant(const Value& m);
-// The adjugate divided by the determinant: infinite or NaN if that is zero.
+// Returns the adjugate divided by the determinant: infinite or NaN if that is zero.
 Value inverse(const Value& m);
 
-// `value` on the diagonal, zero elsewhere.
+// Returns a square matrix with `value` on the diagonal and zero elsewhere.
 Value diagonal(int size, Expression value);
 
-// Right-handed rotations: counterclockwise when the axis points at the viewer. Angles in radians.
+// Returns the matrix of a right-handed rotation: counterclockwise when the axis points at the
+// viewer. The angle is in radians.
 Value rotationAbout(int axis, Expression angle);
-// Rotates about any axis of any length, by Rodrigues' formula.
+// Returns that matrix for an axis of any direction and length, by Rodrigues' formula.
 Value rotationAbout(const Value& axis, Expression angle);
 
 }  // namespace warpjet

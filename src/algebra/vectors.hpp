@@ -10,12 +10,13 @@ Expression sum(const Value& v);
 Expression dot(const Value& a, const Value& b);
 Value cross(const Value& a, const Value& b);
 
-// Their derivatives at zero are defined as zero, and so is the unit vector of zero.
+// The derivatives of `length` and `normalize` at the zero vector are defined as zero, and so is its
+// unit vector.
 Expression length(const Value& v);
 Value normalize(const Value& v);
 
 Value reflect(const Value& incident, const Value& normal);
-// Zero in case of total internal reflection.
+// Returns zero in case of total internal reflection.
 Value refract(const Value& incident, const Value& normal, Expression eta);
 Value faceforward(const Value& normal, const Value& incident, const Value& reference);
 

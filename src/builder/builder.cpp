@@ -14,7 +14,7 @@ std::nullopt_t Builder::reject(std::string_view method, Parts parts) {
   return std::nullopt;
 }
 
-int Builder::finish(std::optional<Value> value, std::size_t before, std::string_view method) {
+int Builder::addResult(std::optional<Value> value, std::size_t before, std::string_view method) {
   operands_.clear();
   if (value && !checkPossible(value->nodes(), before, method)) value.reset();
   return value ? values_.add(*value) : failed;
@@ -30,10 +30,10 @@ bool Builder::checkPossible(std::span<const NodeId> results, std::size_t before,
   return false;
 }
 
-// A message for nodes that a shader can't compute: operations on constants that weren't folded,
-// because the result isn't a finite float32; divisions by the constant zero; and noise derivatives
-// of such a high order that their code would be endless. Null for other nodes.
-const std::string_view* Builder::impossible(NodeId id) const {
+// Returns a message for nodes that a shader can't compute: operations on constants that weren't
+// folded, because the result isn't a finite float32; divisions by the constant zero; and noise
+// derivatives of such a high order that their code would be endless. Null for other nodes.
+const std::string_view* Builder::explainImpossible(NodeId id) const {
   if (graph_.isResult(id)) {
     const Function& function = graph_.function(graph_.operand(id, 0));
     const int derivative = graph_.resultNumber(id) / function.values;
@@ -52,14 +52,14 @@ const std::string_view* Builder::impossible(NodeId id) const {
   return &notFinite;
 }
 
-// Checks the nodes made since `before` and the older nodes that they read; anything below those was
-// checked when it was made.
+// Checks the nodes made since `before` and the older nodes that they read. The operands of older
+// nodes were checked when they were made.
 const std::string_view* Builder::findImpossible(std::span<const NodeId> results,
                                                 std::size_t before) {
   needed_.assign(graph_.size() - before, false);
   const auto visit = [&](NodeId id) {
     if (index(id) >= before) needed_[index(id) - before] = true;
-    return index(id) < before ? impossible(id) : nullptr;
+    return index(id) < before ? explainImpossible(id) : nullptr;
   };
   for (const NodeId id : results) {
     if (const auto* why = visit(id)) return why;
@@ -67,7 +67,7 @@ const std::string_view* Builder::findImpossible(std::span<const NodeId> results,
   for (std::size_t i = needed_.size(); i-- > 0;) {
     if (!needed_[i]) continue;
     const NodeId id{static_cast<std::uint32_t>(before + i)};
-    if (const auto* why = impossible(id)) return why;
+    if (const auto* why = explainImpossible(id)) return why;
     for (int k = 0; k < graph_.arity(id); ++k) {
       if (const auto* why = visit(graph_.operand(id, k))) return why;
     }
@@ -77,7 +77,7 @@ const std::string_view* Builder::findImpossible(std::span<const NodeId> results,
 
 int Builder::constant(double value) {
   const NodeId id = graph_.constant(value);
-  return finish(Value(Expression{&graph_, id}), graph_.size(), "val");
+  return addResult(Value(Expression{&graph_, id}), graph_.size(), "val");
 }
 
 int Builder::call(int number, bool isMethod) {
@@ -98,7 +98,7 @@ int Builder::call(int number, bool isMethod) {
       return needsPartials;
     }
   }
-  return finish(apply(operation, site), before, operation.name);
+  return addResult(apply(operation, site), before, operation.name);
 }
 
 std::optional<Value> Builder::apply(const Operation& operation, const Site& site) {
@@ -138,7 +138,7 @@ int Builder::callFunction(int number) {
       return Expression{&graph_, graph_.call(static_cast<std::uint32_t>(number), arguments)};
     });
   }();
-  return finish(result, before, function.name);
+  return addResult(result, before, function.name);
 }
 
 int Builder::swizzle(int handle, int count, unsigned indices) {
@@ -153,15 +153,15 @@ int Builder::swizzle(int handle, int count, unsigned indices) {
     }
     return value;
   }();
-  return finish(selected, graph_.size(), {});
+  return addResult(selected, graph_.size(), {});
 }
 
 void Builder::comment(std::string_view text) {
   differentiator_.logTo(derived_);
   derived_.clear();
-  const NodeId first{static_cast<std::uint32_t>(commented_)};
+  const NodeId first{static_cast<std::uint32_t>(commentedCount_)};
   const NodeId end{static_cast<std::uint32_t>(graph_.size())};
-  commented_ = graph_.size();
+  commentedCount_ = graph_.size();
   if (first == end) return;
   Comments& comments = module_.comments;
   comments.ranges.push_back({first, end, static_cast<std::uint32_t>(comments.texts.size())});
@@ -171,8 +171,8 @@ void Builder::comment(std::string_view text) {
 // Nodes made after the last comment get the comment of the node that they are a derivative of.
 void Builder::commentDerivatives() {
   Comments& comments = module_.comments;
-  for (const auto& [first, end, of] : derived_) {
-    if (const Comments::Range* range = comments.find(of))
+  for (const auto& [first, end, origin] : derived_) {
+    if (const Comments::Range* range = comments.find(origin))
       comments.ranges.push_back({first, end, std::uint32_t{range->text}});
   }
 }

@@ -32,8 +32,8 @@ inline constexpr std::array<std::string_view, 10> warpOperands{
     "position",        "normal",          "uv",        "tangent",   "normalXGradient",
     "normalYGradient", "normalZGradient", "uGradient", "vGradient", "color"};
 
-// The results that a warp adds, in this order. Those that depend on the Jacobian come twice: with a
-// constant normal and uv, and with normal and uv that vary over the surface.
+// The results that a warp adds, in this order. Those that depend on the Jacobian are added twice:
+// with a constant normal and uv, and with normal and uv that vary over the surface.
 inline constexpr std::array<std::string_view, 2> movedResults{"offset", "position"};
 inline constexpr std::string_view orientationResult = "orientation";
 inline constexpr std::array<std::string_view, 4> orientedResults{"normal", "tangent", "direction",
@@ -57,8 +57,8 @@ class Builder {
   // `value` must be zero or a nonzero float32.
   int constant(double value);
 
-  // A variable of the host, identified by the expression that reads it; `method` is the method that
-  // requests it.
+  // Reads a variable of the host, identified by the expression that reads it in the shader;
+  // `method` is the method that requests it, for messages.
   int input(std::string_view method, std::string_view label, Shape shape);
 
   // Calls an operation, or a function of the host, on the values pushed since the last call. The
@@ -69,7 +69,7 @@ class Builder {
   int callNoise(const Noise& noise, bool isMethod);
   // Samples the host's image of that name; the operand is a vec2.
   int callTexture(const Sampling& sampling, std::string_view image);
-  // The width and height of the host's image of that name.
+  // Returns the width and height of the host's image of that name.
   int imageSize(std::string_view image);
 
   // Adds a function that a front end recorded as a module; returns its number. Calls take numbers,
@@ -81,13 +81,13 @@ class Builder {
   // Opens a loop of `steps` iterations; the values pushed are the initial states. Returns the
   // handle of the step number, followed by the handles of the states. `closeRepeat` takes the new
   // states from the values pushed and returns the handle of the first outcome; the other handles
-  // follow. If recording the body fails, drop it.
+  // follow. If recording the body fails, call `dropRepeat` instead.
   [[gnu::noinline]] int openRepeat(int steps);
   [[gnu::noinline]] int closeRepeat();
   void dropRepeat() { repeats_.pop_back(); }
 
   // Selects components of a vector, two bits per index, the first one lowest. Its messages don't
-  // name the method, which could be spelled in three alphabets.
+  // name the method, which could be spelled in three alphabets (xyzw, rgba, stpq).
   int swizzle(int handle, int count, unsigned indices);
 
   // Adds a host function from `arity` floats to a float, with its sources.
@@ -109,7 +109,7 @@ class Builder {
   // it needs the gradients, 0 if not; or `failed` or `needsPartials`.
   int warp(std::string_view method, const WarpOptions& options);
 
-  // The number of the input that the value is, or is a component of.
+  // Returns the number of the input that the value is, or is a component of.
   std::uint32_t inputOf(int handle);
 
   // Returns true if the module can be written and run; otherwise sets the problem.
@@ -121,7 +121,7 @@ class Builder {
     std::string_view method;
     bool isMethod;
 
-    std::string place(std::size_t operand) const;
+    std::string describeOperand(std::size_t operand) const;
   };
 
   // A loop whose body is being recorded.
@@ -153,16 +153,17 @@ class Builder {
   bool hasAllPartials(const Value& value);
   [[gnu::noinline]] bool dependsOnLoopOf(NodeId call, std::span<const NodeId> nodes) const;
   int addAll(std::span<const Shape> shapes, std::span<const NodeId> nodes);
-  // True if a node reads a variable of a loop outside of its fold. With `mayReadStep`, the step
-  // number is ignored.
+  // Returns true if a node reads a variable of a loop outside of its fold. With `mayReadStep`, the
+  // step number is ignored.
   bool readsOpenRepeat(std::span<const NodeId> nodes, bool mayReadStep);
   bool checkReadsNoRepeat(const Value& value, std::string_view asker);
 
-  // Returns the handle of a value, unless a node made since `before` can't be computed in a shader.
-  int finish(std::optional<Value> value, std::size_t before, std::string_view method);
-  // Sets the problem and returns false if one of them can't be computed.
+  // Returns the handle of a value; `failed` if a node made since `before`, which is a size of the
+  // graph, can't be computed in a shader.
+  int addResult(std::optional<Value> value, std::size_t before, std::string_view method);
+  // Sets the problem and returns false if a result can't be computed.
   bool checkPossible(std::span<const NodeId> results, std::size_t before, std::string_view method);
-  const std::string_view* impossible(NodeId id) const;
+  const std::string_view* explainImpossible(NodeId id) const;
   const std::string_view* findImpossible(std::span<const NodeId> results, std::size_t before);
   void addOutput(std::string_view method, std::string_view name, const Value& value);
   void commentDerivatives();
@@ -179,9 +180,10 @@ class Builder {
   std::vector<Value> operands_;
   std::vector<Repeat> repeats_;  // innermost last
   std::vector<Label> labels_;    // by input
-  // Input numbers by the root of their labels, since there may be thousands.
+  // Maps the root of a label → the numbers of the inputs with that root. There may be thousands of
+  // inputs.
   std::map<std::string, std::vector<std::uint32_t>, std::less<>> numbers_;
-  std::size_t commented_ = 0;
+  std::size_t commentedCount_ = 0;     // the size of the graph at the last comment
   std::vector<DerivedNodes> derived_;  // since the last comment, if there are comments
   std::vector<NodeId> pendingCalls_;
   Flags needed_;  // a member to reuse its memory

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Op Mult = ops::find("mult"), Div = ops::find("div");
 
-// The description of a kind in messages.
+// Returns the description of a kind in messages.
 std::string_view kindName(Kind kind) {
   switch (kind) {
     case Kind::Number:
@@ -64,7 +64,7 @@ bool isOfKind(Kind kind, Shape shape) {
 
 }  // namespace
 
-std::string Builder::Site::place(std::size_t operand) const {
+std::string Builder::Site::describeOperand(std::size_t operand) const {
   if (isMethod && operand == 0) return "the value it is called on";
   return "argument " + std::to_string(operand + (isMethod ? 0 : 1));
 }
@@ -135,13 +135,13 @@ std::optional<Value> Builder::applyMatrixProduct(const Value& a, const Value& b,
 std::optional<Value> Builder::compose(const Form& form, const Site& site) {
   const std::string_view kinds = form.operands;
   if (!checkCount(static_cast<int>(kinds.size()), site)) return std::nullopt;
-  std::vector<Value> alike;
+  std::vector<Value> ofOneShape;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const Kind kind{kinds[i]};
     if (!fits(kind, operands_[i], i, site)) return std::nullopt;
-    if (kind == Kind::Vector || kind == Kind::NumberOrVector) alike.push_back(operands_[i]);
+    if (kind == Kind::Vector || kind == Kind::NumberOrVector) ofOneShape.push_back(operands_[i]);
   }
-  if (!commonShape(alike, site)) return std::nullopt;
+  if (!commonShape(ofOneShape, site)) return std::nullopt;
   if (form.rejection) {
     const std::string_view message = form.rejection(operands_);
     if (!message.empty()) return reject(site.method, {message, "."});
@@ -152,8 +152,8 @@ std::optional<Value> Builder::compose(const Form& form, const Site& site) {
 bool Builder::fits(Kind kind, const Value& operand, std::size_t place, const Site& site) {
   const Shape shape = operand.shape();
   if (isOfKind(kind, shape)) return !isInput(kind) || fitsInput(operand, place, site);
-  reject(site.method,
-         {"expected ", kindName(kind), " as ", site.place(place), ", got ", shapeName(shape), "."});
+  reject(site.method, {"expected ", kindName(kind), " as ", site.describeOperand(place), ", got ",
+                       shapeName(shape), "."});
   return false;
 }
 
@@ -163,10 +163,10 @@ bool Builder::fitsInput(const Value& operand, std::size_t place, const Site& sit
     const bool isRepeated =
         std::find(nodes.begin(), nodes.begin() + i, nodes[i]) != nodes.begin() + i;
     if (graph_.isInput(nodes[i]) && !isRepeated) continue;
-    reject(site.method,
-           {site.place(place), isRepeated ? " must have different components."
-                                          : " must be an input such as millis or position.x(), "
-                                            "not something computed."});
+    reject(site.method, {site.describeOperand(place),
+                         isRepeated ? " must have different components."
+                                    : " must be an input such as millis or position.x(), "
+                                      "not something computed."});
     return false;
   }
   return true;

@@ -1,6 +1,6 @@
-// The second table: operations composed of rows of the first, so they need no derivative rule,
-// which could be wrong. One row each: name, operands and description for the documentation, then
-// the kinds of operands and result, and the formula.
+// The second table: operations composed of rows of the first, ops/table.hpp, so that they need no
+// derivative rule of their own, which could be wrong. One row each: name, operands and description
+// for the documentation, then the kinds of operands and result, and the formula.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ enum class Kind : char {
   Matrix = 'M',
   Any = 'e',
   Mat3 = '9',
-  Input = 'i',    // a number that the host gives
+  Input = 'i',    // a number that is an input
   Inputs = 'I',   // a vector of distinct inputs
   Inputs3 = 'J',  // a vec3 of distinct inputs
 };

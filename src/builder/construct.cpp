@@ -8,19 +8,19 @@ namespace warpjet {
 
 namespace {
 
-// Adding 0 converts a condition to 0 or 1.
+// Converts a condition to 0 or 1, by adding 0.
 NodeId toFloat(Graph& graph, NodeId id) {
   return graph.apply(ops::find("add"), {id, graph.constant(0)});
 }
 
 }  // namespace
 
-// The components of all operands, concatenated.
+// Returns the components of all operands, concatenated.
 std::optional<std::vector<Expression>> Builder::components(const Site& site) {
   std::vector<Expression> all;
   for (std::size_t i = 0; i < operands_.size(); ++i) {
     if (operands_[i].shape().isMatrix()) {
-      reject(site.method, {"expected a vector or a number as ", site.place(i), ", got ",
+      reject(site.method, {"expected a vector or a number as ", site.describeOperand(i), ", got ",
                            shapeName(operands_[i].shape()), "."});
       return std::nullopt;
     }
@@ -32,11 +32,11 @@ std::optional<std::vector<Expression>> Builder::components(const Site& site) {
 std::optional<Value> Builder::makeVector(int size, const Site& site) {
   const auto parts = components(site);
   if (!parts) return std::nullopt;
-  const int given = static_cast<int>(parts->size());
-  if (given != size && given != 1)
+  const int count = static_cast<int>(parts->size());
+  if (count != size && count != 1)
     return reject(site.method, {"expected ", std::to_string(size), " components, got ",
-                                std::to_string(given), "."});
-  return fill(graph_, vectorOf(size), [&](int i) { return (*parts)[given == 1 ? 0 : i]; });
+                                std::to_string(count), "."});
+  return fill(graph_, vectorOf(size), [&](int i) { return (*parts)[count == 1 ? 0 : i]; });
 }
 
 std::optional<Value> Builder::makeMatrix(int size, bool ofRows, const Site& site) {
@@ -72,13 +72,13 @@ std::optional<Value> Builder::takePart(bool isRow, const Site& site) {
   const Value& matrix = operands_[0];
   const Shape shape = matrix.shape();
   if (!shape.isMatrix())
-    return reject(site.method,
-                  {"expected a matrix as ", site.place(0), ", got ", shapeName(shape), "."});
+    return reject(site.method, {"expected a matrix as ", site.describeOperand(0), ", got ",
+                                shapeName(shape), "."});
   const int count = isRow ? shape.rows : shape.columns;
   for (int i = 0; i < count; ++i) {
     if (isConstant(operands_[1], i)) return isRow ? matrix.row(i) : matrix.column(i);
   }
-  return reject(site.method, {site.place(1), " must be a whole number from 0 to ",
+  return reject(site.method, {site.describeOperand(1), " must be a whole number from 0 to ",
                               std::to_string(count - 1), "."});
 }
 

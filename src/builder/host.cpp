@@ -24,7 +24,7 @@ int Builder::input(std::string_view method, std::string_view text, Shape shape) 
     nameInput(number, label, method);
     return allComponents(number);
   }();
-  return finish(found, graph_.size(), method);
+  return addResult(found, graph_.size(), method);
 }
 
 void Builder::nameInput(std::uint32_t number, const Label& label, std::string_view method) {
@@ -39,7 +39,7 @@ void Builder::nameInput(std::uint32_t number, const Label& label, std::string_vi
 // missing if there was an error.
 std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view method,
                                                             const Label& label, Shape shape) {
-  const std::vector<std::uint32_t>& beside = numbers_[label.root];
+  const std::vector<std::uint32_t>& sameRoot = numbers_[label.root];
   const auto rejected = [&](Parts parts) {
     reject(method, parts);
     return std::optional(std::optional<Value>());
@@ -49,27 +49,27 @@ std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view met
       return Expression{&graph_, graph_.component(input, indices[i])};
     });
   };
-  for (const std::uint32_t i : beside) {
+  for (const std::uint32_t i : sameRoot) {
     if (labels_[i].text != label.text) continue;
     const Shape known = graph_.input(i).shape;
     if (known == shape) return allComponents(i);
     return rejected({quoteShort(label.text), " was read as ", shapeName(known),
                      " before, and now as ", shapeName(shape), "."});
   }
-  for (const std::uint32_t i : beside) {
+  for (const std::uint32_t i : sameRoot) {
     const Shape known = graph_.input(i).shape;
     const auto part = partOf(labels_[i], known, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
     // The known input has no such part; the host that compiles the code reports that.
     if (isWithin(label, labels_[i]) && !isWithin(labels_[i], label)) return std::nullopt;
   }
-  for (const std::uint32_t i : beside) {
+  for (const std::uint32_t i : sameRoot) {
     const Label& known = labels_[i];
     if (!mayOverlap(known, label)) continue;
     const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
     if (isWithin(known, label))
       return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
-                       ", whose part it is; read the ", whole, " first."});
+                       ", of which it is a part; read the ", whole, " first."});
     return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
                      " and may be a part of it; read the ", whole, " of both first."});
   }
@@ -127,8 +127,8 @@ int Builder::argumentOfCall(NodeId call, int i) {
   return values_.add(Expression{&graph_, graph_.arguments(call)[i]});
 }
 
-// True if one of the nodes depends on a loop that contains the call: the derivative of that loop
-// would depend on itself.
+// Returns true if one of the nodes depends on a loop that contains the call: the derivative of that
+// loop would depend on itself.
 bool Builder::dependsOnLoopOf(NodeId call, std::span<const NodeId> nodes) const {
   if (!graph_.has(foldOp)) return false;
   std::vector<NodeId> folds = reachable(graph_, nodes);

@@ -19,7 +19,7 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     const Value& point = operands_[0];
     const int dimensions = point.size();
     if (dimensions < kind.minDimensions || dimensions > kind.maxDimensions)
-      return reject(name, {"expected ", kind.points, " as ", site.place(0), ", got ",
+      return reject(name, {"expected ", kind.points, " as ", site.describeOperand(0), ", got ",
                            shapeName(point.shape()), "."});
     Numbers arguments;
     for (const Value& operand : operands_) {
@@ -40,7 +40,7 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     const int size = static_cast<int>(values.size());
     return fill(graph_, vectorOf(size), [&](int i) { return values[i]; });
   }();
-  return finish(result, before, name);
+  return addResult(result, before, name);
 }
 
 }  // namespace warpjet

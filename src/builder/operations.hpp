@@ -26,8 +26,8 @@ struct Operation {
   Source source;
   // The index of the row or composition; the size of a constructor; for a part, 1 means a row.
   std::uint8_t index;
-  // Used only by the GLSL front end; it has no method.
-  bool isGlslOnly = false;
+  // Used only by the front ends for shader source or by our JavaScript; it has no public method.
+  bool isInternal = false;
 
   // Vectors and matrices are not constructed by a method.
   constexpr bool isConstructor() const {
@@ -39,7 +39,7 @@ struct Operation {
 namespace detail {
 
 struct Alias {
-  std::string_view name, of;
+  std::string_view name, original;
 };
 
 // The names that glsl-autodiff uses.
@@ -77,11 +77,12 @@ inline constexpr auto operations = [] {
   for (std::size_t i = 0; i < ops::count; ++i) {
     if (!detail::isHidden(ops::declarations[i]))
       all[n++] = {ops::declarations[i].name, Source::Row, number(i),
-                  ops::declarations[i].traits.has(ops::Trait::GlslOnly)};
+                  ops::declarations[i].traits.has(ops::Trait::SourceOnly)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {
-      if (ops::declarations[i].name == alias.of) all[n++] = {alias.name, Source::Row, number(i)};
+      if (ops::declarations[i].name == alias.original)
+        all[n++] = {alias.name, Source::Row, number(i)};
     }
   }
   for (std::size_t i = 0; i < compositions.size(); ++i)

@@ -34,10 +34,8 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
     operands_.clear();
     return needsPartials;
   }
-  const Value* const given = &operands_[1];
-  const WarpInputs inputs{
-      given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]},
-      given[9]};
+  const Value* const in = &operands_[1];  // `warpOperands`
+  const WarpInputs inputs{in[0], in[1], in[2], in[3], {in[4], in[5], in[6], in[7], in[8]}, in[9]};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
   commentDerivatives();
 
@@ -45,9 +43,9 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   const auto add = [&](std::span<const std::string_view> names, std::span<const Value> values) {
     for (std::size_t i = 0; i < names.size(); ++i) results.emplace_back(names[i], values[i]);
   };
-  const auto addDirections = [&](const WarpedDirections& turned) {
+  const auto addDirections = [&](const WarpedDirections& warped) {
     add(orientedResults, std::array<Value, orientedResults.size()>{
-                             turned.normal, turned.tangent, turned.direction, turned.determinant});
+                             warped.normal, warped.tangent, warped.direction, warped.determinant});
   };
   add(movedResults, std::array<Value, movedResults.size()>{warp.offset, warp.position});
   if (warp.surface) {
@@ -69,7 +67,7 @@ bool Builder::finish() {
   // Every value was checked when it was made, but a sketch may catch an error and continue.
   if (wasImpossible_) {
     for (const NodeId id : reachable(graph_, module_.roots())) {
-      if (const auto* why = impossible(id)) reject("A result", {*why});
+      if (const auto* why = explainImpossible(id)) reject("A result", {*why});
     }
   }
   if (readsOpenRepeat(module_.roots(), false)) reject("A result", {onlyInItsBody});

@@ -19,7 +19,7 @@ int Builder::imageSize(std::string_view image) {
   const int handle = input("texture", image, imageShape);
   if (handle == failed) return failed;
   const std::size_t before = graph_.size();
-  return finish(sizeOf(inputOf(handle)), before, "texture");
+  return addResult(sizeOf(inputOf(handle)), before, "texture");
 }
 
 int Builder::callTexture(const Sampling& sampling, std::string_view image) {
@@ -34,7 +34,7 @@ int Builder::callTexture(const Sampling& sampling, std::string_view image) {
   if (sampling.isByHost())
     for (int i = 0; i < 3; ++i) arguments.push_back(operands[1][i]);
   const Numbers values = module_.library.call(definitionOf(sampling), arguments);
-  return finish(fill(graph_, vectorOf(4), [&](int i) { return values[i]; }), before, "texture");
+  return addResult(fill(graph_, vectorOf(4), [&](int i) { return values[i]; }), before, "texture");
 }
 
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-// The values that a sketch refers to by handle.
+// The values that JavaScript refers to by handle.
 #pragma once
 
 #include <cstdint>

@@ -52,6 +52,8 @@ class BaseMesh {
     const auto [first, second] = inOrder(a, b);
     return sidesByEnds_.find(first, second);
   }
+  // Vertices at one place, on both sides of a seam, have the same one. It is below `vertexCount`.
+  std::uint32_t placeOf(std::uint32_t vertex) const { return places_[vertex]; }
   bool startsAt(std::uint32_t side, std::uint32_t vertex) const {
     return sides_[side].ends[0] == vertex;
   }

@@ -13,6 +13,10 @@ struct Criterion {
   float aside = 1.5f;
   // A cell faces away if its signed area on the screen is below minus this share of its sides.
   float away = 0.2f;
+  // These take the place of `margin` and `away` for flat triangles between warped corners: one that
+  // is invisible by them, as its neighbors are, needs no samples.
+  float flatMargin = 1.5f;
+  float flatAway = 0.5f;
   // The bend between samples can exceed that of all cells. This estimates by how much, as a share
   // of the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
   float beyondCells = 0.3f;

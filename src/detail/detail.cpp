@@ -18,15 +18,12 @@ constexpr double maxCutTriangles = 1 << 16;
 
 constexpr std::size_t numbersPerView = 19;
 
-std::vector<ScreenView> readViews(std::span<const float> numbers) {
-  std::vector<ScreenView> views(numbers.size() / numbersPerView);
-  for (ScreenView& view : views) {
-    for (int i = 0; i < 16; ++i) view.clip[i / 4][i % 4] = numbers[i];
-    view.halfSize = {numbers[16], numbers[17]};
-    view.facing = numbers[18];
-    numbers = numbers.subspan(numbersPerView);
-  }
-  return views;
+ScreenView readView(std::span<const float> numbers) {
+  ScreenView view;
+  for (int i = 0; i < 16; ++i) view.clip[i / 4][i % 4] = numbers[i];
+  view.halfSize = {numbers[16], numbers[17]};
+  view.facing = numbers[18];
+  return view;
 }
 
 // Replaces each step between two vertices by the pieces of its side.
@@ -87,6 +84,7 @@ void Detail::use(BaseMesh base, std::vector<Patch> patches) {
   patches_ = std::move(patches);
   samples_ = between().samples();
   warped_.resize(samples_[0].values.size());
+  forgetSamples();
   needs_ = {};
   uniform_ = 0;
   indices_.clear();
@@ -102,6 +100,7 @@ void Detail::pose() {
   }
   base_->setAttributes(*attributes);
   samples_ = between().samples();
+  forgetSamples();
   indices_.clear();
 }
 
@@ -110,7 +109,7 @@ std::uint32_t Detail::sampleCount() const {
 }
 
 std::vector<float>& Detail::phases(std::uint32_t size) {
-  phases_.resize(std::size_t{size} * sampleCount());
+  phases_.resize(std::size_t{size} * cutSampleCount());
   return phases_;
 }
 
@@ -183,10 +182,16 @@ std::uint32_t Detail::chooseUniform() {
   return uniform < advantage * adaptive ? pieces : 0;
 }
 
-bool Detail::update(std::span<const float> numbers, float tolerance) {
-  const std::vector<ScreenView> views = readViews(numbers);
+const std::vector<std::uint32_t>& Detail::show(std::span<const float> views) {
+  views_.clear();
+  for (; !views.empty(); views = views.subspan(numbersPerView)) views_.push_back(readView(views));
+  return visible_.add(*base_, warped_, views_);
+}
+
+bool Detail::update(float tolerance) {
   const std::span<const Patch> patches = cuts_.empty() ? std::span<const Patch>() : patches_;
-  const bool isChanged = needs_.update(*base_, patches, warped_, views, tolerance);
+  const bool isChanged =
+      needs_.update({*base_, patches, warped_, visible_.triangles()}, views_, tolerance);
   const std::uint32_t uniform = chooseUniform();
   const bool isSame = uniform == uniform_ && (uniform != 0 || !isChanged);
   if (isSame && !indices_.empty()) return false;

@@ -13,6 +13,7 @@
 #include "detail/need.hpp"
 #include "detail/pn_triangles.hpp"
 #include "detail/tessellation.hpp"
+#include "detail/visible_triangles.hpp"
 
 namespace warpjet {
 
@@ -35,7 +36,9 @@ class Detail {
   // The vertices of the cut mesh, and three samples for each side and each triangle.
   std::uint32_t sampleCount() const;
   std::span<const Attribute> samples() const { return samples_; }
-  // The array for the phases of the samples, `size` numbers each, to be filled before `cut`.
+  // The number of those that `cut` compares, which are the first: all but those of triangles.
+  std::uint32_t cutSampleCount() const { return base_->sampleOfTriangle(0, 0); }
+  // The array for the phases of these, `size` numbers each, to be filled before `cut`.
   std::vector<float>& phases(std::uint32_t size);
   // The array for warped positions of the samples.
   std::vector<float>& warped() { return warped_; }
@@ -46,9 +49,14 @@ class Detail {
   bool cut(float maxLength, const std::vector<std::uint32_t>& sizes,
            const std::vector<float>& steps);
 
-  // Divides the mesh for the views, each with 19 numbers (see the bindings). Returns true if it
-  // changed.
-  bool update(std::span<const float> views, float tolerance);
+  // Forgets the warped positions, since the surface has changed.
+  void forgetSamples() { visible_.clear(); }
+  // Sets the views, each with 19 numbers (see the bindings). The warped positions of the vertices
+  // must be known. Returns the samples that the views may show beside them, and whose warped
+  // positions are not known yet.
+  const std::vector<std::uint32_t>& show(std::span<const float> views);
+  // Divides the mesh for the views, once these samples are warped, too. Returns true if it changed.
+  bool update(float tolerance);
 
   // The mesh after all cuts, and the pieces of its edges.
   const BaseMesh& base() const { return *base_; }
@@ -99,6 +107,8 @@ class Detail {
   std::vector<std::uint32_t> baseGroups_;
   std::vector<Attribute> samples_;
   std::vector<float> phases_, warped_;
+  std::vector<ScreenView> views_;
+  VisibleTriangles visible_;
   Needs needs_;
   Tessellations tessellations_;
   std::uint32_t uniform_ = 0;  // what `chooseUniform` returned

@@ -111,9 +111,9 @@ std::uint32_t roundUp(float need) {
   return found == pieceCounts.end() ? maxPieces : *found;
 }
 
-bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
-                   std::span<const float> warped, std::span<const ScreenView> views,
-                   float tolerance) {
+bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, float tolerance) {
+  const BaseMesh& base = mesh.base;
+  const std::span<const Patch> patches = mesh.patches;
   const auto place = [&](std::uint32_t vertex) {
     const float* p = base.attributes()[0].values.data() + 3 * vertex;
     return vec3(p[0], p[1], p[2]);
@@ -122,8 +122,8 @@ bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
   needs_.assign(base.edgeCount(), 0);
   float uniform = 0;
   pieces_.resize(base.edgeCount(), 1);
-  for (std::size_t t = 0; t < base.triangles().size(); ++t) {
-    const Samples samples = samplesOf(base, t, warped);
+  for (const std::uint32_t t : mesh.triangles) {
+    const Samples samples = samplesOf(base, t, mesh.warped);
     const auto raise = [&](int side, float squaredNeed) {
       float& need = needs_[base.edgeOf(t, side)];
       need = std::max(need, squaredNeed);

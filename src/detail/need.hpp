@@ -12,15 +12,23 @@
 
 namespace warpjet {
 
+// A mesh whose samples are warped.
+struct WarpedMesh {
+  const BaseMesh& base;
+  // They are by triangle. Without them, the mesh is the given one.
+  std::span<const Patch> patches;
+  // Three numbers for each sample of the mesh.
+  std::span<const float> warped;
+  // The triangles whose samples are warped. The others need nothing.
+  std::span<const std::uint32_t> triangles;
+};
+
 // The numbers of pieces that edges have. They keep more than the surface needs until it needs
 // much less, so that the mesh rarely changes.
 class Needs {
  public:
-  // `warped` has three numbers for each sample of the mesh (BaseMesh::samples). Returns true if a
-  // number of pieces changed. Samples that are not finite need nothing.
-  // `patches` are by triangle. Without them, the mesh is the given one.
-  bool update(const BaseMesh& base, std::span<const Patch> patches, std::span<const float> warped,
-              std::span<const ScreenView> views, float tolerance);
+  // Returns true if a number of pieces changed. Samples that are not finite need nothing.
+  bool update(const WarpedMesh& mesh, std::span<const ScreenView> views, float tolerance);
 
   std::span<const std::uint32_t> pieces() const { return pieces_; }
   // The number of pieces, not rounded, that would do if all sides of the given mesh had the same.

@@ -10,6 +10,29 @@ namespace warpjet {
 
 using glm::vec2, glm::vec3, glm::vec4;
 
+bool areOutside(std::span<const vec4> clip, float margin) {
+  const auto areAll = [&](auto&& isOutside) {
+    return std::all_of(clip.begin(), clip.end(), isOutside);
+  };
+  for (int i = 0; i < 2; ++i) {
+    if (areAll([=](vec4 c) { return c[i] > margin * std::abs(c.w); })) return true;
+    if (areAll([=](vec4 c) { return -c[i] > margin * std::abs(c.w); })) return true;
+  }
+  return areAll([](vec4 c) { return c.w <= 0; });
+}
+
+bool isHidden(const ScreenView& view, const std::array<vec4, 3>& clip, float share) {
+  if (view.facing == 0) return false;
+  std::array<vec2, 3> screen;
+  for (int i = 0; i < 3; ++i) {
+    if (clip[i].w <= 0) return false;
+    screen[i] = view.halfSize * vec2(clip[i]) / clip[i].w;
+  }
+  const vec2 u = screen[1] - screen[0], v = screen[2] - screen[0];
+  const float area = view.facing * (u.x * v.y - u.y * v.x);
+  return area < -share * glm::length(u) * glm::length(v);
+}
+
 TriangleOnScreen::TriangleOnScreen(const ScreenView& view, const Samples& samples)
     : view_(view), samples_(samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) clip_[i] = view.clip * vec4(samples[i], 1);
@@ -22,16 +45,13 @@ TriangleOnScreen::TriangleOnScreen(const ScreenView& view, const Samples& sample
   }
 }
 
+// Tests whether any cell is drawn, or almost: what is between the samples may be.
 bool TriangleOnScreen::isVisible() const {
-  const auto areOutside = [&](auto&& isOutside) {
-    return std::all_of(clip_.begin(), clip_.end(), isOutside);
-  };
-  for (int i = 0; i < 2; ++i) {
-    if (areOutside([i](vec4 c) { return c[i] > criterion.margin * std::abs(c.w); })) return false;
-    if (areOutside([i](vec4 c) { return -c[i] > criterion.margin * std::abs(c.w); })) return false;
-  }
-  if (areOutside([](vec4 c) { return c.w <= 0; })) return false;
-  return view_.facing == 0 || !facesAway();
+  if (areOutside(clip_, criterion.margin)) return false;
+  return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+    const auto [a, b, c] = cell.corners;
+    return !isHidden(view_, {clip_[a], clip_[b], clip_[c]}, criterion.away);
+  });
 }
 
 std::array<vec2, 3> TriangleOnScreen::secondDifferences(const Cell& cell) const {
@@ -68,21 +88,6 @@ vec4 TriangleOnScreen::findNearest() const {
   const float aside = criterion.aside * found.w;
   for (int i = 0; i < 2; ++i) found[i] = std::clamp(found[i], -aside, aside);
   return found;
-}
-
-// Tests whether all cells face away, clearly enough that what is between the samples does, too.
-bool TriangleOnScreen::facesAway() const {
-  return std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) {
-    std::array<vec2, 3> screen;
-    for (int i = 0; i < 3; ++i) {
-      const vec4 clip = clip_[cell.corners[i]];
-      if (clip.w <= 0) return false;
-      screen[i] = view_.halfSize * vec2(clip) / clip.w;
-    }
-    const vec2 u = screen[1] - screen[0], v = screen[2] - screen[0];
-    const float area = view_.facing * (u.x * v.y - u.y * v.x);
-    return area < -criterion.away * glm::length(u) * glm::length(v);
-  });
 }
 
 }  // namespace warpjet

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <span>
 
 #include "detail/samples.hpp"
 
@@ -15,6 +16,14 @@ struct ScreenView {
   // 1: triangles that face away are not drawn. -1: triangles that face the eye are not. 0: all are.
   float facing = 0;
 };
+
+// Tests whether all of these places in clip space are outside of one side of the view, times a
+// margin, or behind the eye.
+bool areOutside(std::span<const glm::vec4> clip, float margin);
+
+// Tests whether the view does not draw a flat triangle since it faces away, or the eye: whether its
+// signed area on the screen is below minus this share of its sides.
+bool isHidden(const ScreenView& view, const std::array<glm::vec4, 3>& clip, float share);
 
 class TriangleOnScreen {
  public:
@@ -32,7 +41,6 @@ class TriangleOnScreen {
 
  private:
   glm::vec4 findNearest() const;
-  bool facesAway() const;
 
   const ScreenView& view_;
   const Samples& samples_;

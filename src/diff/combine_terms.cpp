@@ -21,11 +21,11 @@ Term termOf(const Graph& graph, NodeId id, bool isNegative) {
 }
 
 Expression toExpression(Graph& graph, Term term) {
-  const Expression it{&graph, term.id};
-  return term.isNegative ? -it : it;
+  const Expression node{&graph, term.id};
+  return term.isNegative ? -node : node;
 }
 
-// The two terms of a sum, or the only term and zero.
+// Returns the two terms of a sum, or the only term and zero.
 std::array<Term, 2> termsOf(Graph& graph, Term sum) {
   const bool isDifference = graph.is(sum.id, Sub);
   if (!isDifference && !graph.is(sum.id, Add)) return {sum, {graph.constant(0)}};
@@ -47,14 +47,14 @@ NodeId factorOf(const Graph& graph, NodeId product, int i) {
   return graph.is(factor, Mult) ? graph.operand(factor, i / 2 - 1) : noNode;
 }
 
-// The product of the other factors, if such a node exists.
+// Returns the product of the factors other than factor i, if such a node exists.
 NodeId restOf(const Graph& graph, NodeId product, int i) {
   const NodeId other = graph.operand(product, 1 - i % 2);
   if (i < 2) return other;
   return findNode(graph, Mult, graph.operand(graph.operand(product, i % 2), 2 - i / 2), other);
 }
 
-// The sum of two terms as a multiple of an existing sum or difference, or noNode.
+// Returns the sum of two terms as a multiple of an existing sum or difference, or noNode.
 NodeId multipleOf(Graph& graph, Term x, Term y) {
   if (!graph.is(x.id, Mult) || !graph.is(y.id, Mult)) return noNode;
   for (int i = 0; i < maxFactors; ++i) {

@@ -15,8 +15,8 @@ namespace {
 constexpr Op Mult = ops::find("mult"), Div = ops::find("div"), Atan = ops::find("atan"),
              Atan2 = ops::find("atan2");
 
-// The node whose operands an operation is differentiated with respect to. atan(y / x) has the
-// derivative of atan2(y, x), which is finite also where the quotient is infinite.
+// Returns the node whose operands an operation is differentiated with respect to. atan(y / x) has
+// the derivative of atan2(y, x), which is finite also where the quotient is infinite.
 NodeId operandsOf(const Graph& graph, NodeId id) {
   const bool isAngle = graph.is(id, Atan) && graph.is(graph.operand(id, 0), Div);
   return isAngle ? graph.operand(id, 0) : id;
@@ -59,8 +59,8 @@ NodeId Differentiator::fullTangent(const Tangent& tangent) {
   return graph_.apply(Mult, {tangent.factor, tangent.base});
 }
 
-// The common base of all operands, if each depends on the same components as the node. Branching
-// operations always start with their own bases: the base of the branch not taken may be
+// Returns the common base of all operands, if each depends on the same components as the node.
+// Branching operations always start with their own bases: the base of the branch not taken may be
 // infinite, and multiplying it by a factor of 0 would give NaN.
 std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& direction) const {
   const auto& [input, zero, one, tangents, components] = direction;
@@ -70,7 +70,7 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
   for (int i = 0; i < graph_.arity(from); ++i) {
     const NodeId operand = graph_.operand(from, i);
     if (components[operand] == 0) continue;
-    // These contain the arguments of a call, each with its own tangent.
+    // Lists and results read all arguments of a call, each of which has its own tangent.
     if (graph_.isList(operand) || graph_.isResult(id)) return {};
     if (components[operand] != components[id]) return {};
     if (base && tangents[operand].base != *base) return {};
@@ -93,8 +93,8 @@ void Differentiator::findTangent(NodeId id, const Direction& direction) {
   base = chainRule(id, direction, &Differentiator::fullTangent);
 }
 
-// True if the factor or the base may overflow, though their product doesn't: for 1 / r² near r = 0,
-// the base r dr is as small as the factor -2 / r⁴ is large.
+// Returns true if the factor or the base may overflow, though their product doesn't: for 1 / r²
+// near r = 0, the base r dr is as small as the factor -2 / r⁴ is large.
 bool Differentiator::canOverflow(NodeId id, const Tangents& tangents) {
   if (!graph_.isOperation(id)) return false;
   const NodeId from = operandsOf(graph_, id);
@@ -134,7 +134,7 @@ NodeId Differentiator::chainRule(NodeId id, const Direction& direction, Part par
 
 std::uint32_t Differentiator::componentsOf(NodeId id, const Direction& direction) const {
   const Node& node = graph_.node(id);
-  // A state may come to depend on all components.
+  // The components that a state depends on are unknown until its fold is reached.
   if (graph_.isLocal(id)) return graph_.isStep(id) ? 0 : ~std::uint32_t{0};
   const bool isOfInput =
       graph_.isInput(id) && node.operands[0] == graph_.node(direction.input).operands[0];

@@ -15,24 +15,24 @@
 
 namespace warpjet {
 
-// The nodes from `first` up to but excluding `end` were made to differentiate `of`.
+// The nodes from `first` up to but excluding `end` were made to differentiate `origin`.
 struct DerivedNodes {
-  NodeId first, end, of;
+  NodeId first, end, origin;
 };
 
 class Differentiator {
  public:
   explicit Differentiator(Graph& graph) : graph_(graph) {}
 
-  // d root / d input, where `input` is a component of an input. Other inputs are constant. Calls of
-  // host functions that `root` depends on must have their partials, and `root` must not read the
-  // variable of a loop outside of its fold.
+  // Returns d root / d input, where `input` is a component of an input. Treats other inputs as
+  // constant. Calls of host functions that `root` depends on must have their partials, and `root`
+  // must not read the variable of a loop outside of its fold.
   NodeId derivative(NodeId root, NodeId input);
 
   // From now on, new nodes are recorded in `log`.
   void logTo(std::vector<DerivedNodes>& log) { log_ = &log; }
 
-  // The size of the cache for later derivatives.
+  // Returns the size of the cache for later derivatives.
   std::size_t bytes() const { return bytes_; }
 
  private:
@@ -71,8 +71,8 @@ class Differentiator {
   NodeId factorOf(const Tangent& tangent) { return tangent.factor; }
   NodeId fullTangent(const Tangent& tangent);
 
-  // True if the node belongs to a fold and was handled, or has to wait for the derivative of its
-  // fold.
+  // Returns true if the node belongs to a fold and was handled, or has to wait for the derivative
+  // of its fold.
   [[gnu::noinline, gnu::cold]] bool visitFoldPart(NodeId id, const Direction& direction);
   bool isWaiting(NodeId id, const Tangents& tangents) const;
   bool findTangents(std::span<const State> states, const Direction& direction);
@@ -85,7 +85,7 @@ class Differentiator {
   std::map<std::pair<NodeId, NodeId>, NodeId> tangentStates_;
   std::map<NodeId, Tangents> tangents_;
   std::map<std::uint32_t, Components> components_;  // by input
-  std::size_t bytes_ = 0;                           // of both
+  std::size_t bytes_ = 0;                           // of tangents_ and components_
 };
 
 }  // namespace warpjet

@@ -5,7 +5,7 @@
 
 namespace warpjet {
 
-// True for nodes that read a state whose derivative is unknown until its fold is reached.
+// Returns true for nodes that read a state whose derivative is unknown until its fold is reached.
 bool Differentiator::isWaiting(NodeId id, const Tangents& tangents) const {
   if (graph_.isLocal(id)) return !graph_.isStep(id);
   if (graph_.isFold(id)) return false;
@@ -22,9 +22,9 @@ NodeId Differentiator::tangentState(NodeId local, NodeId input) {
   return known->second;
 }
 
-// A state varies if its initial value has a nonzero derivative, or if it reads a state that varies.
-// Each pass over the body may find more such states; it repeats until it finds no more. Returns
-// false if the body reads a state of an enclosing loop, whose fold comes later.
+// Finds the states that vary: their initial value has a nonzero derivative, or they read a state
+// that varies. Repeats passes over the body until a pass finds no more such states. Returns false
+// if the body reads a state of an enclosing loop, whose fold comes later.
 bool Differentiator::findTangents(std::span<const State> states, const Direction& direction) {
   const auto& [input, zero, one, tangents, components] = direction;
   std::vector<NodeId> nexts;
@@ -88,9 +88,9 @@ void Differentiator::visitFold(NodeId id, const Direction& direction) {
   if (!unknown.empty() && !findTangents(unknown, direction)) return;
   for (std::size_t i = 0, count = states.size(); i < count; ++i) {
     const auto [local, start, next] = states[i];
-    const NodeId moving = tangents[local].factor;
-    if (moving != zero)
-      states.push_back({moving, fullTangent(tangents[start]), fullTangent(tangents[next])});
+    const NodeId tangentLocal = tangents[local].factor;
+    if (tangentLocal != zero)
+      states.push_back({tangentLocal, fullTangent(tangents[start]), fullTangent(tangents[next])});
   }
   // Stored in place of a tangent; only outcomes read it.
   tangents.set(id) = {graph_.fold(graph_.loopOf(id), states), direction.one};

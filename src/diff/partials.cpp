@@ -31,8 +31,9 @@ const Partials& partialsOf(Op op) { return partials[index(op)]; }
 std::vector<Slope> slopesOf(Graph& graph, NodeId id) {
   std::vector<Slope> slopes;
   if (graph.isCall(id)) {
-    const std::vector<NodeId> arguments = graph.arguments(id), given = graph.partials(id);
-    for (std::size_t i = 0; i < arguments.size(); ++i) slopes.push_back({arguments[i], given[i]});
+    const std::vector<NodeId> arguments = graph.arguments(id), byArgument = graph.partials(id);
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      slopes.push_back({arguments[i], byArgument[i]});
     return slopes;
   }
   const NodeId call = graph.operand(id, 0);

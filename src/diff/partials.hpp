@@ -25,8 +25,8 @@ struct Slope {
   NodeId argument, partial;
 };
 
-// The slopes of a call of a host function, or of a result of one of our functions. Arguments
-// without a derivative have none.
+// Returns the slopes of a call of a host function, or of a result of one of our functions.
+// Arguments without a derivative have none.
 std::vector<Slope> slopesOf(Graph& graph, NodeId id);
 
 }  // namespace warpjet

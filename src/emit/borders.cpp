@@ -14,14 +14,14 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// The numbers for which an operation is defined: its first operand.
+// The first operands for which an operation is defined.
 struct Domain {
   Op op;
   double low, high;
 };
 
-// Without inversesqrt, which derivatives of asin and acos contain: where it would be reflected, it
-// is NaN, for which normals are geometric.
+// inversesqrt is missing, since the derivatives of asin and acos contain it: where its operand
+// would be reflected, it is NaN, so that the normal there is the geometric one.
 constexpr Domain domains[] = {
     {ops::find("sqrt"), 0, infinity}, {ops::find("log"), 0, infinity},
     {ops::find("log2"), 0, infinity}, {ops::find("pow"), 0, infinity},
@@ -35,7 +35,8 @@ constexpr double minDistance = 1.0 / 16;
 
 class Borders : public Rewriter {
  public:
-  // The operations of all results count: the normal of log(x) contains only its derivative 1 / x.
+  // Considers the operations of all results: the normal of log(x) contains only its derivative 1 /
+  // x.
   Borders(Graph& graph, Library& library, Comments& comments)
       : Rewriter(graph, comments), library_(library), isInLoop_(graph.size()) {
     const auto size = static_cast<std::uint32_t>(graph.size());
@@ -48,7 +49,8 @@ class Borders : public Rewriter {
   }
 
  private:
-  // A loop's derivatives on the screen are undefined after pixels have left it at different steps.
+  // Returns true for values within a loop: their derivatives on the screen are undefined after
+  // pixels have left the loop at different steps.
   bool dependsOnStep(NodeId id) const {
     if (graph_.isLocal(id)) return true;
     for (int i = 0; i < graph_.arity(id); ++i) {
@@ -62,17 +64,17 @@ class Borders : public Rewriter {
   void findEnds(NodeId id, double low, double high) {
     const Interval range = graph_.range(id);
     if (isInLoop_[index(id)] || (range.low >= low && range.high <= high)) return;
-    const auto constantAt = [&](int i) { return graph_.isConstant(graph_.operand(id, i)); };
+    const auto isConstantAt = [&](int i) { return graph_.isConstant(graph_.operand(id, i)); };
     const auto valueAt = [&](int i) { return graph_.value(graph_.operand(id, i)); };
     if (graph_.is(id, ops::find("neg"))) return findEnds(graph_.operand(id, 0), -high, -low);
-    if (graph_.is(id, ops::find("sub")) && constantAt(0))
+    if (graph_.is(id, ops::find("sub")) && isConstantAt(0))
       return findEnds(graph_.operand(id, 1), valueAt(0) - high, valueAt(0) - low);
-    if (graph_.is(id, ops::find("sub")) && constantAt(1))
+    if (graph_.is(id, ops::find("sub")) && isConstantAt(1))
       return findEnds(graph_.operand(id, 0), low + valueAt(1), high + valueAt(1));
     for (const int i : {0, 1}) {
-      if (graph_.is(id, ops::find("add")) && constantAt(i))
+      if (graph_.is(id, ops::find("add")) && isConstantAt(i))
         return findEnds(graph_.operand(id, 1 - i), low - valueAt(i), high - valueAt(i));
-      if (graph_.is(id, ops::find("mult")) && constantAt(i) && valueAt(i) != 0) {
+      if (graph_.is(id, ops::find("mult")) && isConstantAt(i) && valueAt(i) != 0) {
         const auto [first, last] = std::minmax({low / valueAt(i), high / valueAt(i)});
         return findEnds(graph_.operand(id, 1 - i), first, last);
       }

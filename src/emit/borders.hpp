@@ -9,15 +9,15 @@
 
 namespace warpjet {
 
-// True if an operation of the graph is undefined for some numbers, such as the root.
+// Returns true if an operation of the graph is undefined for some numbers, such as sqrt.
 bool hasBorders(const Graph& graph);
 
 // Returns the roots with each number that is less than a pixel outside of the domain of an
 // operation reflected at the end of that domain. On an antialiased canvas the center of a pixel may
 // be outside of a triangle that covers a part of the pixel, and inputs are extrapolated to there.
 // The roots have been differentiated before: derivatives are those at the reflected numbers.
-// Numbers inside of the domain, and those further outside, remain as they are; so do those in
-// loops.
+// Numbers inside of the domain, numbers further outside than a pixel, and all numbers in loops
+// remain as they are.
 std::vector<NodeId> reflectAtBorders(Graph& graph, Library& library, std::span<const NodeId> roots,
                                      Comments& comments);
 

@@ -27,10 +27,10 @@ std::string_view Dialect::typeName(ops::Type type, Shape shape) const {
   return shape.isNumber() ? numbers[kind] : vectors[kind][shape.rows - 2u];
 }
 
-std::string_view Dialect::sourceOf(std::string_view called) const {
-  if (called == acrossName) return across;
-  if (called == downName) return down;
-  return called == sampledTexelName ? sampledTexel : texel;
+std::string_view Dialect::sourceOf(std::string_view functionName) const {
+  if (functionName == acrossName) return across;
+  if (functionName == downName) return down;
+  return functionName == sampledTexelName ? sampledTexel : texel;
 }
 
 void appendExpanded(std::string& text, std::string_view form, Parts parts) {

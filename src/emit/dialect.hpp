@@ -14,7 +14,7 @@
 
 namespace warpjet {
 
-// In the templates, $0, $1, $2 stand for parts.
+// Some strings are templates, in which $0, $1 and $2 are replaced; see `expand`.
 struct Dialect {
   std::string_view name;
   ops::Language language;      // its column in the operation table
@@ -26,21 +26,21 @@ struct Dialect {
   std::string_view constructors;  // types whose constructor an expression may call
   bool hasTemplates;              // such as `vec4<f32>(…)`
   std::string_view builtIns;      // built-in variables that an expression may read
-  std::string_view otherTypes;    // built-in variables that aren't floats
+  std::string_view nonFloats;     // built-in variables that aren't floats
   WordSet keywords;               // keywords, and words reserved for future use
   std::string_view functions;     // built-in functions
   std::size_t maxNameLength;
 
   // Types, by float, bool and int; vectors from two components up, matrices by columns and rows
-  // from two up. Missing types are empty, and `lacks` says what to use instead.
+  // from two up. The names of missing types are empty; `missingTypes` says what to use instead.
   std::array<std::string_view, ops::typeCount> numbers;
   std::array<std::array<std::string_view, 3>, ops::typeCount> vectors;
   std::array<std::array<std::string_view, 3>, 3> matrices;
   std::string_view image;
-  std::string_view lacks;
+  std::string_view missingTypes;
 
   std::string_view numberSuffix;  // the suffix of literals
-  std::string_view declaration;   // declares a variable $1 of type $0 that is assigned later
+  std::string_view declaration;   // the declaration of a variable $1 of type $0, assigned later
   bool declaresSeveral;           // true if a declaration may list more variables
   std::string_view
       definition;             // the start of a definition, up to the value: temporary $1 of type $0
@@ -57,15 +57,15 @@ struct Dialect {
   std::string_view texel;      // the function that reads a texel; see src/texture
   std::string_view
       sampledTexel;  // the same with coordinates beyond the edges, which the host's sampler wraps
-  std::string_view across, down;  // functions of a fragment shader; see screen.hpp
+  std::string_view across, down;  // the functions of screen.hpp
 
   static bool holds(std::string_view list, std::string_view word) {
     return list.find(' ' + std::string(word) + ' ') != list.npos;
   }
 
   std::string_view typeName(ops::Type type, Shape shape) const;
-  // The source of one of our functions that nodes can't express.
-  std::string_view sourceOf(std::string_view called) const;
+  // Returns the source of one of our functions that nodes can't express.
+  std::string_view sourceOf(std::string_view functionName) const;
 };
 
 // Replaces $0, $1, … in a template by the parts.
@@ -77,10 +77,10 @@ extern const Dialect glsl300;
 extern const Dialect glsl100;
 extern const Dialect wgsl;
 
-// All dialects; the first one is the default.
+// Returns all dialects; the first one is the default.
 std::span<const Dialect* const> dialects();
 
-// The dialect with that name, or null.
+// Returns the dialect with that name, or null.
 const Dialect* findDialect(std::string_view name);
 
 }  // namespace warpjet

@@ -7,15 +7,16 @@ namespace warpjet {
 
 namespace {
 
-// Limits recursion; deeper choices count as unknown.
+// Limits recursion; deeper conditions count as unknown.
 constexpr int maxDepth = 24;
 
-// Simplifies the values of a step under the assumption that a condition holds.
+// Simplifies the values of a step under the assumption that the flag is more than 0.5.
 class Assumption {
  public:
   Assumption(const Graph& graph, NodeId flag) : graph_(graph), flag_(flag) {}
 
-  // Follows choices as far as they are known.
+  // Returns the value that an `ifElse` has under the assumption, as far as its conditions are
+  // known.
   NodeId chosen(NodeId id, int depth = maxDepth) {
     if (depth == 0 || !graph_.is(id, ops::find("ifElse"))) return id;
     const auto known = chosen_.find(id);
@@ -47,7 +48,7 @@ class Assumption {
     return a && b ? std::optional(!isOr) : std::nullopt;
   }
 
-  // The condition that the flag is more than 0.5.
+  // Returns true for the condition that the flag is more than 0.5.
   bool isFlag(NodeId id) const {
     return graph_.is(id, ops::find("gt")) && graph_.operand(id, 0) == flag_ &&
            graph_.isConstant(graph_.operand(id, 1), 0.5);
@@ -55,7 +56,7 @@ class Assumption {
 
   const Graph& graph_;
   NodeId flag_;
-  // Nodes that several choices share are followed once.
+  // Caches the result for each node, since several may share one.
   std::unordered_map<NodeId, NodeId> chosen_;
 };
 

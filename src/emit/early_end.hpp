@@ -1,6 +1,6 @@
-// Finds loops that may end early: source whose loop ends at a condition in the shader becomes a
-// loop of the max number of steps, in which a state becomes 1 once the condition fails, and all
-// other states keep their values from then on.
+// Finds loops that may end early. If the number of steps of a loop in shader source is unknown, the
+// loop is recorded with the max number of steps. One of its states becomes 1 once the condition of
+// the source fails; from then on, all other states keep their values.
 #pragma once
 
 #include <optional>

@@ -46,7 +46,8 @@ class Emitter {
   }
 
  private:
-  // A loop may compute a term of a sum in its body before the loop, which splits the product.
+  // With loops, no products are sought: a loop may compute a term of a sum in its body before the
+  // loop, which splits the product.
   bool hasProducts() const { return options_.vectors && !graph_.has(foldOp); }
   bool computes(NodeId id) const { return graph_.isOperation(id) || graph_.isCall(id); }
 
@@ -92,7 +93,7 @@ class Emitter {
     for (std::size_t i = 0; i < ops::count; ++i) {
       const Op op{static_cast<std::uint8_t>(i)};
       if (isUsed[i] && !ops::helpers(op, dialect_.language).empty())
-        result_.withHelpers.push_back(op);
+        result_.opsWithHelpers.push_back(op);
     }
   }
 

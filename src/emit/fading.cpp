@@ -31,13 +31,14 @@ class Fading : public Rewriter {
       return Rewriter::replaceCall(id);
     const std::vector<NodeId> arguments = newArguments(id);
     const auto parameters = arguments.begin() + function.variables;
-    Numbers given;
+    // The coordinates of the point are first; the width of a pixel follows them.
+    Numbers withWidth;
     for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
-      if (argument == parameters) given.push_back(widthOfPixel(library_, given));
-      given.push_back({&graph_, *argument});
+      if (argument == parameters) withWidth.push_back(widthOfPixel(library_, withWidth));
+      withWidth.push_back({&graph_, *argument});
     }
     const Definition fading = withFading(library_.definition(function.name));
-    return graph_.operand(library_.call(fading, given)[0].id, 0);
+    return graph_.operand(library_.call(fading, withWidth)[0].id, 0);
   }
 
   Library& library_;

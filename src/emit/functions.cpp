@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// The results as one variable, or one variable per member of a struct.
+// Returns the results as one variable, or one variable per member of a struct.
 std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
                               const std::vector<NodeId>& results) {
   if (!bundle.isStruct()) return {{"result", vectorOf(bundle.count), results}};
@@ -26,7 +26,7 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 }  // namespace
 
 void Declarations::add(const Graph& graph, const EmittedCode& emitted) {
-  for (const Op op : emitted.withHelpers)
+  for (const Op op : emitted.opsWithHelpers)
     define(ops::declaration(op).name, ops::helpers(op, dialect_.language));
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }

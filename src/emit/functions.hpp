@@ -1,4 +1,5 @@
-// The source of our own functions: those that statements call, and those that these functions call.
+// Writes the source of our own functions: those that statements call, and those that these
+// functions call.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ constinit const Dialect glsl100{
         " float int bool vec2 vec3 vec4 ivec2 ivec3 ivec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 ",
     .hasTemplates = false,
     .builtIns = " gl_Position gl_PointSize gl_FragCoord gl_FrontFacing gl_PointCoord ",
-    .otherTypes = " gl_FrontFacing ",
+    .nonFloats = " gl_FrontFacing ",
     .keywords =
         " attribute const uniform varying break continue do for while if else in out inout float "
         "int void bool true false lowp mediump highp precision invariant discard return mat2 "
@@ -38,7 +38,7 @@ constinit const Dialect glsl100{
     .vectors = glsl::vectors,
     .matrices = {{{"mat2", "", ""}, {"", "mat3", ""}, {"", "", "mat4"}}},
     .image = glsl::image,
-    .lacks = "WebGL 1 has only square matrices; use its columns, such as .column(0)",
+    .missingTypes = "WebGL 1 has only square matrices; use its columns, such as .column(0)",
     .numberSuffix = "",
     .declaration = glsl::declaration,
     .declaresSeveral = true,

@@ -16,7 +16,7 @@ constinit const Dialect glsl300{
     .builtIns =
         " gl_VertexID gl_InstanceID gl_Position gl_PointSize gl_FragCoord gl_FrontFacing "
         "gl_PointCoord ",
-    .otherTypes = " gl_VertexID gl_InstanceID gl_FrontFacing ",
+    .nonFloats = " gl_VertexID gl_InstanceID gl_FrontFacing ",
     .keywords =
         " const uniform layout centroid flat smooth break continue do for while switch case "
         "default if else in out inout float int void bool true false invariant discard return "
@@ -55,7 +55,7 @@ constinit const Dialect glsl300{
                   {"mat3x2", "mat3", "mat3x4"},
                   {"mat4x2", "mat4x3", "mat4"}}},
     .image = glsl::image,
-    .lacks = "",
+    .missingTypes = "",
     .numberSuffix = "",
     .declaration = glsl::declaration,
     .declaresSeveral = true,

@@ -40,13 +40,15 @@ Lanes Packs::operandsOf(const Lanes& lanes, int i) const {
   return operands;
 }
 
-// If an operation has three operands, either all that may be scalars are scalars, or none is.
+// Returns true if operand `i` is the same in all lanes and may be a number beside vectors. Of three
+// operands, either all that may be numbers are numbers, or none is.
 bool Packs::takesNumber(const Lanes& lanes, int i) const {
   const ops::SomeOperands numbers = spellingOf(lanes).numbers;
   if ((numbers >> i & 1) == 0) return false;
   for (int other = 0; other < graph_.arity(lanes[0]); ++other) {
-    const bool isAsked = other == i || (graph_.arity(lanes[0]) == 3 && (numbers >> other & 1) != 0);
-    if (isAsked && !areEqual(operandsOf(lanes, other))) return false;
+    const bool mustBeNumber =
+        other == i || (graph_.arity(lanes[0]) == 3 && (numbers >> other & 1) != 0);
+    if (mustBeNumber && !areEqual(operandsOf(lanes, other))) return false;
   }
   return true;
 }
@@ -59,7 +61,7 @@ bool Packs::isPackable(const Lanes& lanes) const {
   return true;
 }
 
-// True if all lanes are the same operation, and it can be applied to vectors.
+// Returns true if all lanes are the same operation, and it can be applied to vectors.
 bool Packs::isOperation(const Lanes& lanes) const {
   const Op op = graph_.node(lanes[0]).op;
   if (!graph_.isOperation(lanes[0])) return false;
@@ -102,9 +104,9 @@ bool Packs::isPart(const Lanes& lanes) const {
 std::optional<Packs::Factors> Packs::dotProductOf(NodeId sum) const {
   Factors factors;
   for (NodeId rest = sum, term = noNode; term != rest;) {
-    const bool isMore = graph_.is(rest, ops::find("add")) && (rest == sum || !isStatement(rest));
-    term = isMore ? graph_.operand(rest, 1) : rest;
-    if (isMore)
+    const bool isSum = graph_.is(rest, ops::find("add")) && (rest == sum || !isStatement(rest));
+    term = isSum ? graph_.operand(rest, 1) : rest;
+    if (isSum)
       rest = graph_.operand(rest, 0);
     else if (rest == sum)
       return std::nullopt;
@@ -122,7 +124,8 @@ std::optional<Packs::Factors> Packs::dotProductOf(NodeId sum) const {
   return factors;
 }
 
-// Component i is a[i + 1] * b[i + 2] - a[i + 2] * b[i + 1], with either factor first.
+// Returns the factors of a cross product, if the lanes are one: component i is a[i + 1] * b[i + 2]
+// - a[i + 2] * b[i + 1], with either factor first.
 std::optional<Packs::Factors> Packs::crossProductOf(const Lanes& lanes) const {
   Factors factors;
   if (lanes.count != 3) return std::nullopt;
@@ -146,8 +149,8 @@ std::optional<Packs::Factors> Packs::crossProductOf(const Lanes& lanes) const {
 
 std::optional<Packs::Rotation> Packs::rotationOf(const Lanes& lanes) const {
   if (lanes.count != 2) return std::nullopt;
-  Rotation turn{{}, {noNode, noNode, 0}};
-  Matrix& matrix = turn.matrix;
+  Rotation rotation{{}, {noNode, noNode, 0}};
+  Matrix& matrix = rotation.matrix;
   std::array<NodeId, 4> factors{noNode, noNode, noNode, noNode};
   for (int k = 0; k < 4; ++k) {
     const NodeId lane = lanes[k / 2];
@@ -168,9 +171,9 @@ std::optional<Packs::Rotation> Packs::rotationOf(const Lanes& lanes) const {
   }
   if (factors[0] != factors[1] || factors[2] != factors[3]) return {};
   if (graph_.operand(matrix.cosine, 0) != graph_.operand(matrix.sine, 0)) return {};
-  turn.point.add(factors[0]);
-  turn.point.add(factors[2]);
-  return turn;
+  rotation.point.add(factors[0]);
+  rotation.point.add(factors[2]);
+  return rotation;
 }
 
 const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
@@ -181,7 +184,7 @@ const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
   return found == products_.end() ? nullptr : &*found;
 }
 
-// A sine or cosine with its own variable.
+// Returns true for a sine or cosine with its own variable.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
@@ -213,9 +216,9 @@ Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
   // Matrix products are only recorded if they pay off.
   if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {
-    if (const auto turn = rotationOf(lanes)) {
+    if (const auto rotation = rotationOf(lanes)) {
       const int together =
-          rotationStart + chooseLayout(turn->point, As::Operand, levels - 1).length;
+          rotationStart + chooseLayout(rotation->point, As::Operand, levels - 1).length;
       if (together <= row) return {Form::Operation, together};
     }
   }

@@ -1,4 +1,4 @@
-// Writing several nodes as the components of one vector, and the length of the result.
+// Decides how several nodes are written as the components of one vector, and how long the code is.
 //
 // Lanes are up to four nodes. They are written in the shortest of these forms: one number for all
 // lanes, components of an existing vector, one vector operation (including cross products and
@@ -41,7 +41,7 @@ struct Lanes {
 class Packs {
  public:
   enum class Form : std::uint8_t { Number, Part, Operation, Row };
-  // Distinguishes lanes that are an operand from lanes that a statement computes.
+  // Lanes are written as an operand, or as the expression that a statement computes.
   enum class As : std::uint8_t { Operand, Statement };
 
   Packs(const Graph& graph, const Dialect& dialect, std::span<const MatrixProduct> products)
@@ -61,7 +61,7 @@ class Packs {
   static constexpr std::uint32_t never = none - 1;
   std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
   bool isStatement(NodeId id) const { return numberOf(id) != none; }
-  // From now on the node is written inline.
+  // Writes the node inline from now on.
   void removeStatement(NodeId id) {
     numbers_[index(id)] = none;
     lengths_.removeName(id);
@@ -71,12 +71,12 @@ class Packs {
 
   void add(const Lanes& lanes);
   void dissolve(std::uint32_t pack);
-  // With hopes on, lanes that could still be packed are measured as if they were.
+  // If true, lanes that could still be packed are measured as if they were.
   void setOptimistic(bool optimistic) { isOptimistic_ = optimistic; }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::maxCount); }
   Lanes operator[](std::uint32_t pack) const;
-  // The pack that a node is a lane of, or `none`.
+  // Returns the pack that a node is a lane of, or `none`.
   std::uint32_t packOf(NodeId id) const {
     return places_[index(id)] == none ? none : places_[index(id)] / Lanes::maxCount;
   }
@@ -90,26 +90,27 @@ class Packs {
     return lengths_.lengthOfOperation(id, Lengths::maxLevels);
   }
 
-  // The characters saved by one statement of this length in place of one per lane.
+  // Returns how many characters are saved by one statement whose expression has this length, in
+  // place of a statement per lane.
   int gainOf(const Lanes& lanes, int length) const;
 
-  // The vector and component that a node is read from, as four times the vector's key plus the
-  // component; less than four if it isn't a component of a vector.
+  // Returns the vector and component that a node is read from, as four times the vector's key plus
+  // the component; less than four if it isn't a component of a vector.
   std::uint64_t placeOf(NodeId id) const;
-  // The number of components of that vector, if it is one of our variables or the host's; 0
+  // Returns the number of components of that vector, if it is one of our variables or the host's; 0
   // otherwise.
   int sizeAround(NodeId id) const;
   bool isPart(const Lanes& lanes) const;
-  // Operand i of each lane.
+  // Returns operand i of each lane.
   Lanes operandsOf(const Lanes& lanes, int i) const;
-  // True if operand i is the same for all lanes and may be a scalar.
+  // Returns true if operand i is the same for all lanes and may be a scalar.
   bool takesNumber(const Lanes& lanes, int i) const;
   // The two vectors of a sum that is a dot product. A language may add its terms in any order.
   struct Factors {
     Lanes a, b;
   };
   std::optional<Factors> dotProductOf(NodeId sum) const;
-  // The two vectors whose cross product the three lanes are.
+  // Returns the two vectors whose cross product the three lanes are.
   std::optional<Factors> crossProductOf(const Lanes& lanes) const;
   // The matrix of a rotation by an angle, or of a reflection. `minus` has one bit per negated
   // entry, column by column.
@@ -125,9 +126,9 @@ class Packs {
     Matrix matrix;
   };
   std::optional<Rotation> rotationOf(const Lanes& lanes) const;
-  // The vector-matrix product that the three lanes are, or null.
+  // Returns the vector-matrix product that the three lanes are, or null.
   const MatrixProduct* productOf(const Lanes& lanes) const;
-  // True if the lanes could share a statement and none of them is packed yet.
+  // Returns true if the lanes could share a statement and none of them is packed yet.
   bool isPackable(const Lanes& lanes) const;
 
  private:

@@ -32,7 +32,8 @@ void Lengths::measure(std::span<const NodeId> nodes) {
   }
 }
 
-// Counting sort: count the readers, then place each after those of the preceding nodes.
+// Groups the readers by the node that they read, by counting sort: counts them, then places each
+// after the readers of the preceding nodes.
 void Lengths::gatherUsers(std::span<const NodeId> nodes) {
   userEnds_.assign(graph_.size() + 2, 0);
   const auto forEachRead = [&](auto visit) {
@@ -47,7 +48,8 @@ void Lengths::gatherUsers(std::span<const NodeId> nodes) {
   forEachRead([&](NodeId id, std::uint32_t read) { users_[userEnds_[read + 1]++] = id; });
 }
 
-// The recursion is no deeper than the nesting of measured expressions.
+// Adds the difference to the lengths of all expressions that contain the node. The recursion is no
+// deeper than the nesting of measured expressions.
 void Lengths::changeReaders(NodeId id, int difference) {
   if (users_.empty()) return;
   const std::uint32_t end = userEnds_[index(id) + 1];

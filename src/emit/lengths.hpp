@@ -1,5 +1,5 @@
-// Approximate lengths of expressions, in characters, for each number: where it is computed, and
-// where it is read.
+// Approximate lengths of expressions, in characters. Each node has two: of the operation that
+// computes it, and of the text with which it is read.
 //
 // All lengths are computed once, operands before users. After that, a statement whose name changes
 // updates the expressions that read it, up to those that have their own names. So queries are
@@ -24,20 +24,20 @@ class Lengths {
   Lengths(const Graph& graph, ops::Language language)
       : graph_(graph), language_(language), texts_(graph.size()) {}
 
-  // The node is read by a name of this length. Call it before or after `measure`.
+  // Reads the node by a name of this length from now on. May be called before or after `measure`.
   void setName(NodeId id, int length);
-  // The node is written inline again.
+  // Writes the node inline again.
   void removeName(NodeId id);
 
   // `nodes` are all nodes to write, in ascending order, with their names set.
   void measure(std::span<const NodeId> nodes);
 
-  // The length where the node is read. Operands more than `levels` operations deep are not
+  // Returns the length where the node is read. Operands more than `levels` operations deep are not
   // measured.
   int whereRead(NodeId id, int levels) const;
-  // The length of the node's operation.
+  // Returns the length of the node's operation.
   int lengthOfOperation(NodeId id, int levels) const;
-  // The number of characters of a spelling that don't belong to operands.
+  // Returns the number of characters of a spelling that don't belong to operands.
   static int around(const ops::Spelling& spelling, int operands) {
     return static_cast<int>(spelling.text.size()) - member * operands;
   }

@@ -13,7 +13,8 @@ struct Decimal {
   int exponent;
 };
 
-// Nine digits distinguish all float32 values; the largest one needs ten not to be rounded up.
+// Nine digits distinguish all float32 values, but the largest one rounded to nine digits would be
+// out of range.
 constexpr int maxDigits = 10;
 
 // 10^0 to 10^63; the smallest float32, 1e-45, with ten digits needs 10^54.
@@ -27,9 +28,9 @@ double scaleByPowerOfTen(double x, int exponent) {
   return exponent < 0 ? x / powersOfTen[-exponent] : x * powersOfTen[exponent];
 }
 
-// The shortest decimal that reads back as the positive `value`: closer than half the gap to the
-// next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate to
-// 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
+// Returns the shortest decimal that reads back as the positive `value`: closer than half the gap to
+// the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate
+// to 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
 Decimal findShortest(float value) {
   constexpr double margin = 1e-5;
   const double exact = value;
@@ -39,7 +40,7 @@ Decimal findShortest(float value) {
   const int magnitude = static_cast<int>(std::floor(std::log10(value)));
 
   Decimal decimal{};
-  // Trailing zeros are dropped later, so starting at six digits finds the shorter decimals, too.
+  // Shorter decimals are found at six digits, too: `literal` drops trailing zeros.
   for (int digits = 6; digits <= maxDigits; ++digits) {
     decimal.exponent = magnitude - digits + 1;
     decimal.digits = std::llround(scaleByPowerOfTen(exact, -decimal.exponent));

@@ -40,7 +40,8 @@ constexpr Formula formulaOf() {
   }
 }
 
-// Null if every language has the operation, or if languages without it reject it.
+// The formula that replaces each operation. Null if every language has the operation, or if
+// languages without it reject it.
 constexpr auto formulas =
     ops::withIndices<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 

@@ -10,16 +10,16 @@
 
 namespace warpjet {
 
-// True if the graph contains an operation that the language lacks.
+// Returns true if the graph contains an operation that the language lacks.
 bool lacksAny(const Graph& graph, ops::Language language);
 
-// The name of an operation that the language lacks and that can't be lowered, or empty.
+// Returns the name of an operation that the language lacks and that can't be lowered, or empty.
 std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
                                  ops::Language language);
 
-// Returns nodes of the same values as `roots` that the language can express. A replacement inherits
-// the comment of its node. Differentiate before lowering: the derivative of an operation is shorter
-// than that of its replacement.
+// Returns nodes that have the same values as `roots` and that the language can express. A
+// replacement inherits the comment of its node. Differentiate before lowering: the derivative of an
+// operation is shorter than that of its replacement.
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
                           Comments& comments);
 

@@ -34,12 +34,12 @@ class Merger {
       for (std::uint32_t i = firstOf[level]; i != none; i = nextOf[i]) order.push_back(i);
     }
     for (const std::uint32_t i : order) {
-      const std::uint32_t found = packOf(body_.all[i]);
-      if (found != none && isLoss(packs_[found])) packs_.dissolve(found);
+      const std::uint32_t pack = packOf(body_.all[i]);
+      if (pack != none && isLoss(packs_[pack])) packs_.dissolve(pack);
     }
     bool isShorter = hasPacks;
-    // The end of a loop's step reads values too, but isn't in `readers_`; so bodies of loops are
-    // left out.
+    // Only outside of loops: the assignments at the end of a loop's step read values, too, but
+    // aren't in `readers_`.
     for (std::uint32_t i = 0; i < count_ && first_ == 0; ++i) {
       if (!isInlineScalar(body_.all[i], readers_.of(i))) continue;
       packs_.removeStatement(body_.all[i].node);
@@ -67,16 +67,16 @@ class Merger {
   void mergeOne(Statements& merged, std::vector<std::uint32_t>& unitOf, std::uint32_t i) {
     const auto unit = static_cast<std::uint32_t>(merged.all.size());
     Statements::Set reads = merged.emptySet();
-    const auto read = [&](std::uint32_t other) {
+    const auto includeReads = [&](std::uint32_t other) {
       for (const std::uint32_t each : body_.work.readsOf(other)) {
         if (!isRemoved(each)) merged.include(reads, unitOf[each]);
       }
     };
     const auto join = [&](std::uint32_t other) {
       unitOf[other] = unit;
-      read(other);
+      includeReads(other);
       for (const std::uint32_t each : body_.work.readsOf(other)) {
-        if (isRemoved(each)) read(each);
+        if (isRemoved(each)) includeReads(each);
       }
     };
     Statement statement = body_.all[i];
@@ -95,8 +95,8 @@ class Merger {
     merged.add(statement, reads);
   }
 
-  // True if a scalar is read by a single statement, once, as the scalar operand of a vector
-  // operation, as in `v * t1`: then it is written inline.
+  // Returns true if a scalar is read only once, as the scalar operand of a vector operation, as in
+  // `v * t1`. Then it is written inline.
   bool isInlineScalar(const Statement& statement, std::span<const std::uint32_t> readers) const {
     const NodeId id = statement.node;
     if (id == noNode || statement.output || packs_.packOf(id) != none || readers.empty())
@@ -107,18 +107,18 @@ class Merger {
     if (isResult ? !reader.output->shape.isVector() : pack == none) return false;
     const Lanes lanes = isResult ? Lanes(reader.output->components) : packs_[pack];
     const std::size_t statements = isResult ? 1 : static_cast<std::size_t>(lanes.count);
-    const bool isOne = std::all_of(readers.begin(), readers.end(), [&](std::uint32_t other) {
-      return packOf(body_.all[other]) == pack;
-    });
-    if (!isOne || readers.size() != statements) return false;
+    const bool isOneStatement =
+        std::all_of(readers.begin(), readers.end(),
+                    [&](std::uint32_t other) { return packOf(body_.all[other]) == pack; });
+    if (!isOneStatement || readers.size() != statements) return false;
     if (packs_.rotationOf(lanes) || packs_.productOf(lanes)) return false;
     if (packs_.chooseLayout(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
       return false;
     int times = 0;
     for (int i = 0; i < graph_.arity(lanes[0]); ++i) {
       const Lanes operands = packs_.operandsOf(lanes, i);
-      const auto isIt = [&](NodeId operand) { return operand == id; };
-      if (std::all_of(operands.begin(), operands.end(), isIt))
+      const auto isScalar = [&](NodeId operand) { return operand == id; };
+      if (std::all_of(operands.begin(), operands.end(), isScalar))
         ++times;
       else if (!std::all_of(operands.begin(), operands.end(),
                             [&](NodeId operand) { return operand != id && isNamed(operand); }))
@@ -129,7 +129,7 @@ class Merger {
 
   bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
 
-  // True if the operands nest fewer than `levels` operations.
+  // Returns true if the operands nest fewer than `levels` operations.
   bool areShallow(NodeId id, int levels) const {
     if (levels == 0) return false;
     for (int i = 0; i < graph_.arity(id); ++i) {
@@ -140,15 +140,15 @@ class Merger {
     return true;
   }
 
-  // True if a statement does nothing but assign these lanes to a result.
+  // Returns true if a statement does nothing but assign these lanes to a result.
   bool assignsOnly(const Lanes& lanes, const Statement& statement) const {
     return statement.node == noNode &&
            std::equal(lanes.begin(), lanes.end(), statement.output->components.begin(),
                       statement.output->components.end());
   }
 
-  // True for a pack that doesn't pay off because the packs it counted on were not made. Reading a
-  // single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
+  // Returns true for a pack that doesn't pay off because the packs it counted on were not made.
+  // Reading a single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
   bool isLoss(const Lanes& lanes) const {
     int gain = packs_.gainOf(lanes, packs_.chooseLayout(lanes, As::Statement).length);
     for (const NodeId id : lanes) {

@@ -11,7 +11,8 @@ namespace warpjet {
 
 namespace {
 
-// The functions of a language that our statements call, such as `sin($0)`, as a list of words.
+// Lists the functions of a language that our statements call, such as sin for `sin($0)`, separated
+// by spaces.
 constexpr auto listCalled(ops::Language language) {
   std::array<char, 2048> list{};
   std::size_t size = 0;
@@ -64,7 +65,7 @@ std::string reservedProblem(const Dialect& dialect, std::string_view word) {
 std::string inputProblem(const Dialect& dialect, std::string_view text) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return "it is empty";
   if (auto problem = syntaxProblem(text, dialect.operators); !problem.empty()) return problem;
-  if (Dialect::holds(dialect.otherTypes, text))
+  if (Dialect::holds(dialect.nonFloats, text))
     return "it is not a float; write float(" + std::string(text) + ')';
   for (const std::string_view word : identifiers(text)) {
     const std::size_t end = text.find_first_not_of(' ', word.data() - text.data() + word.size());
@@ -111,8 +112,8 @@ bool isPlainVariable(std::string_view text) {
 
 void Temporaries::reserve(std::string_view text) {
   for (const std::string_view name : identifiers(text)) {
-    const bool isLikeOurs = name.size() > 1 && name[0] == 't' && isDigit(name[1]);
-    if (isLikeOurs) used_.emplace(name);
+    const bool mayClash = name.size() > 1 && name[0] == 't' && isDigit(name[1]);
+    if (mayClash) used_.emplace(name);
   }
 }
 

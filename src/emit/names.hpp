@@ -1,4 +1,4 @@
-// Checks names and expressions from outside: are they safe to write into a shader?
+// Checks whether names and expressions of users can be written into a shader.
 #pragma once
 
 #include <set>
@@ -10,28 +10,30 @@
 
 namespace warpjet {
 
-// The problem with a host's expression, such as `aPosition` or `(m * vec4(p, 1.0)).xyz`; empty if
-// there is none. It must be one balanced expression without statements, comments or reserved words.
+// Returns the problem with a host's expression, such as `aPosition` or `(m * vec4(p, 1.0)).xyz`;
+// empty if there is none. It must be one balanced expression without statements, comments or
+// reserved words.
 std::string inputProblem(const Dialect& dialect, std::string_view text);
 
-// The problem with the name of a result; empty if there is none.
+// Returns the problem with the name of a result; empty if there is none.
 std::string outputProblem(const Dialect& dialect, std::string_view name);
 
-// The problem with the name of a host function; empty if there is none.
+// Returns the problem with the name of a host function; empty if there is none.
 std::string functionProblem(const Dialect& dialect, std::string_view name);
 
 // The prefix of our own functions.
 inline constexpr std::string_view ourPrefix = "warpjet";
 
-// True if `text` calls `word`, one of its `identifiers`, as a function.
+// Returns true if `text` calls `word`, one of its `identifiers`, as a function.
 bool isCalled(std::string_view text, std::string_view word);
 
-// True for an identifier, optionally with members: `position`, `inputs.uv`.
+// Returns true for an identifier, optionally with members: `position`, `inputs.uv`.
 bool isPlainVariable(std::string_view text);
 
-// Generates t0, t1, … and skips every name in use.
+// Generates the names t0, t1, … and skips those that are in use.
 class Temporaries {
  public:
+  // Marks the names in this code as used.
   void reserve(std::string_view text);
   std::string next();
 

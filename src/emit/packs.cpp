@@ -28,7 +28,7 @@ class Packer {
     }
   }
 
-  // True if it has made any packs.
+  // Returns true if it has made any packs.
   bool run() {
     packs_.setOptimistic(true);
     const std::uint32_t first = packs_.size();
@@ -53,11 +53,12 @@ class Packer {
   // The max number of readers of a statement that are searched.
   static constexpr std::size_t maxReaders = 8;
 
-  // At least `count_` for statements that can't be packed here.
+  // Returns the index of the node's statement in this body; `count_` or more if it can't be packed
+  // here.
   std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
 
-  // Operands of a statement are on lower levels than the statement, and all lanes are on the same
-  // level, so a pack never depends on itself.
+  // Packs the lanes if possible. Operands of a statement are on lower levels than the statement,
+  // and all lanes are raised to the same level, so a pack never depends on itself.
   bool pack(const Lanes& lanes) {
     if (lanes.count < 2 || !packs_.isPackable(lanes)) return false;
     std::uint32_t highest = 0;
@@ -99,7 +100,8 @@ class Packer {
   void packParts(const Lanes& lanes, As as) {
     if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
     if (packs_.chooseLayout(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
-    if (const auto turn = packs_.rotationOf(lanes)) return packParts(turn->point, As::Operand);
+    if (const auto rotation = packs_.rotationOf(lanes))
+      return packParts(rotation->point, As::Operand);
     for (int i = 0; i < graph_.arity(lanes[0]); ++i)
       packParts(packs_.operandsOf(lanes, i), As::Operand);
   }
@@ -107,32 +109,32 @@ class Packer {
   // Packs a reader of the first lane with the most similar reader of each other lane.
   void packReaders(const Lanes& lanes) {
     for (const std::uint32_t reader : readersOf(lanes[0])) {
-      Lanes found;
-      found.add(body_.all[reader].node);
-      if (found[0] == noNode) continue;
-      for (int i = 1; i < lanes.count; ++i) addMostSimilar(found, lanes[i]);
-      pack(found);
+      Lanes similar;
+      similar.add(body_.all[reader].node);
+      if (similar[0] == noNode) continue;
+      for (int i = 1; i < lanes.count; ++i) addMostSimilar(similar, lanes[i]);
+      pack(similar);
     }
   }
 
   void addMostSimilar(Lanes& lanes, NodeId read) const {
     NodeId best = noNode;
-    int most = 0;
+    int maxGain = 0;
     for (const std::uint32_t reader : readersOf(read)) {
-      Lanes with = lanes;
-      with.add(body_.all[reader].node);
-      if (body_.all[reader].node == noNode || !packs_.isPackable(with)) continue;
-      const auto [form, length] = packs_.chooseLayout(with, As::Statement);
+      Lanes extended = lanes;
+      extended.add(body_.all[reader].node);
+      if (body_.all[reader].node == noNode || !packs_.isPackable(extended)) continue;
+      const auto [form, length] = packs_.chooseLayout(extended, As::Statement);
       if (form != Form::Operation) continue;
-      const int gain = packs_.gainOf(with, length);
-      if (gain <= most) continue;
-      most = gain;
+      const int gain = packs_.gainOf(extended, length);
+      if (gain <= maxGain) continue;
+      maxGain = gain;
       best = body_.all[reader].node;
     }
     if (best != noNode) lanes.add(best);
   }
 
-  // The first `maxReaders` readers.
+  // Returns the first `maxReaders` readers.
   std::span<const std::uint32_t> readersOf(NodeId id) const { return someReadersOf(numberOf(id)); }
   std::span<const std::uint32_t> someReadersOf(std::uint32_t i) const {
     const auto all = readers_.of(i);

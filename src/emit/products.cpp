@@ -36,7 +36,8 @@ class Finder {
     return true;
   }
 
-  // Breadth-first, so that each term follows the sum it belongs to.
+  // Finds the entries of the product in its sums. Breadth-first, so that each term follows the sum
+  // that it belongs to.
   bool findEntries() {
     product_.vector = none;
     terms_.clear();
@@ -64,7 +65,7 @@ class Finder {
     return found_ == (1U << 9) - 1 && differences_ < 9;
   }
 
-  // A component times its factor, in either order.
+  // Adds a term if it is a component of the vector times a factor, in either order.
   bool addEntry(unsigned column, NodeId term) {
     for (int i = 0; graph_.is(term, mult) && i < 2; ++i) {
       const NodeId component = graph_.operand(term, i), factor = graph_.operand(term, 1 - i);
@@ -87,8 +88,8 @@ class Finder {
   const Graph& graph_;
   std::span<const std::uint32_t> uses_;
   Flags isMinus_;  // by node, for terms
-  // Of the candidate product: a bit for each entry found, and the number of entries that belong to
-  // differences.
+  // The candidate product; of it, `found_` has a bit for each entry that was found, and
+  // `differences_` is the number of entries whose factors are differences.
   MatrixProduct product_{};
   std::vector<NodeId> terms_;
   unsigned found_ = 0, differences_ = 0;

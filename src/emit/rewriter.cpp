@@ -6,9 +6,9 @@ namespace warpjet {
 
 std::vector<NodeId> Rewriter::rewrite(std::span<const NodeId> roots) {
   for (const NodeId id : reachable(graph_, roots)) visit(id);
-  std::vector<NodeId> found;
-  for (const NodeId root : roots) found.push_back(replacementOf(root));
-  return found;
+  std::vector<NodeId> replacements;
+  for (const NodeId root : roots) replacements.push_back(replacementOf(root));
+  return replacements;
 }
 
 // Operands are visited before their users.

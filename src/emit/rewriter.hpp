@@ -21,7 +21,8 @@ class Rewriter {
   std::vector<NodeId> rewrite(std::span<const NodeId> roots);
 
  protected:
-  // The operands and arguments of these nodes have been replaced. Inputs have none.
+  // These functions return the replacement of a node whose operands and arguments have been
+  // replaced.
   virtual NodeId replace(NodeId id);
   virtual NodeId replaceOperation(NodeId id);
   virtual NodeId replaceCall(NodeId id);

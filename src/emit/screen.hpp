@@ -1,4 +1,4 @@
-// Changes of a number from a pixel to the next, which only a fragment shader can compute.
+// The change of a number from a pixel to the next, which only a fragment shader can compute.
 #pragma once
 
 #include "functions/library.hpp"

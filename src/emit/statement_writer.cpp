@@ -31,12 +31,12 @@ void StatementWriter::begin(std::string_view form, std::string_view type, std::s
 void StatementWriter::write(const Statements& statements) {
   const std::size_t known = writer_.matrixCount();
   for (const Statement& statement : statements.all) {
-    if (const auto turn = rotationOf(statement)) writer_.countMatrix(turn->matrix, known);
+    if (const auto rotation = rotationOf(statement)) writer_.countMatrix(rotation->matrix, known);
   }
   for (const std::uint32_t i : schedule(statements.work)) {
     const Statement& statement = statements.all[i];
-    const auto turn = rotationOf(statement);
-    if (turn && writer_.wantsName(turn->matrix)) nameMatrix(turn->matrix);
+    const auto rotation = rotationOf(statement);
+    if (rotation && writer_.wantsName(rotation->matrix)) nameMatrix(rotation->matrix);
     if (statement.node == noNode)
       assign(*statement.output);
     else if (graph_.isFold(statement.node))
@@ -50,10 +50,11 @@ void StatementWriter::write(const Statements& statements) {
 std::optional<Packs::Rotation> StatementWriter::rotationOf(const Statement& statement) const {
   if (statement.pack == none) return {};
   const Lanes lanes = plan_.packs[statement.pack];
-  const auto turn = plan_.packs.rotationOf(lanes);
-  if (!turn || plan_.packs.chooseLayout(lanes, Packs::As::Statement).form != Packs::Form::Operation)
+  const auto rotation = plan_.packs.rotationOf(lanes);
+  if (!rotation ||
+      plan_.packs.chooseLayout(lanes, Packs::As::Statement).form != Packs::Form::Operation)
     return {};
-  return turn;
+  return rotation;
 }
 
 void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
@@ -65,7 +66,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   ++temporaryCount_;
 }
 
-// The variables are declared before the loop, so that the outcomes can be read after it.
+// Writes a loop. Its variables are declared before it, so that the outcomes can be read after it.
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeLoop(std::uint32_t loop) {
   const std::vector<State>& states = plan_.loops->statesOf(loop);
   const std::string_view type = plan_.dialect.typeName(ops::Type::Float, scalarShape);
@@ -97,19 +98,21 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   temporaryCount_ += states.size();
 }
 
-// Parallel assignment: a variable that is both assigned and read is copied first.
+// Assigns all states at once: a new value that reads variables of the loop is computed into a
+// temporary before any of them changes.
 void StatementWriter::assignStates(std::span<const State> states) {
   std::vector<std::string> sources;
   for (const auto& [local, start, next] : states) {
     std::string& source = sources.emplace_back();
     if (next == local) continue;
     writer_.writeValue(source, scalarShape, {&next, 1});
-    const bool isOwn = !graph_.isLocal(next) && !graph_.is(next, ops::find("neg"));
-    if (isOwn || graph_.isStep(next) || (writer_.isNamed(next) && !graph_.isLocal(next))) continue;
-    const std::string kept = temporaries_.next();
-    define(plan_.dialect.typeName(ops::Type::Float, scalarShape), kept);
+    const bool isComputed = !graph_.isLocal(next) && !graph_.is(next, ops::find("neg"));
+    if (isComputed || graph_.isStep(next) || (writer_.isNamed(next) && !graph_.isLocal(next)))
+      continue;
+    const std::string copy = temporaries_.next();
+    define(plan_.dialect.typeName(ops::Type::Float, scalarShape), copy);
     code_ += source + ";\n";
-    source = kept;
+    source = copy;
   }
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!sources[i].empty())
@@ -154,14 +157,14 @@ void StatementWriter::assign(const Output& output) {
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeComments(std::span<const NodeId> roots) {
   if (plan_.comments.ranges.empty()) return;
   std::vector<NodeId> nodes(roots.begin(), roots.end());
-  std::vector<std::uint32_t> said;
+  std::vector<std::uint32_t> written;
   while (!nodes.empty()) {
     const NodeId id = nodes.back();
     nodes.pop_back();
     if (writer_.isNamed(id) || graph_.isLeaf(id)) continue;
     const Comments::Range* comment = plan_.comments.find(id);
-    if (comment && std::find(said.begin(), said.end(), comment->text) == said.end()) {
-      said.push_back(comment->text);
+    if (comment && std::find(written.begin(), written.end(), comment->text) == written.end()) {
+      written.push_back(comment->text);
       code_ += indent_ + "// " + plan_.comments.texts[comment->text] + '\n';
     }
     if (graph_.isOutcome(id)) continue;

@@ -1,4 +1,4 @@
-// Decides which statements the shader code needs and how each is written, and returns their lines.
+// Writes statements as lines of shader code.
 #pragma once
 
 #include <optional>
@@ -34,13 +34,13 @@ class StatementWriter {
       : plan_(plan), graph_(plan.graph), writer_(writer), temporaries_(temporaries) {}
 
   void reserve(std::size_t characters) { code_.reserve(characters); }
-  // An input whose expression is more than a variable is computed once.
+  // Names an input. If its expression is more than a variable, a temporary holds its value.
   void bindInput(std::uint32_t input, const std::string& text);
   void write() { write(plan_.statements[0]); }
 
   const std::string& code() const { return code_; }
   std::size_t temporaryCount() const { return temporaryCount_; }
-  // The number of temporaries that are vectors.
+  // Returns the number of temporaries that are vectors.
   std::size_t vectorCount() const { return vectorCount_; }
 
  private:

@@ -31,7 +31,7 @@ class Maker {
         sums_(sums),
         uncut_(uncut),
         options_(options),
-        states_(graph.size()),
+        infos_(graph.size()),
         all_(loops ? graph.loopCount() + 1 : 1) {}
 
   std::vector<Statements> run(std::span<const NodeId> nodes) {
@@ -51,7 +51,7 @@ class Maker {
  private:
   using Set = Statements::Set;
 
-  struct State {
+  struct NodeInfo {
     std::uint32_t statement = none;
     int depth = 0;  // of the operations in its expression
     Set reads;      // of its expression
@@ -60,24 +60,25 @@ class Maker {
     bool isChosen = false;  // true for a branch of a conditional
   };
 
-  State& state(NodeId id) { return states_[index(id)]; }
+  NodeInfo& info(NodeId id) { return infos_[index(id)]; }
 
-  // A scalar result needs no other temporary.
+  // Assigns each scalar result where it is computed, so that it needs no temporary.
   void findScalarOutputs() {
     for (const Output& output : outputs_) {
       const NodeId id = output.components[0];
-      if (output.shape.isNumber() && !graph_.isLeaf(id) && !state(id).output)
-        state(id).output = &output;
+      if (output.shape.isNumber() && !graph_.isLeaf(id) && !info(id).output)
+        info(id).output = &output;
     }
   }
 
-  // ANGLE, which translates GLSL in browsers, compiles `c ? a : b` to a branch unless both are
-  // names or literals. A few do no harm; but SwiftShader takes 3 s to compile 4D noise with 48 of
-  // them, and 0.08 s without. GPUs compute both sides anyway, as does WGSL's select.
+  // Gives both sides of a choice names. ANGLE, which translates GLSL in browsers, compiles `c ? a :
+  // b` to a branch unless a and b are names or literals. A few branches do no harm; but SwiftShader
+  // takes 3 s to compile 4D noise with 48 of them, and 0.08 s without. GPUs compute both sides
+  // anyway, as does WGSL's select.
   void nameBranches(NodeId choice) {
     for (const int i : {1, 2}) {
       const NodeId id = graph_.operand(choice, i);
-      state(id).isChosen = !isWrittenAsName(id);
+      info(id).isChosen = !isWrittenAsName(id);
     }
   }
 
@@ -91,7 +92,7 @@ class Maker {
       if (graph_.isFold(id)) {
         const std::uint32_t loop = graph_.loopOf(id);
         for (const auto& [local, start, next] : loops_->statesOf(loop)) {
-          state(next).isForced = true;
+          info(next).isForced = true;
           read(start, loops_->loopOf(id));
           read(next, loop);
         }
@@ -108,7 +109,7 @@ class Maker {
       for (int i = 0; i < graph_.arity(id); ++i) read(graph_.operand(id, i), loop);
       return;
     }
-    state(id).isForced = true;
+    info(id).isForced = true;
     for (; loop != loopOf(id); loop = loops_->parentOf(loop)) captured_[loop].push_back(id);
   }
 
@@ -122,28 +123,28 @@ class Maker {
       for (const NodeId read : captured_[loop]) include(set, read);
       statement = made_->add({id}, set);
     }
-    state(id).statement = statement;
+    info(id).statement = statement;
   }
 
-  // Call it for operands before their users.
+  // Decides whether the node becomes a statement. Operands must be visited before their users.
   void visit(NodeId id) {
     loop_ = loopOf(id);
     made_ = &all_[loop_ == Loops::outside ? 0 : loop_ + 1];
     if (graph_.isFold(id)) return visitFold(id);
-    State& it = state(id);
-    it.reads = readsOfOperands(id);
+    NodeInfo& node = info(id);
+    node.reads = readsOfOperands(id);
     const bool canBeCut = !graph_.isList(id) && !uncut_[index(id)];
-    if (canBeCut && it.reads.count > options_.maxReads) it.reads = readFewer(id);
+    if (canBeCut && node.reads.count > options_.maxReads) node.reads = readFewer(id);
 
     for (int i = 0; i < graph_.arity(id); ++i) {
-      const State& operand = state(graph_.operand(id, i));
-      if (operand.statement == none) it.depth = std::max(it.depth, operand.depth);
+      const NodeInfo& operand = info(graph_.operand(id, i));
+      if (operand.statement == none) node.depth = std::max(node.depth, operand.depth);
     }
     if (graph_.isList(id)) return;
     if (graph_.isLibraryCall(id)) return makeStatement(id);
-    ++it.depth;
-    const bool isShared = (uses_[index(id)] > 1 || it.isForced) && !isCheap(id);
-    if (isShared || it.isChosen || it.output || (canBeCut && it.depth >= options_.maxDepth))
+    ++node.depth;
+    const bool isShared = (uses_[index(id)] > 1 || node.isForced) && !isCheap(id);
+    if (isShared || node.isChosen || node.output || (canBeCut && node.depth >= options_.maxDepth))
       makeStatement(id);
   }
 
@@ -151,22 +152,23 @@ class Maker {
     return graph_.isResult(id) || graph_.isOutcome(id) || graph_.isKnownInt(id);
   }
 
-  // Not worth a temporary: anything written as a name, and the negative of a variable.
+  // Returns true if a temporary would gain nothing: the node is written as a name, or is the
+  // negative of a variable.
   bool isCheap(NodeId id) const {
     if (isWrittenAsName(id)) return true;
     return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
   }
 
   void makeStatement(NodeId id) {
-    State& it = state(id);
-    it.statement = made_->add({id, it.output}, it.reads);
+    NodeInfo& node = info(id);
+    node.statement = made_->add({id, node.output}, node.reads);
   }
 
   Set readsOfOperands(NodeId id) {
     // Most operations have the same reads as one of their operands, and share its set.
-    const bool isSame = graph_.arity(id) == 1 && loopOf(graph_.operand(id, 0)) == loop_;
-    if (isSame && state(graph_.operand(id, 0)).statement == none)
-      return state(graph_.operand(id, 0)).reads;
+    const bool isUnary = graph_.arity(id) == 1 && loopOf(graph_.operand(id, 0)) == loop_;
+    if (isUnary && info(graph_.operand(id, 0)).statement == none)
+      return info(graph_.operand(id, 0)).reads;
     Set set = made_->emptySet();
     for (int i = 0; i < graph_.arity(id); ++i) include(set, graph_.operand(id, i));
     return set;
@@ -175,7 +177,7 @@ class Maker {
   // Turns operands with many reads into statements, those with the most first, until few enough
   // reads remain.
   Set readFewer(NodeId id) {
-    Set set = state(id).reads;
+    Set set = info(id).reads;
     while (set.count > options_.maxReads) {
       const NodeId* widest = nullptr;
       Operands<NodeId> operands{};
@@ -192,18 +194,18 @@ class Maker {
     return set;
   }
 
-  // The number of statements that the expression of a node reads, if it is written inline.
+  // Returns the number of statements that the expression of a node reads, if it is written inline.
   std::uint32_t readsWhereWritten(NodeId id) {
-    return state(id).statement == none ? state(id).reads.count : 0;
+    return info(id).statement == none ? info(id).reads.count : 0;
   }
 
   // Adds the reads of an operand's expression. `set` must be the last one.
   void include(Set& set, NodeId id) {
     if (loopOf(id) != loop_) return;  // computed before the body begins
-    const State& it = state(id);
-    if (it.statement != none) return made_->include(set, it.statement);
-    for (std::uint32_t i = 0; i < it.reads.count; ++i)
-      made_->include(set, made_->work.reads[it.reads.first + i]);
+    const NodeInfo& node = info(id);
+    if (node.statement != none) return made_->include(set, node.statement);
+    for (std::uint32_t i = 0; i < node.reads.count; ++i)
+      made_->include(set, made_->work.reads[node.reads.first + i]);
   }
 
   void assign(const Output& output, const std::optional<Sum>& sum) {
@@ -211,8 +213,8 @@ class Maker {
     Set set = made_->emptySet();
     if (sum) {
       made_->include(set, assigned_[sum->output]);
-    } else if (state(first).output == &output) {
-      return assigned_.push_back(state(first).statement);
+    } else if (info(first).output == &output) {
+      return assigned_.push_back(info(first).statement);
     } else {
       for (const NodeId component : output.components) include(set, component);
     }
@@ -226,14 +228,14 @@ class Maker {
   std::span<const std::optional<Sum>> sums_;
   const Flags& uncut_;  // by node: may exceed maxReads and maxDepth
   const EmitOptions& options_;
-  std::vector<State> states_;            // by node
+  std::vector<NodeInfo> infos_;          // by node
   std::vector<std::uint32_t> assigned_;  // by output: its statement
   std::vector<std::vector<NodeId>>
       captured_;  // by loop: the nodes from outside that its body reads
   std::vector<std::uint32_t> loopStatements_;  // by loop
   std::vector<Statements> all_;                // outside of all loops, then by loop
   std::uint32_t loop_ = Loops::outside;        // the loop whose statements are being made
-  Statements* made_ = nullptr;                 // its statements
+  Statements* made_ = nullptr;                 // the statements of that loop
 };
 
 }  // namespace

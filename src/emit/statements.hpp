@@ -14,8 +14,8 @@
 namespace warpjet {
 
 struct Statement {
-  // The node that it computes; noNode if it assigns an output from values computed by others. A
-  // fold represents its loop, and the first of several lanes all of them.
+  // The node that it computes; noNode if it assigns an output from values computed by other
+  // statements. A fold stands for its loop, and the first of several lanes for all of them.
   NodeId node = noNode;
   // The output that it assigns; null for a temporary.
   const Output* output = nullptr;
@@ -40,7 +40,8 @@ struct Statements {
 
 // Returns the statements outside of all loops, then those of each loop's body. `nodes` are all
 // nodes that the outputs need, ascending; `uses` has the number of reads of each; `loops` is null
-// if there are none; `sums` says which outputs are sums, and `products` which sums stay whole.
+// if there are none; `sums` says which outputs are sums, and `products` which sums are not split
+// into statements.
 std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
                                        std::span<const std::uint32_t> uses, const Loops* loops,
                                        std::span<const Output> outputs,

@@ -8,20 +8,20 @@ namespace {
 
 constexpr Op add = ops::find("add"), sub = ops::find("sub");
 
-// True if the graph simplifies -x to `y`, or the reverse.
+// Returns true if the graph simplifies -x to `y`, or the reverse.
 bool isNegative(const Graph& graph, NodeId x, NodeId y) {
   if (graph.isConstant(x)) return graph.isConstant(y, -graph.value(x));
   return graph.is(x, ops::find("neg")) && graph.operand(x, 0) == y;
 }
 
-// True if the graph simplifies x + y to `sum`, where x is an input.
+// Returns true if the graph simplifies x + y to `sum`, where x is an input.
 bool isSum(const Graph& graph, NodeId sum, NodeId x, NodeId y) {
   if (graph.isConstant(y, 0)) return sum == x;
   if (isNegative(graph, y, x)) return graph.isConstant(sum, 0);
-  const auto is = [&](Op op) { return graph.is(sum, op); };
-  if (!is(add) && !is(sub)) return false;
+  const bool isDifference = graph.is(sum, sub);
+  if (!graph.is(sum, add) && !isDifference) return false;
   const NodeId a = graph.operand(sum, 0), b = graph.operand(sum, 1);
-  if (is(sub)) return a == x && isNegative(graph, y, b);
+  if (isDifference) return a == x && isNegative(graph, y, b);
   return (a == x && b == y) || (a == y && b == x);
 }
 
@@ -51,32 +51,31 @@ class Finder {
   }
 
  private:
-  // The inputs that have the output's shape, and of which a component is a component of the output,
-  // or
-  // an operand of one.
+  // Returns the inputs of the output's shape that the output, or an operand of one of its
+  // components, has a component of.
   std::vector<std::uint32_t> inputsIn(const Output& output) const {
-    std::vector<std::uint32_t> found;
+    std::vector<std::uint32_t> inputs;
     const auto consider = [&](NodeId id) {
       if (!graph_.isInput(id)) return;
       const std::uint32_t input = graph_.node(id).operands[0];
-      const bool isKnown = std::find(found.begin(), found.end(), input) != found.end();
-      if (!isKnown && graph_.input(input).shape == output.shape) found.push_back(input);
+      const bool isKnown = std::find(inputs.begin(), inputs.end(), input) != inputs.end();
+      if (!isKnown && graph_.input(input).shape == output.shape) inputs.push_back(input);
     };
     for (const NodeId id : output.components) {
       consider(id);
       for (int i = 0; i < graph_.arity(id); ++i) consider(graph_.operand(id, i));
     }
-    return found;
+    return inputs;
   }
 
   bool isSumOf(const Output& output, std::uint32_t input, const Output& term) const {
-    bool isMore = false;
+    bool differs = false;
     for (std::size_t i = 0; i < output.components.size(); ++i) {
       const NodeId x = components_[input][i];
       if (x == noNode || !isSum(graph_, output.components[i], x, term.components[i])) return false;
-      isMore |= output.components[i] != x;
+      differs |= output.components[i] != x;
     }
-    return isMore;
+    return differs;
   }
 
   const Graph& graph_;

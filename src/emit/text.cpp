@@ -17,7 +17,7 @@ namespace warpjet {
 
 namespace {
 
-// True if the source defines or calls a function of that name.
+// Returns true if the source defines or calls a function of that name.
 bool hasCall(std::string_view text, std::string_view name) {
   const auto words = identifiers(text);
   return std::any_of(words.begin(), words.end(),
@@ -33,8 +33,8 @@ class ShaderTextWriter {
   }
 
   ShaderTextResult run() {
-    const bool isFine = checkInputs() && checkFunctions() && checkOutputs() && checkOperations();
-    if (!isFine) return {{}, problem_};
+    const bool isValid = checkInputs() && checkFunctions() && checkOutputs() && checkOperations();
+    if (!isValid) return {{}, problem_};
     ShaderText text = compose();
     if (isFull_) reject("A result", {tooLarge});
     if (isFull_ || hidesNameInUse(text)) return {{}, problem_};
@@ -80,7 +80,7 @@ class ShaderTextWriter {
                        [&](const Naming& naming) { return isNewName(naming.number); });
   }
 
-  // The host's new name must not be the name of another input.
+  // Checks that the host's new name for an input is not the name of another input.
   bool isNewName(std::uint32_t input) {
     if (inputs_[input] == graph_.input(input).label) return true;
     const Label label = readLabel(inputs_[input]);
@@ -96,7 +96,7 @@ class ShaderTextWriter {
     return true;
   }
 
-  // Our own functions have no sources.
+  // Checks the functions of the host. Our own functions have no sources.
   bool checkFunctions() {
     for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
       const Function& function = graph_.function(i);
@@ -133,12 +133,12 @@ class ShaderTextWriter {
         return reject(method, {"there are two results named ", quoteShort(name), "; rename one."});
       if (dialect_.typeName(ops::Type::Float, shape).empty())
         return reject(method, {"the result ", quoteShort(name), " is ", shapeName(shape), ", but ",
-                               dialect_.lacks, "."});
+                               dialect_.missingTypes, "."});
     }
     return true;
   }
 
-  // Languages differ in their integer operations.
+  // Checks that the language has all operations: languages differ in those on integers.
   bool checkOperations() {
     for (const Output& output : outputs_) {
       const std::string_view missing =
@@ -151,7 +151,8 @@ class ShaderTextWriter {
     return true;
   }
 
-  // Writes the module in operations of the language. Changes of the graph are made in a copy.
+  // Writes the module in operations of the language. If nodes must be replaced, works on a copy of
+  // the graph.
   ShaderText compose() {
     Library library = module_.library.withEmptyCaches();
     ShaderText text;
@@ -171,10 +172,10 @@ class ShaderTextWriter {
     for (const std::uint32_t i : text.emitted.inputs) {
       // The size of an image is a variable of its own, or an expression of the image.
       const auto image = isPlainVariable(inputs_[i]) ? std::nullopt : graph_.input(i).image;
-      const std::uint32_t read = image.value_or(i);
-      const auto isSame = [&](const Naming& known) { return known.number == read; };
+      const std::uint32_t number = image.value_or(i);
+      const auto isSame = [&](const Naming& known) { return known.number == number; };
       if (std::none_of(text.inputs.begin(), text.inputs.end(), isSame))
-        text.inputs.push_back({read, inputs_[read]});
+        text.inputs.push_back({number, inputs_[number]});
     }
     return text;
   }
@@ -202,8 +203,8 @@ class ShaderTextWriter {
     isFull_ = (&graph != &graph_ && graph.isFull()) || library.isFull();
   }
 
-  // A result with the name of a variable or function that the code reads would shadow it, and a
-  // variable can't have the name of a function.
+  // Rejects a result that would shadow a variable or function that the code reads, and a variable
+  // with the name of a function.
   bool hidesNameInUse(const ShaderText& text) {
     const auto hidesRead = [&](std::string_view name, std::string_view read) {
       if (!outputNames_.contains(name)) return false;

@@ -15,7 +15,7 @@ constinit const Dialect wgsl{
         "mat3x2f mat3x3f mat3x4f mat4x2f mat4x3f mat4x4f ",
     .hasTemplates = true,
     .builtIns = " ",
-    .otherTypes = " ",
+    .nonFloats = " ",
     .keywords =
         " _ alias bitcast break case const const_assert continue continuing default diagnostic "
         "discard else enable false fn for if let loop override requires return struct switch "
@@ -75,7 +75,7 @@ constinit const Dialect wgsl{
                   {"mat3x2f", "mat3x3f", "mat3x4f"},
                   {"mat4x2f", "mat4x3f", "mat4x4f"}}},
     .image = "texture_2d<f32>",
-    .lacks = "",
+    .missingTypes = "",
     .numberSuffix = "f",
     .declaration = "var $1: $0",
     .declaresSeveral = false,
@@ -100,7 +100,8 @@ constinit const Dialect wgsl{
   return textureLoad(image, vec2i(clamp(vec2f(x, y), vec2f(0.0), last)), 0);
 }
 )",
-    // A condition around a call only affects pixels whose neighbors are on its other side.
+    // Derivatives are allowed in branches that only some pixels take: wrong are only those of
+    // pixels with a neighbor that takes the other branch.
     .across = R"(@diagnostic(off, derivative_uniformity)
 fn warpjetAcross(x: f32) -> f32 {
   return dpdx(x);

@@ -25,7 +25,8 @@ class WordSet {
  private:
   static constexpr std::size_t size = 512;
 
-  // The slot that holds the word, or the empty one where it belongs; open addressing by FNV-1a.
+  // Returns the slot that holds the word, or the empty one where it belongs; open addressing by
+  // FNV-1a.
   constexpr std::size_t placeOf(std::string_view word) const {
     std::uint32_t hash = 2166136261u;
     for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;

@@ -78,8 +78,8 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
   if (shape.size() > 1) text += {'.', "xyzw"[component % shape.rows]};
 }
 
-// Negative integers get parentheses, so that they never follow a minus; GLSL has no literal for
-// -2^31.
+// Writes negative integers in parentheses, so that no two minuses are adjacent. GLSL has no literal
+// for -2^31.
 void Writer::writeInt(std::string& text, double value) {
   const auto whole = static_cast<std::int32_t>(value);
   if (whole == INT32_MIN)
@@ -113,7 +113,7 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
 
 // Writes the rest of all spellings on the stack; each `$` is replaced by an operand, whose spelling
 // goes onto the stack.
-void Writer::finish(std::string& text) {
+void Writer::writePending(std::string& text) {
   while (!frames_.empty()) {
     Frame& frame = frames_.back();
     const std::size_t dollar = frame.rest.find('$');
@@ -132,7 +132,7 @@ void Writer::finish(std::string& text) {
 
 void Writer::write(std::string& text, NodeId id) {
   open(text, id, ops::Precedence::Ternary);
-  finish(text);
+  writePending(text);
 }
 
 void Writer::writeOperation(std::string& text, NodeId id) {
@@ -144,7 +144,7 @@ void Writer::writeOperation(std::string& text, NodeId id) {
   if (graph_.isKnownInt(id)) return writeInt(text, graph_.value(graph_.operand(id, 0)));
   if (const auto factors = packs_.dotProductOf(id)) return writeProduct(text, "dot(", *factors);
   frames_.push_back({id, textOf(id), false});
-  finish(text);
+  writePending(text);
 }
 
 bool Writer::isWholeInput(Shape shape, std::span<const NodeId> components) const {

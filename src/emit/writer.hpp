@@ -20,14 +20,14 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  // From now on the node, or the input, is written as this variable.
+  // Writes the node, or the input, as this variable from now on.
   void name(NodeId id, std::string name);
   void nameInput(std::uint32_t input, std::string name) { inputNames_[input] = std::move(name); }
 
-  // Rotation matrices. They form a stack, since names defined in a loop's body are visible only
-  // there; those of the body being written start at `first`.
+  // The following functions handle rotation matrices. These form a stack, since names defined in a
+  // loop's body are visible only there; those of the body being written start at `first`.
   void countMatrix(const Packs::Matrix& matrix, std::size_t first);
-  // True if the matrix is used more than once and has no name yet.
+  // Returns true if the matrix is used more than once and has no name yet.
   bool wantsName(const Packs::Matrix& matrix) const;
   void nameMatrix(const Packs::Matrix& matrix, std::string name);
   std::size_t matrixCount() const { return matrices_.size(); }
@@ -36,7 +36,7 @@ class Writer {
   // Requests a result of a call of a library function, and thereby all derivatives of its order.
   void requestResult(NodeId call, int result);
   int orderOf(NodeId call) const { return orders_[index(call)]; }
-  // The type of the variable that holds the node.
+  // Returns the type of the variable that holds the node.
   std::string typeOf(NodeId id) const;
 
   bool isNamed(NodeId id) const { return names_[index(id)] != none; }
@@ -62,18 +62,18 @@ class Writer {
 
   struct CountedMatrix {
     Packs::Matrix matrix;
-    std::uint32_t before;  // the preceding matrix with the same cosine, or `none`
-    std::uint32_t text;    // its name, if it has one
+    std::uint32_t previous;  // the preceding matrix with the same cosine, or `none`
+    std::uint32_t name;      // an index into texts_; `wanted` if it should get a name; or `none`
   };
   static constexpr std::uint32_t wanted = none - 1;
-  // The index of the matrix, or `none`.
+  // Returns the index of the matrix, or `none`.
   std::uint32_t find(const Packs::Matrix& matrix) const;
 
   void write(std::string& text, NodeId id);
   void open(std::string& text, NodeId id, ops::Precedence loosest);
   void writeLeaf(std::string& text, NodeId id);
   static void writeInt(std::string& text, double value);
-  void finish(std::string& text);
+  void writePending(std::string& text);
   const ops::Spelling& spellingOf(NodeId id) const;
   std::string_view textOf(NodeId id);
   [[gnu::noinline, gnu::cold]] std::string_view callText(NodeId id);
@@ -82,7 +82,7 @@ class Writer {
   void writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as);
   void writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest);
   void writePart(std::string& text, const Lanes& lanes);
-  void writeRotation(std::string& text, const Packs::Rotation& turn, ops::Precedence loosest);
+  void writeRotation(std::string& text, const Packs::Rotation& rotation, ops::Precedence loosest);
   void writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors);
   void writeProduct(std::string& text, const MatrixProduct& product);
 

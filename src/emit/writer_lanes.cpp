@@ -38,7 +38,8 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
   if (const MatrixProduct* product = packs_.productOf(lanes)) return writeProduct(text, *product);
   if (const auto factors = packs_.crossProductOf(lanes))
     return writeProduct(text, "cross(", *factors);
-  if (const auto turn = packs_.rotationOf(lanes)) return writeRotation(text, *turn, loosest);
+  if (const auto rotation = packs_.rotationOf(lanes))
+    return writeRotation(text, *rotation, loosest);
   const ops::Spelling& spelling = spellingOf(lanes[0]);
   const bool parenthesized = spelling.result < loosest;
   if (parenthesized) text += '(';
@@ -50,7 +51,7 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
     const Lanes operands = packs_.operandsOf(lanes, i);
     if (packs_.takesNumber(lanes, i)) {
       open(text, operands[0], spelling.operands[i]);
-      finish(text);
+      writePending(text);
     } else {
       writeLanes(text, operands, Packs::As::Operand, spelling.operands[i]);
     }
@@ -72,24 +73,24 @@ void Writer::writePart(std::string& text, const Lanes& lanes) {
   if (isWhole) text.resize(text.size() - lanes.count - 1);
 }
 
-void Writer::writeRotation(std::string& text, const Packs::Rotation& turn,
+void Writer::writeRotation(std::string& text, const Packs::Rotation& rotation,
                            ops::Precedence loosest) {
   const bool parenthesized = ops::Precedence::Multiplicative < loosest;
   if (parenthesized) text += '(';
-  const std::uint32_t found = find(turn.matrix);
-  if (found != none && matrices_[found].text < wanted)
-    text += texts_[matrices_[found].text];
+  const std::uint32_t found = find(rotation.matrix);
+  if (found != none && matrices_[found].name < wanted)
+    text += texts_[matrices_[found].name];
   else
-    writeMatrix(text, turn.matrix);
+    writeMatrix(text, rotation.matrix);
   text += " * ";
-  writeLanes(text, turn.point, Packs::As::Operand, ops::Precedence::Unary);
+  writeLanes(text, rotation.point, Packs::As::Operand, ops::Precedence::Unary);
   if (parenthesized) text += ')';
 }
 
 std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
   if (matrices_.empty()) return none;
   std::uint32_t i = lastMatrixOf_[index(matrix.cosine)];
-  while (i != none && !(matrices_[i].matrix == matrix)) i = matrices_[i].before;
+  while (i != none && !(matrices_[i].matrix == matrix)) i = matrices_[i].previous;
   return i;
 }
 
@@ -97,8 +98,8 @@ std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
 void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
   lastMatrixOf_.resize(graph_.size(), none);
   const std::uint32_t found = find(matrix);
-  if (found != none && (found >= first || matrices_[found].text < wanted)) {
-    matrices_[found].text = std::min(matrices_[found].text, wanted);
+  if (found != none && (found >= first || matrices_[found].name < wanted)) {
+    matrices_[found].name = std::min(matrices_[found].name, wanted);
     return;
   }
   std::uint32_t& last = lastMatrixOf_[index(matrix.cosine)];
@@ -108,17 +109,17 @@ void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
 
 bool Writer::wantsName(const Packs::Matrix& matrix) const {
   const std::uint32_t found = find(matrix);
-  return found != none && matrices_[found].text == wanted;
+  return found != none && matrices_[found].name == wanted;
 }
 
 void Writer::nameMatrix(const Packs::Matrix& matrix, std::string name) {
-  matrices_[find(matrix)].text = static_cast<std::uint32_t>(texts_.size());
+  matrices_[find(matrix)].name = static_cast<std::uint32_t>(texts_.size());
   texts_.push_back(std::move(name));
 }
 
 void Writer::forgetMatrices(std::size_t first) {
   for (; matrices_.size() > first; matrices_.pop_back())
-    lastMatrixOf_[index(matrices_.back().matrix.cosine)] = matrices_.back().before;
+    lastMatrixOf_[index(matrices_.back().matrix.cosine)] = matrices_.back().previous;
 }
 
 void Writer::writeMatrix(std::string& text, const Packs::Matrix& matrix) {
@@ -148,7 +149,7 @@ void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
     if (!entries.empty()) entries += ", ";
     if (isMinus) entries += '-';
     open(entries, factor, isMinus ? ops::Precedence::Unary : ops::Precedence::Ternary);
-    finish(entries);
+    writePending(entries);
   }
   text += inputNames_[product.vector] + " * ";
   appendExpanded(text, dialect_.construction,

@@ -22,17 +22,18 @@ struct Place {
 };
 
 template <ops::Type type>
-auto typed(const Lanes& lanes) {
+auto toOperand(const Lanes& lanes) {
   if constexpr (type == ops::Type::Bool)
     return asMask(lanes);
   else
     return lanes;
 }
 
-Lanes untyped(const Lanes& value) { return value; }
-Lanes untyped(const Mask& value) { return asLanes(value); }
+Lanes toLanes(const Lanes& value) { return value; }
+Lanes toLanes(const Mask& value) { return asLanes(value); }
 
-// Evaluates a row of the table on four numbers; rows written for plain numbers are called for each.
+// Evaluates a row of the table on four numbers; rows written for plain numbers are called once for
+// each of the four.
 template <std::size_t Row, class... X>
 auto valueOf(const X&... x) {
   constexpr const auto& row = std::get<Row>(ops::table);
@@ -49,7 +50,7 @@ auto valueOf(const X&... x) {
   }
 }
 
-// Computes lane by lane, for integer operations, which are rare.
+// Applies an operation on integers lane by lane. Such operations are rare.
 [[gnu::noinline]] void applyEach(Op op, Lanes* result, const Operands<Place>& operands,
                                  std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -65,7 +66,7 @@ void applyRow(Lanes* result, const Operands<Place>& operands, std::size_t count)
   ops::withIndices<ops::declarations[Row].arity>([=](auto... k) {
     for (std::size_t i = 0; i < count; ++i)
       result[i] =
-          untyped(valueOf<Row>(typed<types[k]>(operands[k].lanes[i * operands[k].step])...));
+          toLanes(valueOf<Row>(toOperand<types[k]>(operands[k].lanes[i * operands[k].step])...));
   });
 }
 
@@ -125,24 +126,25 @@ void BlockEvaluator::run(std::size_t vertices, std::span<const Stream> inputs,
                          std::span<const Sink> results) {
   const std::size_t perBlock = lanesPerBlock_ * Lanes::count;
   for (std::size_t first = 0; first < vertices; first += perBlock) {
-    const std::size_t now = std::min(perBlock, vertices - first);
-    const std::size_t lanes = (now + Lanes::count - 1) / Lanes::count;
+    const std::size_t count = std::min(perBlock, vertices - first);
+    const std::size_t lanes = (count + Lanes::count - 1) / Lanes::count;
     for (const RegisterInstruction& instruction : program_.body) {
       if (instruction.op == inputOp) {
         const auto [stream, component] = sources_[instruction.input];
-        load(inputs[stream], component, first, now, lanesOf(instruction.result));
+        load(inputs[stream], component, first, count, lanesOf(instruction.result));
       } else {
         execute(instruction, lanes);
       }
     }
     auto result = program_.results.begin();
     for (const Sink& sink : results) {
-      for (std::uint32_t i = 0; i < sink.size; ++i) store(*result++, sink, i, first, now);
+      for (std::uint32_t i = 0; i < sink.size; ++i) store(*result++, sink, i, first, count);
     }
   }
 }
 
-// Lanes past the last vertex repeat it, so that they contain no values that slow arithmetic down.
+// Loads a component of an input. Lanes past the last vertex repeat its value, so that they don't
+// contain denormals, for instance, which slow down arithmetic.
 void BlockEvaluator::load(const Stream& stream, std::uint32_t component, std::size_t first,
                           std::size_t vertices, Lanes* result) const {
   const std::size_t size = stream.size;

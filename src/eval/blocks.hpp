@@ -25,7 +25,7 @@ struct Sink {
   std::uint32_t size;
 };
 
-// The results of the program, which are numbers, fill the sinks in order.
+// Evaluates a register program. Its results, which are numbers, fill the sinks in order.
 class BlockEvaluator {
  public:
   // Uniform inputs are read here, the others in each run.

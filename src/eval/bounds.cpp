@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// A box is not split further once each side is this fraction of the whole box's side.
+// A box is no longer split if none of its sides is a larger share of the whole box's side.
 constexpr double minShare = 0x1p-24;
 
 // The number of instructions that may still be run.
@@ -38,12 +38,12 @@ class Search {
     if (isNeeded()) sampleCorners();
   }
 
-  // False if the result has no value, or if splitting gains nothing.
+  // Returns false if the result has no value, or if splitting gains nothing.
   bool isNeeded() const { return !plain_.isEmpty() && dimensions() > 0; }
   Interval plain() const { return plain_; }
 
-  // The upper bound of `sign` times the result; leaves `reserve` of the budget.
-  double upper(double sign, std::uint64_t reserve);
+  // Returns the upper bound of `sign` times the result; leaves `reserve` of the budget.
+  double findUpperBound(double sign, std::uint64_t reserve);
 
  private:
   struct Entry {
@@ -67,26 +67,26 @@ class Search {
     return program_.range(box);
   }
   double bound(double sign, std::span<const Interval> box) {
-    const Interval all = range(box);
-    if (all.isEmpty()) return -infinity;
-    return sign > 0 ? all.high : -all.low;
+    const Interval interval = range(box);
+    if (interval.isEmpty()) return -infinity;
+    return sign > 0 ? interval.high : -interval.low;
   }
 
   void sample() {
     budget_.spend(program_.cost());
     const double value = program_.value(point_);
     if (!std::isfinite(value)) return;
-    found_.low = std::min(found_.low, value);
-    found_.high = std::max(found_.high, value);
+    sampled_.low = std::min(sampled_.low, value);
+    sampled_.high = std::max(sampled_.high, value);
   }
   void sampleCorners();
   void sampleBox(std::span<const Interval> box);
 
-  // A bound that is good enough.
+  // Returns a bound that is good enough.
   double target(double sign) const {
-    const double best = sign > 0 ? found_.high : -found_.low;
-    const double size = std::max(std::abs(found_.low), std::abs(found_.high));
-    return best + std::max(tolerance_ * (found_.high - found_.low), float32Slack * size);
+    const double best = sign > 0 ? sampled_.high : -sampled_.low;
+    const double size = std::max(std::abs(sampled_.low), std::abs(sampled_.high));
+    return best + std::max(tolerance_ * (sampled_.high - sampled_.low), float32Slack * size);
   }
   double share(std::span<const Interval> box, std::size_t i) const {
     return (box[i].high - box[i].low) / (whole_[i].high - whole_[i].low);
@@ -96,9 +96,9 @@ class Search {
   IntervalProgram& program_;
   double tolerance_;
   Budget& budget_;
-  std::vector<Interval> whole_;
-  Interval plain_;
-  Interval found_;  // values at samples
+  std::vector<Interval> whole_;  // the whole box
+  Interval plain_;               // of the whole box, by interval arithmetic
+  Interval sampled_;             // the hull of the values at samples
   std::vector<double> point_;
   std::vector<Interval> boxes_;  // `dimensions` intervals per box
 };
@@ -115,8 +115,8 @@ void Search::sampleCorners() {
   }
 }
 
-// Samples its center, and the point where it touches the border of the whole box, since extremes
-// are often there.
+// Samples the center of a box, and the point where it touches the border of the whole box, since
+// extremes are often there.
 void Search::sampleBox(std::span<const Interval> box) {
   for (std::size_t i = 0; i < dimensions(); ++i) point_[i] = middle(box[i]);
   sample();
@@ -130,28 +130,29 @@ void Search::sampleBox(std::span<const Interval> box) {
   if (touches) sample();
 }
 
-// The axis whose extent widens the result most: without it, the bound is smallest.
+// Returns the axis whose extent widens the result most: if the box is flattened along this axis,
+// the bound is smallest.
 std::size_t Search::axisToSplit(double sign, std::span<Interval> box) {
   std::size_t best = 0;
-  double least = infinity;
+  double smallest = infinity;
   for (std::size_t i = 0; i < dimensions(); ++i) {
     const Interval side = box[i];
     if (share(box, i) <= minShare) continue;
     box[i] = middle(side);
-    const double thin = bound(sign, box);
+    const double flattened = bound(sign, box);
     box[i] = side;
-    if (thin < least || (thin == least && share(box, i) > share(box, best))) {
-      least = thin;
+    if (flattened < smallest || (flattened == smallest && share(box, i) > share(box, best))) {
+      smallest = flattened;
       best = i;
     }
   }
   return best;
 }
 
-double Search::upper(double sign, std::uint64_t reserve) {
+double Search::findUpperBound(double sign, std::uint64_t reserve) {
   boxes_ = whole_;
   std::vector<Entry> heap{{sign > 0 ? plain_.high : -plain_.low, 0}};
-  double maxDone = -infinity;  // max of the boxes that are good enough
+  double maxDone = -infinity;  // the max bound of the boxes that are good enough
   while (!heap.empty()) {
     const Entry worst = heap.front();
     if (worst.bound <= target(sign) || budget_.left() <= reserve) break;
@@ -166,8 +167,8 @@ double Search::upper(double sign, std::uint64_t reserve) {
       const Interval side = box(worst.box)[i];
       boxes_.push_back(side);
     }
-    const double centre = middle(box(half)[axis]);
-    box(half)[axis].low = box(worst.box)[axis].high = centre;
+    const double center = middle(box(half)[axis]);
+    box(half)[axis].low = box(worst.box)[axis].high = center;
     for (const std::uint32_t child : {worst.box, half}) {
       const double childBound = std::min(worst.bound, bound(sign, box(child)));
       sampleBox(box(child));
@@ -209,8 +210,8 @@ std::vector<Range> bounds(std::span<const std::uint32_t> words, std::uint32_t in
     if (search.isNeeded()) {
       // Each bound of each result has its share of the budget, plus what earlier ones did not use.
       const std::uint64_t sides = 2 * (wanted.size() - i), share = budget.left() / sides;
-      range.high = search.upper(1, budget.left() - share);
-      range.low = -search.upper(-1, budget.left() - budget.left() / (sides - 1));
+      range.high = search.findUpperBound(1, budget.left() - share);
+      range.low = -search.findUpperBound(-1, budget.left() - budget.left() / (sides - 1));
     }
     all.push_back(withSlack(range));
   }

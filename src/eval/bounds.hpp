@@ -2,7 +2,7 @@
 // result.
 //
 // Uses interval arithmetic, which is never too narrow, but far too wide where a value occurs twice,
-// as in p + (rotated(p) - p). So the ranges of the inputs are split where the bound is worst, until
+// as in p + (rotate(p) - p). So the ranges of the inputs are split where the bound is worst, until
 // it is close to the values at sampled points (branch and bound: R. E. Moore, R. B. Kearfott, M. J.
 // Cloud, "Introduction to Interval Analysis", 2009, section 10). The same input gives the same
 // bounds.

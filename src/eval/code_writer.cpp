@@ -41,14 +41,14 @@ Staged routineFormula(Op op, Staged x, Staged y) {
 std::uint32_t CodeModule::constant(std::uint32_t bits) {
   const auto first = shared.begin() + static_cast<std::ptrdiff_t>(firstConstant);
   const auto found = std::find(first, shared.end(), bits);
-  const auto place = static_cast<std::uint32_t>(found - shared.begin());
+  const auto index = static_cast<std::uint32_t>(found - shared.begin());
   if (found == shared.end()) shared.push_back(bits);
-  return place;
+  return index;
 }
 
 Staged CodeWriter::number(double x) {
   const auto bits = __builtin_bit_cast(std::uint32_t, static_cast<float>(x));
-  return Staged(module_.constant(bits) | Staged::isShared);
+  return Staged(module_.constant(bits) | Staged::sharedFlag);
 }
 
 Staged CodeWriter::apply(wasm::Simd instruction, std::initializer_list<Staged> operands) {
@@ -102,11 +102,11 @@ Staged CodeWriter::replaceLanes(StagedMask mask, Staged value, Op op, Staged x) 
 }
 
 Staged CodeWriter::load(std::uint32_t offset, std::uint32_t size, std::uint32_t component) {
-  findAddress(size);
+  computeAddress(size);
   for (std::uint32_t lane = 0; lane < lanesCount; ++lane) get(address_);
   for (std::uint32_t lane = 0; lane < lanesCount; ++lane) {
-    const auto place = static_cast<int>(offset + floatBytes * (lane * size + component));
-    simd(lane == 0 ? wasm::LoadFirst : wasm::LoadLane, place);
+    const auto address = static_cast<int>(offset + floatBytes * (lane * size + component));
+    simd(lane == 0 ? wasm::LoadFirst : wasm::LoadLane, address);
     if (lane > 0) code_.byte(static_cast<std::uint8_t>(lane));
   }
   return pop();
@@ -114,7 +114,7 @@ Staged CodeWriter::load(std::uint32_t offset, std::uint32_t size, std::uint32_t 
 
 void CodeWriter::store(Staged x, std::uint32_t offset, std::uint32_t size,
                        std::uint32_t component) {
-  findAddress(size);
+  computeAddress(size);
   for (std::uint32_t lane = 0; lane < lanesCount; ++lane) {
     get(address_);
     push(x);
@@ -174,9 +174,9 @@ WasmBytes CodeWriter::function() const {
 }
 
 void CodeWriter::push(Staged x) {
-  if ((x.place & Staged::isShared) == 0) return get(x.place);
+  if ((x.place & Staged::sharedFlag) == 0) return get(x.place);
   get(0);
-  const std::uint32_t number = x.place & ~Staged::isShared;
+  const std::uint32_t number = x.place & ~Staged::sharedFlag;
   simd(wasm::LoadSplat, static_cast<int>(module_.sharedAt + floatBytes * number));
 }
 
@@ -214,7 +214,7 @@ void CodeWriter::call(std::uint32_t function) {
   code_.number(function);
 }
 
-void CodeWriter::findAddress(std::uint32_t size) {
+void CodeWriter::computeAddress(std::uint32_t size) {
   get(0);
   get(1);
   code_.byte(wasm::Number);

@@ -13,10 +13,12 @@ inline constexpr std::uint32_t noFunction = ~0u;
 
 // The state that the functions of a module share.
 struct CodeModule {
-  // The bits of floats shared by all vertices, at this offset in the memory passed to a call.
+  // The bits of floats shared by all vertices; `sharedAt` is their offset in the memory passed to a
+  // call.
   std::uint32_t sharedAt;
   std::vector<std::uint32_t> shared;
-  // The numbers of an operation's function in this module, if any, and of its import.
+  // The number of each operation's function in this module, and of its imported function; or
+  // `noFunction`.
   std::array<std::uint32_t, ops::count> routines, kernels;
   std::uint32_t eachLane = noFunction;
   std::size_t firstConstant = 0;  // where the constants of formulas start among the shared floats
@@ -24,13 +26,13 @@ struct CodeModule {
   std::uint32_t constant(std::uint32_t bits);
 };
 
-// The formula that a routine computes.
+// Returns the formula that a routine computes.
 Staged routineFormula(Op op, Staged x, Staged y);
 
 class CodeWriter {
  public:
-  // Starts a function with integer parameters, the first of which is the address of that memory,
-  // followed by lanes parameters.
+  // Starts a function with `numbers` integer parameters, the first of which is the address of the
+  // memory passed to a call, followed by `lanes` parameters of four floats.
   CodeWriter(CodeModule& module, std::uint32_t numbers, std::uint32_t lanes)
       : module_(module), firstLanes_(numbers), address_(numbers + lanes) {
     current = this;
@@ -49,14 +51,15 @@ class CodeWriter {
   Staged callKernel(Op op, std::initializer_list<Staged> operands);
   // Works for any operation, by calling it for each lane.
   Staged callEachLane(Op op, const Operands<Staged>& x);
-  // Returns `value`, with the lanes where the mask is set computed one by one.
+  // Returns `value`, except that lanes where the mask is set are computed one by one from `x`.
   Staged replaceLanes(StagedMask mask, Staged value, Op op, Staged x);
 
   // Loads this component of an array for four vertices; the array is at this offset and has `size`
   // numbers per vertex. The second parameter is 16 times the index of the four vertices.
   Staged load(std::uint32_t offset, std::uint32_t size, std::uint32_t component);
   void store(Staged x, std::uint32_t offset, std::uint32_t size, std::uint32_t component);
-  // One number, the same in all lanes; or all four lanes unchanged.
+  // `loadOne` and `storeOne` access one number, which is the same in all lanes; `loadFour` and
+  // `storeFour` access four lanes as they are.
   Staged loadOne(std::uint32_t offset);
   void storeOne(Staged x, std::uint32_t offset);
   Staged loadFour(std::uint32_t offset);
@@ -65,7 +68,7 @@ class CodeWriter {
   // Returns a value from the function.
   void returnValue(Staged x) { push(x); }
 
-  // Copies the value to its own local.
+  // Returns the value in a local that no other value shares.
   Staged copyToOwnLocal(Staged x);
   // Frees a local for another value; or frees all locals taken since the last call, except this
   // one.
@@ -73,7 +76,7 @@ class CodeWriter {
   void releaseAllBut(Staged x);
 
   std::size_t size() const { return code_.size(); }
-  // The function with its locals, as stored in the code section.
+  // Returns the function with its locals, as stored in the code section.
   WasmBytes function() const;
 
  private:
@@ -82,7 +85,7 @@ class CodeWriter {
   void simd(wasm::Simd instruction, int offset = -1);
   void get(std::uint32_t local);
   void call(std::uint32_t function);
-  void findAddress(std::uint32_t size);
+  void computeAddress(std::uint32_t size);
 
   CodeModule& module_;
   WasmBytes code_;

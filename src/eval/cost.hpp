@@ -13,11 +13,12 @@ struct Cost {
   // step.
   double operations = 0;
   bool hasNoise = false;
-  // True if only the GPU can evaluate them: they call a function of the host or read an image.
+  // True if only the GPU can evaluate the results: they call a function of the host or read an
+  // image.
   bool needsGpu = false;
 };
 
-// The cost of evaluating these results once, of which shared parts are computed once.
+// Returns the cost of evaluating these results once. Nodes that several results need count once.
 Cost costOf(const Module& module, std::span<const std::uint32_t> results);
 
 }  // namespace warpjet

@@ -6,6 +6,7 @@ namespace warpjet {
 
 namespace {
 
+// Returns the number in lane i. A true condition is stored as -1.
 double numberIn(const Lanes& lanes, std::size_t i, ops::Type type) {
   const double bits = asMask(lanes).bits[i];
   return type == ops::Type::Float ? double{lanes[i]} : type == ops::Type::Int ? bits : -bits;
@@ -17,7 +18,7 @@ float numberAs(ops::Type type, double value) {
   return __builtin_bit_cast(float, type == ops::Type::Int ? whole : -whole);
 }
 
-// A copy, so that the names stay out of the program.
+// A copy of the signatures, so that the program doesn't contain the names of operations.
 constexpr auto signatures = [] {
   std::array<ops::Signature, ops::count> all{};
   for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::declarations[i].signature;

@@ -10,11 +10,11 @@ bool isConstant(const Words& words, std::uint32_t i, double value) {
   return words.op(i) == constantOp && words.constant(i) == value;
 }
 
-bool isSquare(const Words& words, std::uint32_t i, std::uint32_t of) {
-  return words.op(i) == mult && words.operands(i)[0] == of && words.operands(i)[1] == of;
+bool isSquare(const Words& words, std::uint32_t i, std::uint32_t x) {
+  return words.op(i) == mult && words.operands(i)[0] == x && words.operands(i)[1] == x;
 }
 
-// True for x * x plus a nonnegative term. Sums are left-associative.
+// Returns true for x * x plus a nonnegative term. Sums are left-associative.
 bool isSumWithSquare(const Words& words, std::span<const Interval> ranges, std::uint32_t sum,
                      std::uint32_t x) {
   while (words.op(sum) == add) {
@@ -26,7 +26,7 @@ bool isSumWithSquare(const Words& words, std::span<const Interval> ranges, std::
   return isSquare(words, sum, x);
 }
 
-// True for 1 / sqrt(x * x + ...), or the same with 0 instead of infinity.
+// Returns true for 1 / sqrt(x * x + ...), also if an ifElse replaces infinity by 0.
 bool isInverseLength(const Words& words, std::span<const Interval> ranges, std::uint32_t i,
                      std::uint32_t x) {
   if (words.op(i) == ops::find("ifElse") && isConstant(words, words.operands(i)[2], 0))
@@ -35,7 +35,7 @@ bool isInverseLength(const Words& words, std::span<const Interval> ranges, std::
          isSumWithSquare(words, ranges, words.operands(i)[0], x);
 }
 
-// True for `factor` times x.
+// Returns true for `factor` times x.
 bool isMultiple(const Words& words, std::uint32_t i, double factor, std::uint32_t x) {
   if (words.op(i) != mult) return false;
   const auto parts = words.operands(i);
@@ -43,7 +43,7 @@ bool isMultiple(const Words& words, std::uint32_t i, double factor, std::uint32_
          (parts[1] == x && isConstant(words, parts[0], factor));
 }
 
-// True for 3 - 2 x.
+// Returns true for 3 - 2 x.
 bool isFallingLine(const Words& words, std::uint32_t i, std::uint32_t x) {
   if (words.op(i) != add && words.op(i) != sub) return false;
   const auto parts = words.operands(i);
@@ -68,19 +68,19 @@ Idiom idiomOf(const Words& words, std::span<const Interval> ranges, std::uint32_
     if (isInverseLength(words, ranges, x[1 - k], x[k]))
       return {Idiom::Kind::PartOfUnitVector, x[k]};
     if (words.op(x[k]) != mult) continue;
-    const std::uint32_t of = words.operands(x[k])[0];
-    if (isSquare(words, x[k], of) && isFallingLine(words, x[1 - k], of))
-      return {Idiom::Kind::Smoothstep, of};
+    const std::uint32_t t = words.operands(x[k])[0];
+    if (isSquare(words, x[k], t) && isFallingLine(words, x[1 - k], t))
+      return {Idiom::Kind::Smoothstep, t};
   }
   return {};
 }
 
 Interval rangeOf(Idiom::Kind kind, const Interval& x, const Interval& plain) {
-  const double some = 16 * rounding;
-  if (kind == Idiom::Kind::PartOfUnitVector) return clipTo(plain, -1 - some, 1 + some);
+  const double slack = 16 * rounding;
+  if (kind == Idiom::Kind::PartOfUnitVector) return clipTo(plain, -1 - slack, 1 + slack);
   const bool rises = x.low >= 0 && x.high <= 1;
   if (kind == Idiom::Kind::Smoothstep && rises)
-    return clipTo(plain, smooth(x.low) * (1 - some), smooth(x.high) * (1 + some));
+    return clipTo(plain, smooth(x.low) * (1 - slack), smooth(x.high) * (1 + slack));
   return plain;
 }
 

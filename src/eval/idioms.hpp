@@ -22,10 +22,12 @@ struct Idiom {
   std::uint32_t operand = 0;  // x
 };
 
-// The idiom that this instruction is, for instructions with these ranges.
+// Returns the idiom that this instruction completes. `ranges` has the ranges of all earlier
+// instructions.
 Idiom idiomOf(const Words& words, std::span<const Interval> ranges, std::uint32_t instruction);
 
-// The range of the idiom, given the range of x and the result of plain arithmetic.
+// Returns the range of the idiom, given the range of x and the `plain` range, by interval
+// arithmetic.
 Interval rangeOf(Idiom::Kind kind, const Interval& x, const Interval& plain);
 
 }  // namespace warpjet

@@ -8,7 +8,7 @@ namespace warpjet {
 
 namespace {
 
-// The range from a number to its float32 value.
+// Returns the range from a number to its float32 value.
 Interval withFloat(double x) {
   const double rounded = static_cast<float>(x);
   return withFloat32({std::fmin(x, rounded), std::fmax(x, rounded), x != x});

@@ -15,9 +15,9 @@ class IntervalProgram {
   // Inputs whose range is a point are constant.
   IntervalProgram(const Words& words, std::span<const Interval> inputs, std::size_t result);
 
-  // The indices of the inputs that vary and are used.
+  // Returns the indices of the inputs that vary and are used.
   std::span<const std::uint32_t> variables() const { return variables_; }
-  // The number of instructions that one evaluation runs.
+  // Returns the number of instructions that one evaluation runs.
   std::size_t cost() const { return varying_.size() + 1; }
 
   // Takes one interval or number per variable.
@@ -25,8 +25,8 @@ class IntervalProgram {
   double value(std::span<const double> point);
 
  private:
-  // The result is a sum of these terms and of constants. Terms that cancel, as in p + (q - p), thus
-  // don't widen it.
+  // The result is the sum of these terms, times their factors. Equal terms are combined, so that
+  // terms that cancel, as in p + (q - p), don't widen the interval.
   struct Term {
     std::uint32_t instruction;
     double factor;

@@ -68,12 +68,12 @@ inline Lanes ifElse(Mask condition, Lanes yes, Lanes no) {
   return simd::select(condition.bits, yes.floats, no.floats);
 }
 
-// The sign bits; all other bits are zero.
+// Returns the sign bits; all other bits are zero.
 inline Mask signOf(Lanes x) { return {asMask(x).bits & simd::signBit}; }
 // Flips the sign where the bit is set.
 inline Lanes flipSign(Lanes x, Mask signs) { return asLanes({asMask(x).bits ^ signs.bits}); }
 
-// c[0] + c[1] t + c[2] t² …
+// Returns c[0] + c[1] t + c[2] t² …
 template <class Scalar, std::size_t Size>
 Scalar polynomial(Scalar t, const double (&c)[Size]) {
   Scalar sum = c[Size - 1];

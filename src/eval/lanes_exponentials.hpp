@@ -7,8 +7,8 @@
 
 namespace warpjet {
 
-// 2^n e^r for an integer n from -252 to 254 and |r| <= ln(2)/2. 2^n is split into two factors, so
-// that one of them may exceed the range of floats and an underflow is rounded once.
+// Returns 2^n e^r for an integer n from -252 to 254 and |r| <= ln(2)/2. 2^n, which may exceed the
+// range of floats, is the product of two factors that don't, so that an underflow is rounded once.
 inline Lanes expTimesPower(Lanes r, Mask::Bits n) {
   // Minimax: e^r = 1 + r + r² p(r), with a relative error below 2^-27.8.
   const Lanes p =
@@ -26,7 +26,7 @@ inline Mask::Bits integerOf(Lanes shifted) { return asMask(shifted).bits - 0x4b4
 // Clamps x; NaN is preserved.
 inline Lanes clampTo(Lanes x, double low, double high) { return min(max(x, low), high); }
 
-// e^x 2^power, for powers up to about 20.
+// Returns e^x 2^power, for powers up to about 20.
 inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
   const Lanes near = clampTo(x, -104.0, 90.0);  // beyond these limits, the result is 0 or infinite
   const Lanes shifted = near * 0x1.71547652b82fep0 + roundToInt;
@@ -44,9 +44,9 @@ inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
   return expTimesPower((near - (shifted - roundToInt)) * 0x1.62e42fefa39efp-1, integerOf(shifted));
 }
 
-// The logarithm to base 2 of finite positive numbers that aren't denormal doubles, with a relative
-// error below 2^-37. x = 2^e m with m from √½ to √2, and log2(m) = s p(s²) for s = (m - 1) / (m +
-// 1).
+// Returns the logarithm to base 2 of finite positive numbers that aren't denormal doubles, with a
+// relative error below 2^-37. x = 2^e m with m from √½ to √2, and log2(m) = s p(s²) for s = (m - 1)
+// / (m + 1).
 inline WideLanes log2OfPositive(WideLanes x) {
   constexpr std::int64_t rootOfHalf = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
   const WideMask above = asMask(x) + wideMask(one - rootOfHalf);
@@ -63,7 +63,7 @@ inline WideLanes log2OfPositive(WideLanes x) {
 
 inline WideLanes logOfPositive(WideLanes x) { return log2OfPositive(x) * 0x1.62e42fefa39efp-1; }
 
-// The logarithm of any x, given its value for finite positive x.
+// Returns the logarithm of any x, given its value for finite positive x.
 inline Lanes logarithmOf(Lanes x, Lanes finiteValue) {
   const Lanes specialValue = ifElse(eq(x, 0.0), -infinity, ifElse(gt(x, 0.0), x, notANumber));
   return ifElse(logicalAnd(gt(x, 0.0), lt(x, infinity)), finiteValue, specialValue);
@@ -76,8 +76,8 @@ inline Lanes logarithmOf(Lanes x, Lanes finiteValue) {
   return logarithmOf(x, narrow(logOfPositive(WideLanes(x))));
 }
 
-// |x|^y if neither is NaN: 2^(y log2|x|). Results outside the range of floats are represented by an
-// exponent far outside.
+// Returns |x|^y = 2^(y log2|x|) if neither x nor y is NaN. If the result is outside the range of
+// floats, an exponent far outside is used.
 inline Lanes powOfMagnitude(Lanes x, Lanes y) {
   const Lanes magnitude = abs(x), beyond = flipSign(200.0, signOf(y));
   const WideLanes exponent = log2OfPositive(WideLanes(magnitude)) * WideLanes(y);

@@ -9,8 +9,8 @@ namespace warpjet {
 // Half of π is the sum of these two; the second one is the rounding error of the float.
 inline constexpr double halfPi = 0x1.921fb6p0, halfPiRest = -0x1.777a5cf72cecep-25;
 
-// asin(s) - s from s and s², for s from 0 to 1/2: a minimax polynomial with an error below 2^-27.6
-// asin(s).
+// Returns asin(s) - s, given s and s², for s from 0 to 1/2. The minimax polynomial has an error
+// below 2^-27.6 asin(s).
 inline Lanes arcsineExcess(Lanes s, Lanes square) {
   const Lanes p = polynomial(
       square, {0x1.5555c8p-3, 0x1.3301fcp-4, 0x1.747d06p-5, 0x1.8c2d82p-6, 0x1.596d66p-5});
@@ -38,7 +38,7 @@ inline Lanes arcsineExcess(Lanes s, Lanes square) {
   return ifElse(large, largeResult, halfPi - (s + (excess - halfPiRest)));
 }
 
-// For q from 0 to 1: a minimax polynomial with a relative error below 2^-27.
+// Returns the arctangent of q from 0 to 1. The minimax polynomial has a relative error below 2^-27.
 inline Lanes arctangentUpToOne(Lanes q) {
   const Lanes t = q * q;
   const Lanes p =
@@ -63,8 +63,8 @@ inline Lanes arctangentUpToOne(Lanes q) {
   const Lanes angle = arctangentUpToOne(ratio);
   // Starts from the nearest half axis: 0, π/2 or π.
   const Lanes axis = ifElse(steep, halfPi, ifElse(left, 2 * halfPi, 0.0));
-  const Lanes turnedAngle = flipSign(angle, {(steep.bits ^ left.bits) & simd::signBit});
-  const Lanes positive = axis + (turnedAngle + axis * (halfPiRest / halfPi));
+  const Lanes signedAngle = flipSign(angle, {(steep.bits ^ left.bits) & simd::signBit});
+  const Lanes positive = axis + (signedAngle + axis * (halfPiRest / halfPi));
   const Lanes result = flipSign(positive, signOf(y));
   return ifElse(logicalOr(ne(x, x), ne(y, y)), notANumber, result);
 }

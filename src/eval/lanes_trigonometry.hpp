@@ -22,8 +22,8 @@ inline constexpr double sineLimit = 12800;
 // Adding this constant puts the nearest integer into the lowest bits.
 inline constexpr double roundToLowBits = 0x1.8p23;
 
-// x - hπ. The last two products are added first, with the error of that sum. So only one rounding
-// matters; in sequence, two would.
+// Returns x - hπ. The last two products are added first, and the rounding error of their sum is
+// subtracted, too. So only one rounding matters; if they were subtracted one by one, two would.
 template <FourLanes X>
 X minusMultipleOfPi(X x, X h) {
   const X near = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
@@ -32,9 +32,9 @@ X minusMultipleOfPi(X x, X h) {
   return (near - sum) - rest;
 }
 
-// sin(r) for |r| <= π/2. The relative error is below 2^-26: the coefficients are those of the
-// minimax polynomial (2^-27.2), adjusted by a search for the min error with float rounding, which
-// would otherwise exceed 2 units close to π/2.
+// Returns sin(r) for |r| <= π/2. The relative error is below 2^-26: the coefficients are those of
+// the minimax polynomial (2^-27.2), adjusted by a search for the min error with float rounding,
+// which would otherwise exceed 2 units close to π/2.
 template <FourLanes X>
 X sineOfReduced(X r) {
   const X t = r * r;
@@ -42,13 +42,14 @@ X sineOfReduced(X r) {
   return r + r * t * p;
 }
 
-// Shifts out all bits but the lowest: the sign that an odd multiple of π flips.
+// Returns the sign bit set for odd multiples of π, which flip the sine: shifts out all bits but the
+// lowest.
 template <FourLanes X>
 typename X::Mask signOfOdd(X multiple) {
   return {asMask(multiple).bits << 31};
 }
 
-// The sine of a magnitude up to sineLimit.
+// Returns the sine of a magnitude up to sineLimit.
 template <FourLanes X>
 X sineUpToLimit(X magnitude) {
   const X shifted = magnitude * 0x1.45f306dc9c883p-2 + roundToLowBits;
@@ -56,7 +57,7 @@ X sineUpToLimit(X magnitude) {
   return flipSign(sineOfReduced(r), signOfOdd(shifted));
 }
 
-// cos(r + (k - 1/2)π) = (-1)^k sin(r)
+// Returns the cosine of a magnitude up to sineLimit: cos(r + (k - 1/2)π) = (-1)^k sin(r).
 template <FourLanes X>
 X cosineUpToLimit(X magnitude) {
   const X shifted = magnitude * 0x1.45f306dc9c883p-2 + 0.5 + roundToLowBits;
@@ -92,8 +93,9 @@ inline Lanes cos(Lanes x) {
 inline constexpr double tangentLimit = 0x1p20;
 
 [[gnu::noinline]] inline Lanes tan(Lanes x) {
-  constexpr double whole = 0x1.8p52;
-  const WideLanes wide(x), shifted = wide * 0x1.45f306dc9c883p-1 + whole, k = shifted - whole;
+  constexpr double roundToInteger = 0x1.8p52;
+  const WideLanes wide(x), shifted = wide * 0x1.45f306dc9c883p-1 + roundToInteger,
+                           k = shifted - roundToInteger;
   const WideLanes r = wide - k * 0x1.921fb544p0 - k * 0x1.0b4611a626331p-34, t = r * r;
   // Minimax polynomials up to π/4 with relative errors below 2^-27.2 and 2^-33.
   const WideLanes sine =

@@ -13,8 +13,8 @@ namespace {
 // Optimizing compilers of engines take a few milliseconds for a function of this size.
 constexpr std::size_t instructionsPerFunction = 500;
 
-// Up to this number of sines and the like are inlined, which saves calls; with more, the module
-// would become long, so each operation becomes a function.
+// Up to this number of calls of routines, such as sines, are inlined. With more, the module would
+// become long, so each routine becomes a function.
 constexpr std::size_t maxInline = 16;
 
 bool isRoutine(Op op) {
@@ -115,14 +115,15 @@ class Generator {
     }
   }
 
-  // The current location of a block register: a local, unless only another piece has written it.
+  // The current location of a block register: a local if this piece has read or written the
+  // register; otherwise it is in memory.
   struct Home {
     Staged value{};
     bool isKnown = false, isChanged = false;
   };
 
   Staged get(CodeWriter& writer, Register r) {
-    if (r.isUniform) return Staged(r.number | Staged::isShared);
+    if (r.isUniform) return Staged(r.number | Staged::sharedFlag);
     Home& home = homes_[r.number];
     if (!home.isKnown) {
       home = {writer.loadFour(spillsAt_ + r.number * std::uint32_t{sizeof(Lanes)}), true};
@@ -134,7 +135,7 @@ class Generator {
   void set(CodeWriter& writer, Register r, Staged value) {
     if (r.isUniform) {
       writer.storeOne(value, module_.sharedAt + r.number * std::uint32_t{sizeof(float)});
-      return writer.releaseAllBut(Staged(Staged::isShared));
+      return writer.releaseAllBut(Staged(Staged::sharedFlag));
     }
     Home& home = homes_[r.number];
     if (home.isKnown) writer.release(home.value);
@@ -173,11 +174,11 @@ class Generator {
     }
   }
 
-  static void callPiece(WasmBytes& code, std::uint32_t function, std::uint32_t at) {
+  static void callPiece(WasmBytes& code, std::uint32_t function, std::uint32_t position) {
     code.byte(wasm::LocalGet);
     code.number(0);
     code.byte(wasm::LocalGet);
-    code.number(at);
+    code.number(position);
     code.byte(wasm::Call);
     code.number(function);
   }
@@ -191,23 +192,23 @@ class Generator {
     wasm_.add(Piece, code);
   }
 
-  // for (at = 0; at < end; at += 16) …
+  // Writes `for (position = 0; position < end; position += 16) …`.
   void writeRun(std::uint32_t first) {
-    const std::uint32_t end = start_, at = 2;
+    const std::uint32_t end = start_, position = 2;
     WasmBytes code;
     code.number(1);
     code.number(1);
     code.byte(wasm::i32);
     code.byte(wasm::Loop);
     code.byte(wasm::noResult);
-    for (std::uint32_t i = first; i < end; ++i) callPiece(code, i, at);
+    for (std::uint32_t i = first; i < end; ++i) callPiece(code, i, position);
     code.byte(wasm::LocalGet);
-    code.number(at);
+    code.number(position);
     code.byte(wasm::Number);
     code.signedNumber(sizeof(Lanes));
     code.byte(wasm::Add);
     code.byte(wasm::LocalTee);
-    code.number(at);
+    code.number(position);
     code.byte(wasm::LocalGet);
     code.number(1);
     code.byte(wasm::Less);

@@ -1,11 +1,11 @@
-// Compiles a register program to WebAssembly: the interpreter of blocks.hpp runs it operation by
-// operation, and an engine compiles this to machine code with values in registers. The bits are the
-// same, since the same formulas are evaluated; WebAssembly only leaves the payload of NaN open.
+// Compiles a register program to WebAssembly, which an engine compiles to machine code with values
+// in registers. The results have the same bits as those of the interpreter, blocks.hpp, since the
+// same formulas are evaluated; WebAssembly only leaves the payload of NaN open.
 //
 // The module imports the memory, and the interpreter's own functions for operations that are longer
-// than a few instructions. Its functions have a few hundred instructions each, with registers in
-// memory between them: engines compile long functions slowly, and use their optimizing compiler for
-// functions that are called often.
+// than a few instructions. Its functions have a few hundred instructions each, and pass registers
+// to each other in memory: engines compile long functions slowly, and use their optimizing compiler
+// for functions that are called often.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct MachineCode {
   // Exports `start(memory, 0)`, which reads the uniform inputs, and `run(memory, end)` for `end` /
   // 4 vertices, where `end` is a multiple of 16.
   std::vector<std::uint8_t> module;
-  // The bits of floats that must be stored at this offset before `start`. They are the last part of
-  // the memory.
+  // The bits of floats that must be stored at the offset `sharedAt` before `start` is called. They
+  // are the last part of the memory.
   std::uint32_t sharedAt;
   std::vector<std::uint32_t> shared;
 };
@@ -36,7 +36,8 @@ struct MachineCode {
 // Larger programs would take an engine too long to compile, so there is no machine code for them.
 inline constexpr std::size_t maxInstructions = 100'000;
 
-// Takes the program's inputs in order, and its results, all of them before `end`.
+// Compiles the program. `inputs` and `results` are in the program's order; all arrays are located
+// before `end`.
 MachineCode machineCode(const RegisterProgram& program, std::span<const Placement> inputs,
                         std::span<const Placement> results, std::uint32_t end);
 

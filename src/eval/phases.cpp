@@ -32,7 +32,7 @@ std::optional<double> stepOfWave(Op op) {
   return found == std::end(waves) ? std::nullopt : std::optional(found->step);
 }
 
-// Knows how nodes depend on inputs. Nodes are added in ascending order.
+// Determines how nodes depend on inputs. Nodes are added in ascending order.
 class Dependence {
  public:
   Dependence(const Graph& graph, std::span<const std::uint32_t> varying)
@@ -66,7 +66,7 @@ class Dependence {
   std::vector<Kind> kinds_;
 };
 
-// The point that a node evaluates a wave or a noise at, if it does.
+// Returns the point at which a node evaluates a wave or a noise; empty for other nodes.
 std::vector<NodeId> pointOf(const Module& module, NodeId id) {
   const Graph& graph = module.graph;
   if (stepOfWave(graph.node(id).op)) return {graph.operand(id, 0)};

@@ -1,5 +1,5 @@
-// Finds what makes a surface wavy: the arguments of waves and noises, from which a host can tell
-// how far apart samples may be without missing a crest.
+// Finds the arguments of waves and noises, from which a host can determine how far apart samples of
+// a surface may be without missing a crest.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct Phase {
   double step;
 };
 
-// Modifies the module: adds a result, the last, with the numbers of all phases that the results
-// depend on and that vary continuously with any of the inputs `varying` (by number). There are
-// none for what happens in a loop or in a function of the host. Returns the phases in order.
+// Appends a result to the module: the numbers of all phases that `results` depend on and that vary
+// continuously with any of the inputs `varying` (by number). Waves in a loop or in a function of
+// the host have no phases. Returns the phases in order.
 std::vector<Phase> addPhases(Module& module, std::span<const std::uint32_t> results,
                              std::span<const std::uint32_t> varying);
 

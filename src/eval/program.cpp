@@ -8,7 +8,7 @@ namespace warpjet {
 
 namespace {
 
-// Tests for an image, or the size of one.
+// Returns true if the node is an image or the size of one.
 bool readsImage(const Graph& graph, NodeId id) {
   if (!graph.isInput(id)) return false;
   const Input& input = graph.input(graph.node(id).operands[0]);

@@ -22,8 +22,9 @@ struct Program {
   std::uint32_t instructions = 0;
 };
 
-// Input numbers are passed component by component for all inputs of the graph except images, in
-// order. Returns nullopt if the program would have to call a host function or to run a loop.
+// Compiles the roots. The program's input numbers are the components of all inputs of the graph
+// except images, in order. Returns nullopt if it would have to call a host function or to run a
+// loop.
 std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots);
 
 // The program of these results of a module, in this order, with the bodies of our functions inlined
@@ -35,10 +36,10 @@ struct ModuleProgram {
 };
 ModuleProgram program(const Module& module, std::span<const std::uint32_t> results);
 
-// True if the program reads any of `count` input numbers starting at `first`.
+// Returns true if the program reads any of `count` input numbers starting at `first`.
 bool reads(const Program& program, std::uint32_t first, std::uint32_t count);
 
-// Runs a program of that many instructions; conditions are 1 and 0.
+// Runs a program, given its words and the number of its instructions. Conditions are 1 and 0.
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,
               std::span<const double> inputs, std::span<double> results);
 

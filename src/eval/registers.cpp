@@ -14,8 +14,8 @@ struct Allocation {
   bool isNeeded = false;
   bool isUniform = true;
   std::uint32_t task = none;  // `none` if it is uniform
-  std::uint32_t readersLeft =
-      0;  // remaining readers, plus one for a result, whose register is never freed
+  // The remaining readers, plus one for a result, so that its register is never freed.
+  std::uint32_t readersLeft = 0;
   Register result;
 };
 
@@ -29,33 +29,34 @@ class Allocator {
     findNeeded();
     for (std::uint32_t i = 0; i < program_.count(); ++i) {
       if (allocations_[i].isNeeded && isConstant(i)) {
-        made_.constants.push_back(constant(i));
-        allocations_[i].result = {made_.uniformRegisters++, true};
+        result_.constants.push_back(constant(i));
+        allocations_[i].result = {result_.uniformRegisters++, true};
       }
     }
     for (std::uint32_t i = 0; i < program_.count(); ++i) {
       if (!allocations_[i].isNeeded || isConstant(i)) continue;
       allocations_[i].isUniform = isUniform(i);
       if (allocations_[i].isUniform) {
-        made_.prologue.push_back(translate(i, {made_.uniformRegisters++, true}));
+        result_.prologue.push_back(translate(i, {result_.uniformRegisters++, true}));
       } else {
         addTask(i);
       }
     }
     for (const std::uint32_t task : schedule(work_)) {
       const std::uint32_t i = instructions_[task];
-      // Released before the result's register is taken: an instruction may overwrite its operands,
-      // since it reads the operands of four vertices before it writes their result.
+      // Operands are released before the result's register is taken: an instruction may overwrite
+      // them, since it reads the operands of four vertices before it writes their result.
       for (const std::uint32_t read : work_.readsOf(task)) release(instructions_[read]);
-      made_.body.push_back(translate(i, {takeRegister(), false}));
+      result_.body.push_back(translate(i, {takeRegister(), false}));
     }
     for (const std::uint32_t i : wanted_)
-      made_.results.push_back(allocations_[program_.result(i)].result);
-    return std::move(made_);
+      result_.results.push_back(allocations_[program_.result(i)].result);
+    return std::move(result_);
   }
 
  private:
-  // A float can't represent all known integers, so `int(constant)` is stored as its bits.
+  // Returns true for `int(constant)`, which is stored as its bits: a float can't represent all
+  // integers.
   bool isKnownInt(std::uint32_t i) const {
     return program_.op(i) == ops::find("int") && program_.op(program_.operands(i)[0]) == constantOp;
   }
@@ -105,9 +106,8 @@ class Allocator {
     instruction.op = program_.op(i);
     instruction.result = allocations_[i].result = result;
     if (instruction.op == inputOp) instruction.input = program_.input(i);
-    auto place = instruction.operands.begin();
-    for (const std::uint32_t operand : program_.operands(i))
-      *place++ = allocations_[operand].result;
+    auto next = instruction.operands.begin();
+    for (const std::uint32_t operand : program_.operands(i)) *next++ = allocations_[operand].result;
     return instruction;
   }
 
@@ -116,7 +116,7 @@ class Allocator {
   }
 
   std::uint32_t takeRegister() {
-    if (free_.empty()) return made_.blockRegisters++;
+    if (free_.empty()) return result_.blockRegisters++;
     const std::uint32_t number = free_.back();
     free_.pop_back();
     return number;
@@ -129,7 +129,7 @@ class Allocator {
   Work work_;
   std::vector<std::uint32_t> instructions_;  // by task
   std::vector<std::uint32_t> free_;
-  RegisterProgram made_;
+  RegisterProgram result_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
-// The few operations that differ between instruction sets, for registers of four floats and of two
-// doubles: WebAssembly's SIMD128, SSE2, and plain code for all others. Arithmetic, comparisons and
-// bitwise operations use the vector extension of GCC and Clang, which is the same everywhere; they
-// are in lanes.hpp.
+// The few operations on registers of four floats or two doubles that differ between instruction
+// sets: WebAssembly's SIMD128, SSE2, and plain code for all others. lanes.hpp has arithmetic,
+// comparisons and bitwise operations, which use the vector extension of GCC and Clang and are the
+// same everywhere.
 #pragma once
 
 #include <cmath>
@@ -80,7 +80,8 @@ inline Doubles select(DoubleBits where, Doubles yes, Doubles no) {
   return doublesOf((where & bitsOf(yes)) | (~where & bitsOf(no)));
 }
 
-// Every float from 2^23 up is an integer; below, adding 2^23 rounds the fraction away.
+// Rounds half to even. Every float from 2^23 up is an integer; adding 2^23 to a smaller one rounds
+// its fraction away.
 inline Floats nearest(Floats x) {
   const Floats big = {0x1p23f, 0x1p23f, 0x1p23f, 0x1p23f};
   const FloatBits sign = bitsOf(x) & signBit;
@@ -113,8 +114,8 @@ inline Doubles widenLow(Floats x) {
   return __builtin_bit_cast(Doubles, _mm_cvtps_pd(__builtin_bit_cast(__m128, x)));
 }
 inline Doubles widenHigh(Floats x) {
-  const auto both = __builtin_bit_cast(__m128, x);
-  return __builtin_bit_cast(Doubles, _mm_cvtps_pd(_mm_movehl_ps(both, both)));
+  const auto floats = __builtin_bit_cast(__m128, x);
+  return __builtin_bit_cast(Doubles, _mm_cvtps_pd(_mm_movehl_ps(floats, floats)));
 }
 inline Floats narrow(Doubles low, Doubles high) {
   return __builtin_bit_cast(Floats, _mm_movelh_ps(_mm_cvtpd_ps(__builtin_bit_cast(__m128d, low)),

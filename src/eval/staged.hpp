@@ -1,6 +1,7 @@
 // Four floats that machine code will compute: a scalar type whose operations write instructions
-// instead of executing them. The rows of the table and the generic functions of lanes_*.hpp run in
-// it, so their operations have the same order as in the interpreter, and both round alike.
+// instead of executing them. The formulas of the table and the generic functions of lanes_*.hpp are
+// evaluated with it, so that the machine code has the operations of the interpreter in the same
+// order and rounds alike.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct StagedMask;
 // all vertices.
 struct Staged {
   using Mask = StagedMask;
-  static constexpr std::uint32_t isShared = 1u << 31;
+  static constexpr std::uint32_t sharedFlag = 1u << 31;  // a bit of `place`
 
   std::uint32_t place;
 
@@ -33,7 +34,7 @@ Staged staged(wasm::Simd instruction, Staged x, Staged y);
 Staged staged(wasm::Simd instruction, Staged x, Staged y, Staged z);
 // Shifts each lane by `count` bits.
 Staged shiftBits(wasm::Simd instruction, Staged x, int count);
-// Calls a function of this module, or an imported one.
+// `routine` calls a function of this module, `kernel` an imported one.
 Staged routine(Op op, Staged x);
 Staged routine(Op op, Staged x, Staged y);
 Staged kernel(Op op, Staged x);
@@ -92,7 +93,7 @@ inline Staged sqrt(Staged x) { return staged(wasm::SquareRoot, x); }
 inline Staged min(Staged x, Staged y) { return staged(wasm::Min, x, y); }
 inline Staged max(Staged x, Staged y) { return staged(wasm::Max, x, y); }
 
-// Written once per module, and called.
+// Routines, which are written once per module.
 inline Staged sin(Staged x) { return routine(ops::find("sin"), x); }
 inline Staged cos(Staged x) { return routine(ops::find("cos"), x); }
 inline Staged hash(Staged h, Staged i) { return routine(ops::find("hash"), h, i); }

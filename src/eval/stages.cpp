@@ -7,15 +7,15 @@ namespace warpjet {
 namespace {
 
 template <ops::Type type>
-auto typed(Staged x) {
+auto toOperand(Staged x) {
   if constexpr (type == ops::Type::Bool)
     return asMask(x);
   else
     return x;
 }
 
-Staged untyped(Staged value) { return value; }
-Staged untyped(StagedMask value) { return asLanes(value); }
+Staged toLanes(Staged value) { return value; }
+Staged toLanes(StagedMask value) { return asLanes(value); }
 
 template <std::size_t Row>
 constexpr Stage stageOfRow() {
@@ -27,13 +27,13 @@ constexpr Stage stageOfRow() {
       constexpr const auto& row = std::get<Row>(ops::table);
       using Value = decltype(row.value);
       if constexpr (std::is_invocable_v<
-                        Value,
-                        decltype(typed<ops::declarations[Row].signature.operands[k]>(Staged()))...>)
+                        Value, decltype(toOperand<ops::declarations[Row].signature.operands[k]>(
+                                   Staged()))...>)
         return [](const Operands<Staged>& x) {
           return ops::withIndices<ops::declarations[Row].arity>([&](auto... i) {
-            return untyped(
+            return toLanes(
                 std::get<Row>(ops::table)
-                    .value(typed<ops::declarations[Row].signature.operands[i]>(x[i])...));
+                    .value(toOperand<ops::declarations[Row].signature.operands[i]>(x[i])...));
           });
         };
       else

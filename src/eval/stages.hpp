@@ -1,4 +1,5 @@
-// Finds the function that writes the machine code of an operation, from the formula in its row.
+// Provides the functions that write the machine code of operations. Each evaluates the formula in
+// the operation's row with `Staged`.
 #pragma once
 
 #include "eval/staged.hpp"
@@ -7,7 +8,7 @@ namespace warpjet {
 
 using Stage = Staged (*)(const Operands<Staged>&);
 
-// Null for operations that are computed lane by lane.
+// Returns null for operations that are computed lane by lane.
 Stage stageOf(Op op);
 
 }  // namespace warpjet

@@ -15,7 +15,7 @@ class WasmBytes {
   void signedNumber(std::int32_t x);
   void text(std::string_view characters, std::string_view more = {});
   void append(const WasmBytes& other);
-  // Appends the size first, as required for functions and sections.
+  // Appends the size of the bytes and then the bytes, as required for functions and sections.
   void appendCounted(const WasmBytes& other);
   void section(std::uint8_t kind, const WasmBytes& contents);
 

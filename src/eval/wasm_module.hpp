@@ -19,10 +19,10 @@ enum FunctionType : std::uint32_t {
 
 class WasmModule {
  public:
-  // The number of the next function.
+  // Returns the number of the next function.
   std::uint32_t functionCount() const { return functionCount_; }
 
-  // Imports must be added before the first function. Returns the number.
+  // Returns the number of the imported function. Imports must be added before the first function.
   std::uint32_t import(std::string_view name, FunctionType type);
   void add(FunctionType type, const WasmBytes& body);
 

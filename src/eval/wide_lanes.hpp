@@ -1,5 +1,5 @@
-// Four doubles, for functions that would lose precision in float: two registers; each operation is
-// applied to both.
+// Four doubles, for functions that would lose precision in float. They are in two registers, to
+// each of which operations are applied.
 #pragma once
 
 #include "eval/lanes.hpp"

@@ -19,22 +19,22 @@ class Words {
 
   Op op(std::uint32_t i) const { return Op{static_cast<std::uint8_t>(instruction(i)[0])}; }
 
-  // The instructions that it reads, all of them earlier.
+  // Returns the instructions that it reads, all of them earlier.
   std::span<const std::uint32_t> operands(std::uint32_t i) const {
     return instruction(i).subspan(1, arities[index(op(i))]);
   }
 
-  // The value of a constant.
+  // Returns the value of a constant.
   double constant(std::uint32_t i) const {
     double value;
     std::memcpy(&value, &instruction(i)[1], sizeof value);
     return value;
   }
 
-  // The index of an input number.
+  // Returns the index of an input number.
   std::uint32_t input(std::uint32_t i) const { return instruction(i)[1]; }
 
-  // The instruction of this result.
+  // Returns the instruction of this result.
   std::uint32_t result(std::size_t i) const { return words_[instructions_ * perInstruction + i]; }
 
   std::uint32_t count() const { return instructions_; }

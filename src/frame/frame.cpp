@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// A copy of a module's graph, its results there, and the values to compute once per frame.
+// A copy of a module's graph with its frame constants separated, and the module's results in it.
 struct SeparatedModule {
   SeparatedModule(Module& module, std::span<const std::uint32_t> known, bool unrolls)
       : graph(module.graph.copy()),
@@ -24,7 +24,7 @@ struct SeparatedModule {
   Separation separation;
 };
 
-// True if all loops, unrolled, are small enough to compile quickly.
+// Returns true if all loops, unrolled, are small enough to compile quickly.
 bool canUnroll(const Graph& graph) {
   if (!graph.has(foldOp)) return false;
   std::size_t unrolledSize = graph.size();
@@ -33,7 +33,7 @@ bool canUnroll(const Graph& graph) {
   return unrolledSize <= maxUnrolledNodes;
 }
 
-// Values that no result reads need not be computed.
+// Replaces values that no result reads by zero, so that they need not be computed.
 void clearUnread(const Graph& graph, std::span<const NodeId> roots, std::uint32_t firstInput,
                  std::vector<NodeId>& values, NodeId zero) {
   Flags isRead(values.size());
@@ -53,16 +53,17 @@ std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known
   auto separated = std::make_unique<SeparatedModule>(module, known, false);
   if (canUnroll(module.graph)) {
     // Each step of a loop may add a different frame constant.
-    auto other = std::make_unique<SeparatedModule>(module, known, true);
-    if (other->separation.reduced() > separated->separation.reduced()) separated = std::move(other);
+    auto unrolled = std::make_unique<SeparatedModule>(module, known, true);
+    if (unrolled->separation.reduced() > separated->separation.reduced())
+      separated = std::move(unrolled);
   }
-  auto& [graph, found, separation] = *separated;
+  auto& [graph, roots, separation] = *separated;
   std::vector<NodeId> values = separation.inputs().values();
   const NodeId zero = graph.constant(0);
-  clearUnread(graph, found, firstInput, values, zero);
+  clearUnread(graph, roots, firstInput, values, zero);
   if (graph.isFull() || values.empty()) return 0;
   values.resize(4 * separation.inputs().count(), zero);
-  auto node = found.begin();
+  auto node = roots.begin();
   for (Output& output : module.outputs) {
     for (NodeId& component : output.components) component = *node++;
   }

@@ -19,11 +19,11 @@ inline constexpr std::size_t maxFrameValues = 128;
 // Loops remain loops if unrolling them gives more nodes than this.
 inline constexpr std::size_t maxUnrolledNodes = 20'000;
 
-// Modifies the module: results read frame inputs in place of expressions that depend only on the
-// inputs `known` (by number), and one more result, the last, has the values of those frame inputs.
-// Terms inside of periodic functions are reduced by whole periods, so that float32 keeps its
-// precision however long a sketch runs; for that, loops whose steps add different terms are
-// unrolled. Returns the number of vec4s.
+// Modifies the module: its results read frame inputs in place of expressions that depend only on
+// the inputs `known` (by number), and an additional last result has the values of the frame inputs.
+// Frame constants inside of periodic functions are reduced by whole periods, so that float32 keeps
+// its precision however long a sketch runs. Loops whose steps add different constants are unrolled
+// for that. Returns the number of vec4s.
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known);
 
 }  // namespace warpjet

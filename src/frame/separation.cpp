@@ -64,7 +64,7 @@ void Separation::visitOperation(NodeId id) {
   for (int i = 0; i < graph_.arity(id); ++i) {
     const NodeId operand = graph_.operand(id, i);
     isFrame |= isFrame_[index(operand)];
-    isVarying |= !isSame(operand);
+    isVarying |= !isConstantInFrame(operand);
   }
   isFrame_[index(id)] = isFrame && !isVarying;
   if (isFrame_[index(id)]) return;
@@ -76,14 +76,15 @@ void Separation::visitOperation(NodeId id) {
   replacements_[index(id)] = graph_.apply(graph_.node(id).op, operands);
 }
 
-// Linear operations are distributed over the parts of a sum.
+// Separates the result of an operation into a sum: linear operations are distributed over the parts
+// of their operands.
 Separation::Sum Separation::sumOf(NodeId id) {
   const Op op = graph_.node(id).op;
-  if (op == neg) return each(op, partsOf(graph_.operand(id, 0)));
+  if (op == neg) return applyToEach(op, partsOf(graph_.operand(id, 0)));
   if (op != add && op != sub && op != mult && op != divide) return {};
   const NodeId x = graph_.operand(id, 0), y = graph_.operand(id, 1);
-  if (op == mult && isSame(x)) return scaleSum(op, partsOf(y), x);
-  if (op == mult || op == divide) return isSame(y) ? scaleSum(op, partsOf(x), y) : Sum{};
+  if (op == mult && isConstantInFrame(x)) return scaleSum(op, partsOf(y), x);
+  if (op == mult || op == divide) return isConstantInFrame(y) ? scaleSum(op, partsOf(x), y) : Sum{};
   const Sum left = partsOf(x), right = partsOf(y);
   return {combine(op, left.varying, right.varying), combine(op, left.frame, right.frame)};
 }
@@ -94,7 +95,7 @@ Separation::Sum Separation::partsOf(NodeId id) {
   return sum.frame == noNode ? Sum{replacementOf(id), noNode} : sum;
 }
 
-Separation::Sum Separation::each(Op op, Sum sum) {
+Separation::Sum Separation::applyToEach(Op op, Sum sum) {
   if (sum.varying != noNode) sum.varying = graph_.apply(op, {sum.varying});
   if (sum.frame != noNode) sum.frame = graph_.apply(op, {sum.frame});
   return sum;
@@ -112,7 +113,7 @@ NodeId Separation::combine(Op op, NodeId x, NodeId y) {
   return graph_.apply(op, {x, y});
 }
 
-// The period of the operation with respect to its first operand; 0 if it isn't periodic.
+// Returns the period of the operation with respect to its first operand; 0 if it isn't periodic.
 double Separation::periodOf(NodeId id) const {
   const Op op = graph_.node(id).op;
   if (op == ops::find("sin") || op == ops::find("cos")) return 2 * std::numbers::pi;
@@ -122,19 +123,19 @@ double Separation::periodOf(NodeId id) const {
   return isModulo ? graph_.value(graph_.operand(id, 1)) : 0;
 }
 
-// The operand with its frame constant reduced by whole periods.
+// Returns the operand with its frame constant reduced by whole periods.
 NodeId Separation::reduceBy(double period, NodeId id) {
   const auto [varying, frame] = partsOf(id);
   if (frame == noNode) return varying;
-  const NodeId given = remainder({&graph_, frame}, period);
-  return varying == noNode ? given : graph_.apply(add, {varying, given});
+  const NodeId reduced = remainder({&graph_, frame}, period);
+  return varying == noNode ? reduced : graph_.apply(add, {varying, reduced});
 }
 
 NodeId Separation::remainder(Expression frame, double period) {
   const std::size_t before = inputs_.values().size();
-  const NodeId given = inputs_.pass((frame - round(frame / period) * period).id);
+  const NodeId input = inputs_.pass((frame - round(frame / period) * period).id);
   reduced_ += inputs_.values().size() - before;
-  return given;
+  return input;
 }
 
 NodeId Separation::callOf(NodeId call) {
@@ -148,7 +149,8 @@ NodeId Separation::callOf(NodeId call) {
       lacunarity = graph_.value(arguments[variables + 1]);
     const Definition& definition = library_.definition(function.name);
     period = noisePeriod(definition, lacunarity);
-    // The cell and the remainder of a coordinate must come from the same computation.
+    // The cell and the remainder of a coordinate are rounded together, so either both are frame
+    // inputs, or neither is.
     if (inputs_.values().size() + 2 * variables <= maxFrameValues &&
         canTakeCells(definition, lacunarity)) {
       for (std::size_t i = 0; i < variables; ++i)
@@ -165,19 +167,19 @@ NodeId Separation::callOf(NodeId call) {
 // Passes the frame constants of coordinates as integer cells and remainders.
 NodeId Separation::callWithCells(const Definition& definition,
                                  const std::vector<NodeId>& arguments) {
-  Numbers given, cells;
+  Numbers newArguments, cells;
   for (const NodeId id : arguments) {
     const bool isCoordinate =
-        given.size() < static_cast<std::size_t>(definition.function.variables);
-    given.push_back({&graph_, isCoordinate ? reduceBy(1, id) : replacementOf(id)});
+        newArguments.size() < static_cast<std::size_t>(definition.function.variables);
+    newArguments.push_back({&graph_, isCoordinate ? reduceBy(1, id) : replacementOf(id)});
     if (!isCoordinate) continue;
     const NodeId frame = partsOf(id).frame;
     cells.push_back({&graph_, frame == noNode
                                   ? graph_.constant(0)
                                   : remainder(round({&graph_, frame}), ops::hashPrime)});
   }
-  for (const Expression cell : cells) given.push_back(cell);
-  return graph_.operand(library_.call(withCells(definition), given)[0].id, 0);
+  for (const Expression cell : cells) newArguments.push_back(cell);
+  return graph_.operand(library_.call(withCells(definition), newArguments)[0].id, 0);
 }
 
 }  // namespace warpjet

@@ -19,11 +19,11 @@ class Separation {
   // Operands are visited before their users.
   void visit(NodeId id);
 
-  // The node that replaces `id` in the shader.
+  // Returns the node that replaces `id` in the shader.
   NodeId replacementOf(NodeId id);
 
   const FrameInputs& inputs() const { return inputs_; }
-  // The number of frame constants that were reduced by whole periods.
+  // Returns the number of frame constants that were reduced by whole periods.
   std::size_t reduced() const { return reduced_; }
 
  private:
@@ -33,11 +33,11 @@ class Separation {
     NodeId varying = noNode, frame = noNode;
   };
 
-  bool isSame(NodeId id) const { return isFrame_[index(id)] || graph_.known(id); }
+  bool isConstantInFrame(NodeId id) const { return isFrame_[index(id)] || graph_.known(id); }
   void visitOperation(NodeId id);
   Sum sumOf(NodeId id);
   Sum partsOf(NodeId id);
-  Sum each(Op op, Sum sum);
+  Sum applyToEach(Op op, Sum sum);
   Sum scaleSum(Op op, Sum sum, NodeId factor);
   NodeId combine(Op op, NodeId x, NodeId y);
   double periodOf(NodeId id) const;
@@ -49,10 +49,10 @@ class Separation {
   Graph& graph_;
   Library& library_;
   FrameInputs inputs_;
-  Flags isKnown_;  // by input
-  Flags isFrame_;  // by node, like the next two
-  std::vector<NodeId> replacements_;
-  std::vector<Sum> sums_;
+  Flags isKnown_;                     // by input
+  Flags isFrame_;                     // by node: true for frame constants
+  std::vector<NodeId> replacements_;  // by node
+  std::vector<Sum> sums_;             // by node
   std::size_t reduced_ = 0;
 };
 

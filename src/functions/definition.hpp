@@ -1,6 +1,7 @@
-// Our own functions, which shader code defines once, however often they are called, so that a value
-// and its derivatives share their work. Each is defined once, as nodes: its shader source,
-// derivatives of every order and evaluation on the CPU follow from those.
+// Our own functions. Shader code defines such a function once, however often it is called, and a
+// call returns a value together with its derivatives, so that they share their work. The body is
+// defined once, as nodes, from which its shader source, derivatives of every order and evaluation
+// on the CPU follow.
 #pragma once
 
 #include <array>
@@ -42,7 +43,7 @@ class Numbers {
   std::size_t size_ = 0;
 };
 
-// For names such as warpjetNoise3.
+// Makes the first letter upper case, for names such as warpjetNoise3.
 inline std::string capitalize(std::string_view text) {
   std::string name(text);
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
@@ -59,10 +60,10 @@ struct Definition {
 
   // Functions are identified by name.
   Function function;
-  // Null if nodes can't express it: then each language has its own source, and there are no
-  // derivatives.
+  // Null if nodes can't express the function: then each language has its own source for it, and
+  // there are no derivatives.
   Body body = nullptr;
-  // passed to `body`
+  // An argument of `body`.
   std::uint32_t settings = 0;
   // Bounds that each value is known to be within.
   double low = -std::numeric_limits<double>::infinity();

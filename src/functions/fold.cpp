@@ -14,7 +14,7 @@ OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> sta
 
 namespace {
 
-// True for the states that the outcome of state `root` depends on.
+// Returns true for the states that the outcome of state `root` depends on.
 Flags findNeeded(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
                  std::size_t root) {
   Flags isNeeded(next.size());

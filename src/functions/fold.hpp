@@ -32,7 +32,7 @@ OpenFold openFold(std::uint32_t steps, const Numbers& start);
 Numbers statesOf(const OpenFold& open);
 Numbers closeFold(const OpenFold& open, const Numbers& next);
 
-// A complete fold: `body(states, step)` returns the states after a step.
+// Returns a complete fold: `body(states, step)` returns the states after a step.
 template <class Body>
 Numbers fold(std::uint32_t steps, const Numbers& start, Body body) {
   const OpenFold open = openFold(steps, start);

@@ -12,7 +12,7 @@ namespace {
 
 class Inliner {
  public:
-  // Without a library, calls remain.
+  // Without a library, loops are unrolled, but calls remain.
   Inliner(Graph& graph, Library* library)
       : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
 
@@ -54,14 +54,14 @@ class Inliner {
     inlined_[index(id)] = replacement(id);
   }
 
-  // In each step, a loop variable is replaced by its value in that step, and after the loop by its
-  // final value.
+  // Replaces a loop variable by its value in each step while the body is visited, and by its final
+  // value after the loop.
   void unroll(std::uint32_t loop) {
     const std::vector<State>& states = loops_->statesOf(loop);
-    std::vector<NodeId> now;
-    for (const State& state : states) now.push_back(inlined(state.start));
+    std::vector<NodeId> values;
+    for (const State& state : states) values.push_back(inlined(state.start));
     const auto assign = [&] {
-      for (std::size_t i = 0; i < states.size(); ++i) inlined_[index(states[i].local)] = now[i];
+      for (std::size_t i = 0; i < states.size(); ++i) inlined_[index(states[i].local)] = values[i];
     };
     assign();
     const NodeId number = graph_.stepOf(loop);
@@ -71,7 +71,7 @@ class Inliner {
       const std::size_t before = copies_.size();
       visitAll(bodies_[loop]);
       copies_.resize(before, Copy{noNode});
-      for (std::size_t i = 0; i < states.size(); ++i) now[i] = inlined(states[i].next);
+      for (std::size_t i = 0; i < states.size(); ++i) values[i] = inlined(states[i].next);
       assign();
     }
   }
@@ -124,10 +124,10 @@ class Inliner {
     const auto isCopied = [&](NodeId node) { return copy.nodes[index(node)] != noNode; };
     for (const NodeId node : reachable(body.graph, {&root, 1}, isCopied))
       copy.nodes[index(node)] = copyNode(body.graph, node, copy.nodes);
-    const NodeId found = copy.nodes[index(root)];
+    const NodeId value = copy.nodes[index(root)];
     const Definition& definition = body.definition;
-    if (order == 0) return clipTo(found, definition.low, definition.high);
-    return order == 1 ? clipTo(found, -definition.maxSlope, definition.maxSlope) : found;
+    if (order == 0) return clipTo(value, definition.low, definition.high);
+    return order == 1 ? clipTo(value, -definition.maxSlope, definition.maxSlope) : value;
   }
 
   NodeId copyNode(const Graph& from, NodeId node, const std::vector<NodeId>& nodes) {
@@ -138,7 +138,7 @@ class Inliner {
     return graph_.apply(from.node(node).op, operands);
   }
 
-  // The value never exceeds these limits, but interval arithmetic can't derive them.
+  // Clips the value to limits that it never exceeds, but that interval arithmetic can't derive.
   NodeId clipTo(NodeId value, double low, double high) {
     if (high == std::numeric_limits<double>::infinity()) return value;
     return min(max(Expression{&graph_, value}, low), high).id;
@@ -165,9 +165,9 @@ static std::vector<NodeId> inlineAll(Graph& graph, Library* library,
                                      std::span<const NodeId> roots) {
   Inliner inliner(graph, library);
   inliner.run(reachable(graph, roots));
-  std::vector<NodeId> found;
-  for (const NodeId root : roots) found.push_back(inliner.inlined(root));
-  return found;
+  std::vector<NodeId> inlined;
+  for (const NodeId root : roots) inlined.push_back(inliner.inlined(root));
+  return inlined;
 }
 
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots) {

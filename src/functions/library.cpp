@@ -21,9 +21,9 @@ Body* Library::find(std::string_view name) const {
 }
 
 Library Library::withEmptyCaches() const {
-  Library made;
-  made.addAll(*this);
-  return made;
+  Library library;
+  library.addAll(*this);
+  return library;
 }
 
 void Library::add(const Definition& definition) {
@@ -73,10 +73,10 @@ Body& Library::withResults(std::string_view name, int order) {
   const MultiIndices indices(function.variables, order);
   const int known = static_cast<int>(body.results.size()) / function.values;
   for (int i = known; i < indices.count(); ++i) {
-    const NodeId by = body.arguments[indices.lastVariable(i)].id;
+    const NodeId variable = body.arguments[indices.lastVariable(i)].id;
     for (int k = 0; k < function.values; ++k) {
-      const NodeId of = body.results[indices.origin(i) * function.values + k];
-      body.results.push_back(body.differentiator.derivative(of, by));
+      const NodeId origin = body.results[indices.origin(i) * function.values + k];
+      body.results.push_back(body.differentiator.derivative(origin, variable));
     }
   }
   return body;

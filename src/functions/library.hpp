@@ -13,7 +13,7 @@ namespace warpjet {
 
 // A function's own graph. Its inputs are the function's arguments.
 struct Body {
-  explicit Body(Definition given) : definition(std::move(given)) {}
+  explicit Body(Definition source) : definition(std::move(source)) {}
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
@@ -28,8 +28,8 @@ struct Body {
 
 class Library {
  public:
-  // A library of the same functions with empty caches: what is derived in it does not reach this
-  // one.
+  // Returns a library of the same functions with empty caches. Results that are added to it don't
+  // change this library.
   Library withEmptyCaches() const;
 
   void add(const Definition& definition);
@@ -41,13 +41,14 @@ class Library {
   // Calls a function in the graph of the arguments; returns its values.
   Numbers call(const Definition& definition, const Numbers& arguments);
 
-  // The body with all `results` up to that order of derivatives; without results if the function
-  // has no body.
+  // Returns the body with all `results` up to that order of derivatives; without results if the
+  // function has no body.
   Body& withResults(std::string_view name, int order);
-  // Also fills `withoutCalls` up to that order. Requires a function with a body.
+  // Like `withResults`, but also fills `withoutCalls` up to that order. Requires a function with a
+  // body.
   Body& withoutCalls(std::string_view name, int order);
 
-  // True if the graph of a body has reached its limit, which makes its nodes meaningless.
+  // Returns true if the graph of a body has reached its limit, which makes its nodes meaningless.
   bool isFull() const;
 
  private:
@@ -59,7 +60,7 @@ class Library {
 // Replaces calls of our functions by their bodies, and unrolls folds, in the same graph.
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots);
 
-// Only unrolls folds.
+// Unrolls folds, but keeps calls.
 std::vector<NodeId> unrollFolds(Graph& graph, std::span<const NodeId> roots);
 
 }  // namespace warpjet

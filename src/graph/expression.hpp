@@ -141,7 +141,8 @@ Expression ifElse(Expression condition, Yes yes, No no) {
   return build(ops::find("ifElse"), condition, yes, no);
 }
 
-// A term of a derivative; 0 where the condition is false and the factor may be infinite.
+// Returns a term of a derivative, which contains `factor`. If the factor may be infinite, the
+// result is 0 where the condition is false.
 inline Expression maskTerm(Expression condition, Expression factor, Expression term) {
   const bool always = condition.graph->range(condition.id).low != 0;
   return always || !canBeInfinite(factor) ? term : ifElse(condition, term, 0.0);

@@ -60,7 +60,8 @@ void Loops::gather(std::span<const NodeId> nodes) {
   }
 }
 
-// All folds of one loop are treated as a single fold with the union of their states.
+// Returns the nodes that a node reads. All folds of one loop are treated as a single fold with the
+// union of their states.
 std::vector<NodeId> Loops::readsOf(NodeId id) const {
   std::vector<NodeId> reads;
   if (graph_.isFold(id)) {

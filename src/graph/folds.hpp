@@ -1,7 +1,7 @@
 // Folds: a body that is applied to its own result a fixed number of times.
 //
 // The body consists of nodes of the same graph that read the variables of a loop: its step number
-// and its states. A state defines the initial value of its variable and the value after each step;
+// and its states. A state defines the initial value of its variable and the new value in each step;
 // a fold is a loop with some of its states, and an outcome is the final value of one state's
 // variable. The part of a body that doesn't read the loop's variables is computed once, before the
 // loop. Derivatives are additional states of the same loop, so value and derivatives share its
@@ -29,20 +29,20 @@ class Loops {
   // `nodes` are all nodes that the roots need, in ascending order.
   Loops(const Graph& graph, std::span<const NodeId> nodes);
 
-  // Operands precede their users, and everything that any fold of a loop needs precedes each fold
-  // of it. Nodes that only folds read (states and lists of them) are left out.
+  // Operands precede their users, and every fold of a loop is preceded by all nodes that any fold
+  // of this loop needs. Nodes that only folds read (states and lists of them) are left out.
   const std::vector<NodeId>& order() const { return order_; }
 
-  // The innermost loop whose variables the node reads.
+  // Returns the innermost loop whose variables the node reads.
   std::uint32_t loopOf(NodeId id) const { return setOf(id) == 0 ? outside : sets_[setOf(id)].loop; }
-  // True if the node reads variables of that loop.
+  // Returns true if the node reads variables of that loop.
   bool reads(NodeId id, std::uint32_t loop) const;
-  // The loop that directly encloses a loop.
+  // Returns the loop that directly encloses a loop.
   std::uint32_t parentOf(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
 
-  // All needed states of a needed loop.
+  // Returns all needed states of a needed loop.
   const std::vector<State>& statesOf(std::uint32_t loop) const { return states_[loop]; }
-  // The node of the loop's step number, if it is needed.
+  // Returns the node of the loop's step number, if it is needed.
   std::optional<NodeId> stepOf(std::uint32_t loop) const { return steps_[loop]; }
 
  private:

@@ -42,7 +42,7 @@ std::size_t hash(const Node& node) {
   return static_cast<std::size_t>(h ^ (h >> 31));
 }
 
-// std::bit_cast, which Emscripten 3.1.6 lacks.
+// Does what std::bit_cast does, which Emscripten 3.1.6 lacks.
 template <class To, class From>
 To bitCast(From from) {
   static_assert(sizeof(To) == sizeof(From));
@@ -51,15 +51,15 @@ To bitCast(From from) {
   return to;
 }
 
-// True for operations for which `known` may return a value. Most operands are not known, and one
-// byte rules them out.
+// The entry of an operation is true if `known` may return a value for it. Most operands are not
+// known, and reading one byte rules them out.
 constexpr auto mayBeKnown = [] {
   std::array<bool, arities.size()> all{};
   for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;
   return all;
 }();
 
-// A constant rounded as a shader reads it.
+// Returns a constant rounded as a shader reads it.
 double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 bool fitsFloat32(double value) {
@@ -88,23 +88,23 @@ Graph::Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Fun
 }
 
 Graph Graph::copy() const {
-  Graph made = *this;
-  made.capacity_ = std::max(capacity_, maxNodes);
+  Graph copied = *this;
+  copied.capacity_ = std::max(capacity_, maxNodes);
   std::size_t size = initialTableSize;
-  while (size < made.nodes_.size() * 2) size *= 2;
-  if (size > table_.size()) made.makeTable(size);
-  return made;
+  while (size < copied.nodes_.size() * 2) size *= 2;
+  if (size > table_.size()) copied.makeTable(size);
+  return copied;
 }
 
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;
   const bool commutes = isCommutative[index(node.op)] && simplification_ == Simplification::On;
   const Node swapped{{node.operands[1], node.operands[0]}, node.op};
-  const auto isIt = [&](const Node& known) {
+  const auto isEqual = [&](const Node& known) {
     return known == node || (commutes && known == swapped);
   };
   std::size_t slot = hash(node) & mask;
-  while (table_[slot] != 0 && !isIt(nodes_[table_[slot] - 1])) slot = (slot + 1) & mask;
+  while (table_[slot] != 0 && !isEqual(nodes_[table_[slot] - 1])) slot = (slot + 1) & mask;
   return slot;
 }
 

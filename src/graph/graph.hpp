@@ -44,7 +44,7 @@ inline constexpr Op stateOp{static_cast<std::uint8_t>(ops::count + 6)};
 inline constexpr Op foldOp{static_cast<std::uint8_t>(ops::count + 7)};
 inline constexpr Op outcomeOp{static_cast<std::uint8_t>(ops::count + 8)};
 
-// The number of operands that are nodes, by operation.
+// The number of each operation's operands that are nodes.
 inline constexpr auto arities = [] {
   std::array<std::uint8_t, ops::count + 9> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
@@ -89,7 +89,8 @@ struct Function {
   int arity;
   int values = 0, variables = 0;
 
-  // True for functions that warpjet itself defines, such as noise; see functions/library.hpp.
+  // Returns true for functions that warpjet itself defines, such as noise; see
+  // functions/library.hpp.
   bool isFromLibrary() const { return values > 0; }
 };
 
@@ -117,20 +118,20 @@ class Graph {
 
   explicit Graph(std::size_t capacity = maxNodes,
                  Simplification simplification = Simplification::On);
-  // A graph of these nodes. It is full; use `copy` to get one that can grow.
+  // Makes a full graph of these nodes; `copy` returns one that can grow.
   Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions,
         std::vector<Loop> loops);
   Graph copy() const;
 
   NodeId constant(double value);
-  // The node `int(constant)` with all 32 bits; `apply` would round the constant to a float.
+  // Returns the node `int(constant)` with all 32 bits; `apply` would round the constant to a float.
   NodeId intConstant(double value);
 
-  // The number of the input with this label and shape, added on first use.
+  // Returns the number of the input with this label and shape, added on first use.
   std::uint32_t input(std::string_view label, Shape shape);
-  // The number of the input that is the size of an image.
+  // Returns the number of the input that is the size of an image.
   std::uint32_t sizeOf(std::uint32_t image);
-  // The first input with this label, of any shape.
+  // Returns the first input with this label, of any shape.
   std::optional<std::uint32_t> findInput(std::string_view label) const;
   NodeId component(std::uint32_t input, int component);
 
@@ -138,7 +139,7 @@ class Graph {
   std::uint32_t addFunction(Function function);
   std::optional<std::uint32_t> findFunction(std::string_view name) const;
   NodeId call(std::uint32_t function, std::span<const NodeId> arguments);
-  // One result of a call of our own functions.
+  // Returns one result of a call of our own functions.
   NodeId result(NodeId call, int number);
   // Sets the derivatives of a host function's call with respect to its arguments, one node each.
   void setPartials(NodeId call, std::span<const NodeId> partials);
@@ -148,14 +149,14 @@ class Graph {
 
   // Adds a loop of `steps` iterations, with variables of its own.
   std::uint32_t addLoop(std::uint32_t steps);
-  // The loop's step number.
+  // Returns the loop's step number.
   NodeId stepOf(std::uint32_t loop) { return intern(Node{{loop, 0}, localOp}); }
   // Adds a variable to the loop.
   NodeId addState(std::uint32_t loop);
-  // The loop, restricted to these states. They must include every variable that their `next` nodes
-  // read.
+  // Returns the node of the loop with these states only. They must include every variable that
+  // their `next` nodes read.
   NodeId fold(std::uint32_t loop, std::span<const State> states);
-  // The value of a state's variable after the last step.
+  // Returns the value of a state's variable after the last step.
   NodeId outcome(NodeId fold, NodeId local) {
     return intern(Node{{index(fold), index(local)}, outcomeOp});
   }
@@ -192,40 +193,41 @@ class Graph {
   bool isCall(NodeId id) const { return node(id).op == callOp; }
   bool isList(NodeId id) const { return node(id).op == listOp; }
   bool isResult(NodeId id) const { return node(id).op == resultOp; }
-  // True for a call of a library function. Such a call isn't a number; its results are.
+  // Returns true for a call of a library function. Such a call isn't a number; its results are.
   bool isLibraryCall(NodeId id) const { return isCall(id) && function(id).isFromLibrary(); }
   bool isFold(NodeId id) const { return node(id).op == foldOp; }
   bool isOutcome(NodeId id) const { return node(id).op == outcomeOp; }
-  // True for a state or a list of states, which only folds read.
+  // Returns true for a state or a list of states, which only folds read.
   bool isStateOrList(NodeId id) const {
     return is(id, stateOp) || (isList(id) && is(operand(id, 1), stateOp));
   }
-  // The loop that a variable or a fold belongs to.
+  // Returns the loop that a variable or a fold belongs to.
   std::uint32_t loopOf(NodeId id) const { return node(id).operands[isLocal(id) ? 0 : 1]; }
   bool isStep(NodeId id) const { return isLocal(id) && node(id).operands[1] == 0; }
   int resultNumber(NodeId id) const { return static_cast<int>(node(id).operands[1]); }
   bool isOperation(NodeId id) const { return index(node(id).op) < ops::count; }
   bool is(NodeId id, Op op) const { return node(id).op == op; }
   double value(NodeId constant) const;
-  // The value of a constant; constants of other types are nodes `bool(constant)` and
+  // Returns the value of a constant; constants of other types are nodes `bool(constant)` and
   // `int(constant)`. A condition is 1 or 0.
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
-  // The interval of a node's values, assuming that inputs and function results have magnitudes up
-  // to `assumedMagnitude`, as in real meshes and sketches. So a node may be infinite near a pole,
-  // but not because of a large x * x.
+  // Returns the interval of a node's values, assuming that inputs and function results have
+  // magnitudes up to `assumedMagnitude`, as in real meshes and sketches. So a node may be infinite
+  // near a pole, but not because of a large x * x.
   Interval range(NodeId id);
   static constexpr double assumedMagnitude = 1e4;
-  // The ranges of all nodes, assuming that inputs and function results are any finite float32.
+  // Returns the ranges of all nodes, assuming that inputs and function results are any finite
+  // float32.
   std::vector<Interval> rangesOfAll() const;
-  // True if the graph contains a node of this operation.
+  // Returns true if the graph contains a node of this operation.
   bool has(Op op) const { return has_[index(op)]; }
   int arity(NodeId id) const { return arities[index(node(id).op)]; }
   NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
 
  private:
-  // The slot of an equal node, or the empty slot where it belongs. x + y and y + x are one node, in
-  // the order of the first use, unless simplification is off.
+  // Returns the slot of an equal node, or the empty slot where it belongs. x + y and y + x are one
+  // node, in the order of the first use, unless simplification is off.
   std::size_t slotOf(const Node& node) const;
   NodeId intern(const Node& node);
   void makeTable(std::size_t size);

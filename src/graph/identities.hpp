@@ -7,12 +7,12 @@
 // several rows match, the first one wins.
 //
 // Reasons why a row may preserve the value less than bit for bit:
-//   ifNumber: otherwise every structural zero of a Jacobian would remain because of the NaN of an
-//   infinite x * 0, and x - x in the derivative of moved - position likewise. value: shaders
-//   don't guarantee the sign of a zero. rounding: fewer operations and a result closer to the exact
-//   one, as for a chain of constant factors, or for an offset that rotates about a point, which
-//   subtracts the point and adds it again. An intermediate result may overflow or underflow in one
-//   order and not in the other.
+//   ifNumber: x * 0 is NaN for an infinite x, so every structural zero of a Jacobian would remain;
+//   and so would x - x in the derivative of moved - position. value: shaders don't guarantee the
+//   sign of a zero. rounding: the replacement has fewer operations and is closer to the exact
+//   result, as for a chain of constant factors, or for an offset that rotates about a point, which
+//   subtracts the point and adds it again. An intermediate result may overflow or underflow in only
+//   one of the two.
 //
 // Identities are defined only here. tests/cpp/identities_test.cpp loops over the table and checks
 // that each row keeps what it claims and that no two rows replace each other forever. `npm run
@@ -33,7 +33,7 @@ inline constexpr Pattern x{Kind::Anything, 'x'}, y{Kind::Anything, 'y'}, z{Kind:
 
 namespace detail {
 
-// True for a float32 that is neither subnormal nor infinite.
+// Returns 1 for a float32 that is neither zero, subnormal nor infinite, otherwise 0.
 inline double isNormal(double number) {
   using Limits = std::numeric_limits<float>;
   return std::abs(number) >= Limits::min() && std::abs(number) <= Limits::max();
@@ -41,13 +41,13 @@ inline double isNormal(double number) {
 
 inline double isNormalOrZero(double number) { return number == 0 || isNormal(number) != 0; }
 
-// True for the integer exponents that are expanded to products: GLSL's pow is undefined for a
-// negative base.
+// Returns 1 for the integer exponents that are expanded to products, since GLSL's pow is undefined
+// for a negative base; otherwise 0.
 inline double isExponent(double number) {
   return number == std::floor(number) && number >= 1 && number <= 16;
 }
 
-// The greatest power of two that doesn't exceed the exponent.
+// Returns the greatest power of two that doesn't exceed the exponent.
 inline double powerOfTwo(double exponent) {
   return exponent < 2 ? 1 : exponent < 4 ? 2 : exponent < 8 ? 4 : exponent < 16 ? 8 : 16;
 }

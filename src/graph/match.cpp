@@ -48,7 +48,7 @@ double valueOf(const Graph& graph, const Item* item, const Bindings& bindings) {
     case Kind::Literal:
       return item->value;
     case Kind::Function:
-      return item->function->of(valueOf(graph, item + 1, bindings));
+      return item->function->valueOf(valueOf(graph, item + 1, bindings));
     case Kind::Operation:
       break;
     default:

@@ -8,7 +8,7 @@
 
 namespace warpjet::patterns {
 
-// The nodes that the variables of a pattern are bound to, by letter.
+// Maps the variables of a pattern, by letter, to the nodes that they are bound to.
 class Bindings {
  public:
   void clear() { bound_ = 0; }
@@ -28,7 +28,7 @@ class Bindings {
   std::array<NodeId, 26> nodes_;
 };
 
-// The rules that the kinds of the operands admit, as bits; 0 for most operations.
+// Returns the rules that the kinds of the operands admit, as bits; 0 for most operations.
 inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<NodeId>& operands) {
   const std::uint8_t number = rules.bucketOf[index(op)];
   if (number == Rules::noBucket) return 0;
@@ -39,14 +39,14 @@ inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<No
   return candidates;
 }
 
-// The first candidate that matches, or null.
+// Returns the first candidate that matches, or null.
 const Rule* findRule(const Graph& graph, Op op, const Operands<NodeId>& operands,
                      std::uint32_t candidates, Bindings& bindings);
 
-// The value of a known item: a literal, a constant, or a function of known items.
+// Returns the value of a known item: a literal, a constant, or a function of known items.
 double valueOf(const Graph& graph, const Item* item, const Bindings& bindings);
 
-// Builds the nodes of a pattern; `apply` builds those of operations.
+// Builds the nodes of a pattern; `apply` makes the node of an operation.
 template <class Apply>
 NodeId build(Graph& graph, const Item* item, const Bindings& bindings, const Apply& apply) {
   if (item->isVariable()) return bindings[item->number];

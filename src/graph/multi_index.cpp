@@ -9,17 +9,19 @@ MultiIndices::MultiIndices(int variables, int order) : variables_(variables) {
 
 void MultiIndices::extend(int order) {
   for (std::size_t i = 0; i < all_.size(); ++i) {
-    const auto [origin, last, itsOrder, firstChild] = all_[i];
-    if (itsOrder >= order || firstChild != 0) continue;
+    const auto [origin, last, ownOrder, firstChild] = all_[i];
+    if (ownOrder >= order || firstChild != 0) continue;
     all_[i].firstChild = count();
     for (int variable = last; variable < variables_; ++variable)
-      all_.push_back({static_cast<int>(i), variable, itsOrder + 1});
+      all_.push_back({static_cast<int>(i), variable, ownOrder + 1});
   }
 }
 
 int MultiIndices::derivative(int number, int variable) {
   extend(all_[number].order + 1);
-  const auto child = [&](int of, int by) { return all_[of].firstChild + by - all_[of].last; };
+  const auto child = [&](int parent, int added) {
+    return all_[parent].firstChild + added - all_[parent].last;
+  };
   const int last = lastVariable(number);
   if (last <= variable) return child(number, variable);
   return child(derivative(origin(number), variable), last);

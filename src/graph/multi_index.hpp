@@ -1,5 +1,6 @@
-// Numbers of partial derivatives. Partial derivatives commute, so each is named by its variables in
-// ascending order, and all of one order precede those of the next: f, fx, fy, fxx, fxy, fyy, fxxx …
+// Numbers the partial derivatives of a function. Partial derivatives commute, so each is identified
+// by its variables in ascending order; those of an order precede those of the next: f, fx, fy, fxx,
+// fxy, fyy, fxxx …
 #pragma once
 
 #include <vector>
@@ -8,14 +9,14 @@ namespace warpjet {
 
 class MultiIndices {
  public:
-  // The derivatives up to an order of a function of `variables` variables; those of the next order
-  // are added on demand.
+  // Numbers the derivatives up to an order of a function of `variables` variables. Those of higher
+  // orders are added on demand.
   MultiIndices(int variables, int order);
 
   int count() const { return static_cast<int>(all_.size()); }
-  // The derivative of `number` with respect to one more variable.
+  // Returns the derivative of `number` with respect to one more variable.
   int derivative(int number, int variable);
-  // The derivative that this one was derived from, with respect to `lastVariable`.
+  // Returns the derivative that this one was derived from, with respect to `lastVariable`.
   int origin(int number) const { return all_[number].origin; }
   int lastVariable(int number) const { return all_[number].last; }
 

@@ -1,5 +1,5 @@
-// Patterns of operations, written like the expression they match: `x + -y` builds a constexpr tree.
-// The rows of identities.hpp consist of them.
+// Patterns of operations, written like the expressions that they match: `x + -y` builds a constexpr
+// tree. The rows of identities.hpp consist of patterns.
 #pragma once
 
 #include <array>
@@ -55,13 +55,13 @@ struct Pattern {
   constexpr Pattern(bool value)
       : items{Item{.type = ops::Type::Bool, .value = value ? 1.0 : 0.0}} {}
 
-  // A variable, named by a letter.
+  // Makes a variable, named by a letter.
   constexpr Pattern(Kind kind, char letter)
       : items{Item{.kind = kind,
                    .number = static_cast<std::uint8_t>(letter - 'a'),
                    .isKnown = kind == Kind::Constant}} {}
 
-  // An operation or a function.
+  // Makes an operation or a function.
   template <class... Operands>
   constexpr Pattern(Item root, const Operands&... operands) : items{root} {
     (append(operands), ...);
@@ -81,7 +81,7 @@ struct Pattern {
 // A function of a known number, available only in patterns.
 struct Function {
   std::string_view name;
-  double (*of)(double);
+  double (*valueOf)(double);
 
   constexpr Pattern operator()(const Pattern& x) const {
     return {Item{.kind = Kind::Function, .function = this}, x};
@@ -155,7 +155,7 @@ struct Keeps {
 inline constexpr Keeps bits{Precision::Bits}, value{Precision::Value},
     rounding{Precision::Rounding};
 
-// Keeps the same precision, but only where the left side is a number.
+// Returns the same precision, required only where the left side isn't NaN.
 constexpr Keeps ifNumber(Keeps keeps) { return {keeps.precision, true}; }
 
 // A row: pattern, replacement, precision, and a condition on the constants.

@@ -1,4 +1,4 @@
-// Patterns in readable form, for tests and the documentation.
+// Writes patterns in readable form, for tests and the documentation.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +10,8 @@ namespace warpjet::patterns {
 
 namespace detail {
 
-// Shader code may move a minus out of a product; this text shows where it is.
+// Returns true for a minus, which gets its own parentheses: in shader code, a minus may move out of
+// a product, but the text of a pattern shows where it is.
 inline bool isMinus(const Item& item) { return item.is(ops::find("neg")); }
 
 inline ops::Precedence precedence(const Item& item) {

@@ -13,7 +13,7 @@
 
 namespace warpjet {
 
-// The name of a node in that output.
+// Returns the name of a node in the output of `print`.
 std::string nameOf(const Graph& graph, NodeId id);
 
 // Prints all nodes that the roots need.

@@ -38,7 +38,7 @@ Interval Graph::findRange(NodeId id, double inputSize, const std::vector<Interva
   for (int i = 0; i < arity(id); ++i) x[i] = ranges[index(operand(id, i))];
   if (op == Mult && operand(id, 0) == operand(id, 1)) return square(x[0]);
 
-  // x > 0 ? y : …, where y divides by x or by its root: the divisor isn't zero in that branch.
+  // In x > 0 ? y : …, where y divides by x or by the root of x, the divisor isn't zero.
   const NodeId condition = operand(id, 0), yes = operand(id, 1);
   if (op == IfElse && is(condition, Gt) && isConstant(operand(condition, 1), 0) &&
       isOperation(yes)) {

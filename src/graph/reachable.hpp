@@ -11,8 +11,8 @@
 
 namespace warpjet {
 
-// The nodes that `roots` need, in ascending order, hence operands before users. The search doesn't
-// enter nodes for which `skip(id)` holds.
+// Returns the nodes that `roots` need, in ascending order, hence operands before users. The search
+// doesn't enter nodes for which `skip(id)` holds.
 template <class Skip>
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots, Skip skip) {
   constexpr std::uint32_t wordSize = 64;

@@ -21,10 +21,10 @@ struct Term {
 // Stands for a missing factor, which is 1.
 constexpr NodeId missing = noNode;
 
-// Goals are solved in the order in which they arise, so that the likeliest to fail is tried first:
-// whether one factor of each product is the cosine or sine, and only then what the other factors
-// are. A goal with two solutions tries the first; if the match fails later, it restarts from the
-// beginning with the last such choice reversed.
+// Matches a sum of two products with the sum of an identity. Goals are solved in the order in which
+// they arise, so that the likeliest to fail comes first: whether one factor of each product is the
+// cosine or sine, and only then what the other factors are. If a goal has two solutions, the first
+// is tried; if the match fails later, everything restarts with the last such choice reversed.
 class RotationMatcher {
  public:
   RotationMatcher(Graph& graph, const Pattern& sum) : graph_(graph), sum_(sum.items.data()) {}
@@ -37,8 +37,8 @@ class RotationMatcher {
   }
 
   NodeId build(const Pattern& pattern) {
-    const NodeId found = build(pattern.items.data());
-    return isNegative_ ? graph_.apply(Neg, {found}) : found;
+    const NodeId value = build(pattern.items.data());
+    return isNegative_ ? graph_.apply(Neg, {value}) : value;
   }
 
  private:
@@ -105,23 +105,23 @@ class RotationMatcher {
     return true;
   }
 
-  // k * …; k may differ by a minus on the second side if it is a constant; the minus moves to the
-  // rest.
+  // Solves k * …. If k is a constant, it may have the opposite sign in the second product; the
+  // minus then moves to the rest.
   bool solveFactor(const Item* item, Term term) {
     const Item *factor = item + 1, *rest = item + 2;
     if (!graph_.is(term.node, Mult) || !choose()) {
       add(rest, term);
       return bind(factor, {missing, false});
     }
-    const int place = choose();
-    const Term found{graph_.operand(term.node, place), false};
-    const Term other{graph_.operand(term.node, 1 - place), term.isNegative};
+    const int operand = choose();
+    const Term found{graph_.operand(term.node, operand), false};
+    const Term other{graph_.operand(term.node, 1 - operand), term.isNegative};
     const bool isOpposite = !bind(factor, found);
     add(rest, {other.node, other.isNegative != isOpposite});
     return !isOpposite || isSame(bindings_[factor->number], {found.node, true});
   }
 
-  // … * cos(u) or … * sin(u); a minus moves to the other factor.
+  // Solves … * cos(u) or … * sin(u). A minus moves to the other factor.
   bool solveWave(const Item* item, Term term) {
     const Item *other = item + 1, *wave = other + other->size;
     if (isWave(wave, term.node)) {
@@ -129,12 +129,12 @@ class RotationMatcher {
              bind(wave + 1, {graph_.operand(term.node, 0), false});
     }
     if (!graph_.is(term.node, Mult)) return false;
-    int place = isWave(wave, graph_.operand(term.node, 0)) ? 0 : 1;
+    int operand = isWave(wave, graph_.operand(term.node, 0)) ? 0 : 1;
     const NodeId second = graph_.operand(term.node, 1);
-    if (place == 0 && isWave(wave, second) && choose()) place = 1;
-    const NodeId node = graph_.operand(term.node, place);
+    if (operand == 0 && isWave(wave, second) && choose()) operand = 1;
+    const NodeId node = graph_.operand(term.node, operand);
     if (!isWave(wave, node)) return false;
-    add(other, {graph_.operand(term.node, 1 - place), term.isNegative});
+    add(other, {graph_.operand(term.node, 1 - operand), term.isNegative});
     return bind(wave + 1, {graph_.operand(node, 0), false});
   }
 
@@ -177,13 +177,13 @@ class RotationMatcher {
   std::array<Goal, 24> goals_;
 };
 
-// True if the products have a sine and a cosine of the same angle, one each.
+// Returns true if the products have a sine and a cosine of the same angle, one each.
 bool haveSineAndCosine(const Graph& graph, NodeId first, NodeId second) {
   for (int i = 0; i < 4; ++i) {
     const NodeId x = graph.operand(first, i / 2), y = graph.operand(second, i % 2);
-    const bool areBoth =
+    const bool isPair =
         (graph.is(x, Cos) && graph.is(y, Sin)) || (graph.is(x, Sin) && graph.is(y, Cos));
-    if (areBoth && graph.operand(x, 0) == graph.operand(y, 0)) return true;
+    if (isPair && graph.operand(x, 0) == graph.operand(y, 0)) return true;
   }
   return false;
 }

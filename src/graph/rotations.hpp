@@ -1,4 +1,4 @@
-// Rotations that cancel.
+// Simplifies rotations that cancel.
 //
 // Rotating a point (x, y) by an angle u gives (x cos u - y sin u, x sin u + y cos u). The normal of
 // a twist rotates it back, since the derivative of a rotated point is the perpendicular point,
@@ -31,8 +31,8 @@ inline constexpr std::array turns{
 
 }  // namespace patterns
 
-// Returns the value of the sum or difference of two products if one of them undoes the rotation in
-// the other; examines two factors of each product, and two of theirs.
+// Returns the simplified sum or difference of two products if the sines and cosines in them cancel.
+// Examines two factors of each product, and two factors of each of these.
 std::optional<NodeId> cancelRotation(Graph& graph, Op op, NodeId first, NodeId second);
 
 }  // namespace warpjet

@@ -18,8 +18,8 @@ struct Rule {
   std::uint16_t from, to, when;
 };
 
-// The kind of an operand: its operation, one of the numbers that identities name, or another
-// negative number.
+// Numbers the kinds of an operand: its operation, one of the numbers that occur in identities, or
+// another negative number.
 inline constexpr std::array<double, 3> namedNumbers{0, 1, -1};
 inline constexpr std::size_t negativeNumber = arities.size() + namedNumbers.size();
 inline constexpr std::size_t operandKinds = negativeNumber + 1;
@@ -52,7 +52,7 @@ constexpr Pattern swapOperands(const Pattern& pattern) {
   return other;
 }
 
-// True if the patterns are equal up to the names of variables.
+// Returns true if the patterns are equal up to the names of variables.
 constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Item &left = p.items[i], &right = q.items[i];
@@ -63,8 +63,8 @@ constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   return true;
 }
 
-// False if swapping is pointless: a constant always comes last, or the swapped order has its own
-// row.
+// Returns false if swapping the operands of the root is pointless: a constant always comes last, or
+// the swapped order has its own row.
 constexpr bool matchesSwapped(const Pattern& pattern) {
   const Item& root = pattern.root();
   if (!ops::has(root.op(), ops::Trait::Commutative)) return false;
@@ -84,7 +84,7 @@ constexpr bool isNegative(std::size_t kind) {
   return kind == negativeNumber || (isNamedNumber(kind) && namedNumbers[kind - arities.size()] < 0);
 }
 
-// True if the condition is that the constant is negative: a < 0.
+// Returns true if the condition is that the constant is negative: a < 0.
 constexpr bool requiresNegative(const Pattern& when, const Item& constant) {
   const Item &left = when.items[1], &right = when.items[2];
   return when.root().is(ops::find("lt")) && left.isVariable() && left.number == constant.number &&
@@ -165,11 +165,11 @@ struct Rules {
 };
 
 inline constexpr Rules rules = [] {
-  Rules made;
+  Rules result;
   std::size_t items = 0, count = 0, buckets = 0;
   const auto add = [&](const Pattern& pattern) {
     const auto first = static_cast<std::uint16_t>(items);
-    for (std::size_t i = 0; i < pattern.size(); ++i) made.items[items++] = pattern.items[i];
+    for (std::size_t i = 0; i < pattern.size(); ++i) result.items[items++] = pattern.items[i];
     return first;
   };
   for (std::size_t op = 0; op < ops::count; ++op) {
@@ -187,14 +187,14 @@ inline constexpr Rules rules = [] {
         }
         item += from.items[item].size;
       }
-      made.all[count++] = {static_cast<std::uint8_t>(i), identities[i].hasCondition(), add(from),
-                           add(identities[i].to), add(identities[i].when)};
+      result.all[count++] = {static_cast<std::uint8_t>(i), identities[i].hasCondition(), add(from),
+                             add(identities[i].to), add(identities[i].when)};
     });
     const bool hasRules = count != bucket.first;
-    made.bucketOf[op] = hasRules ? static_cast<std::uint8_t>(buckets) : Rules::noBucket;
-    if (hasRules) made.buckets[buckets++] = bucket;
+    result.bucketOf[op] = hasRules ? static_cast<std::uint8_t>(buckets) : Rules::noBucket;
+    if (hasRules) result.buckets[buckets++] = bucket;
   }
-  return made;
+  return result;
 }();
 
 }  // namespace warpjet::patterns

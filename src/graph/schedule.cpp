@@ -52,7 +52,8 @@ class Scheduler {
     }
   }
 
-  // A value dies with its last reader; results never die.
+  // Returns true if the next reader of a value is the last, so that the value dies. Results never
+  // die.
   bool diesWithNext(std::uint32_t i) const {
     return states_[i].readers == 1 && !work_.tasks[i].isResult;
   }
@@ -76,8 +77,8 @@ class Scheduler {
     }
   }
 
-  // The last reader of a value has become a better candidate. Its old entry stays in the heap and
-  // is skipped later.
+  // Offers the last reader of a value again, since it has become a better candidate. Its old entry
+  // stays in the heap and is skipped later.
   void offerAgain(std::uint32_t read) {
     for (const std::uint32_t reader : readers_.of(read)) {
       if (!states_[reader].isDone && states_[reader].undone == 0) offer(reader);
@@ -95,7 +96,8 @@ class Scheduler {
 
 }  // namespace
 
-// Counting sort: count the readers, then place each after those of the preceding tasks.
+// Groups the readers by the task that they read, by counting sort: counts them, then places each
+// after the readers of the preceding tasks.
 Readers::Readers(const Work& work) : ends_(work.tasks.size() + 2) {
   const auto size = static_cast<std::uint32_t>(work.tasks.size());
   for (std::uint32_t i = 0; i < size; ++i) {

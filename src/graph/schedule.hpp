@@ -20,7 +20,7 @@ struct Work {
   std::vector<Task> tasks;
   std::vector<std::uint32_t> reads;
 
-  // The tasks whose values task i reads, without duplicates.
+  // Returns the tasks whose values task i reads, without duplicates.
   std::span<const std::uint32_t> readsOf(std::uint32_t i) const {
     return {reads.data() + tasks[i].firstRead, tasks[i].readCount};
   }

@@ -1,4 +1,4 @@
-// Algebraic identities, applied while a node is made.
+// Applies algebraic identities while a node is made.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace warpjet {
 
-// Returns a simpler node of the same value, or nothing; may swap operands to put the constant of a
-// sum or product last. identities.hpp and rotations.hpp list the identities and what each keeps of
-// the value. Discontinuous operations are folded on operands rounded to float32, as in
+// Returns a simpler node of the same value, or nullopt; may swap operands to put the constant of a
+// sum or product last. identities.hpp and rotations.hpp list the identities and how exactly each
+// preserves the value. Discontinuous operations are folded on operands rounded to float32, as in
 // Graph::apply. tests/cpp/simplify_test.cpp has an example of each way in which a value may differ.
 //
 // Rotations that cancel, such as sin²(x) + cos²(x) = 1, are folded as if sines and cosines were

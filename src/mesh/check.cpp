@@ -10,19 +10,19 @@ namespace warpjet {
 
 namespace {
 
-// `width` is the number of floats per vertex; all arrays but positions may be empty.
+// Returns the problem of an array with `width` floats per vertex; an empty array has none.
 std::string problemOf(const char* name, const std::vector<float>& numbers, std::size_t width,
                       std::size_t vertices) {
   if (!numbers.empty() && numbers.size() != vertices * width)
     return std::string(name) + " must hold " + std::to_string(width) + " numbers a vertex, " +
            groupDigits(vertices * width) + " for " + groupDigits(vertices) +
            " vertices, but hold " + groupDigits(numbers.size()) + '.';
-  const auto odd = std::find_if_not(numbers.begin(), numbers.end(),
-                                    [](float number) { return std::isfinite(number); });
-  if (odd != numbers.end())
+  const auto invalid = std::find_if_not(numbers.begin(), numbers.end(),
+                                        [](float number) { return std::isfinite(number); });
+  if (invalid != numbers.end())
     return std::string(name) + " must be finite numbers, but vertex " +
-           groupDigits((odd - numbers.begin()) / width) + " has " +
-           (std::isnan(*odd) ? "NaN" : "Infinity") + '.';
+           groupDigits((invalid - numbers.begin()) / width) + " has " +
+           (std::isnan(*invalid) ? "NaN" : "Infinity") + '.';
   return {};
 }
 

@@ -48,7 +48,7 @@ ModelFile::Description& ModelFile::description() {
   return *description_;
 }
 
-ModelFile::Description& ModelFile::readyDescription(const Files& files) {
+ModelFile::Description& ModelFile::descriptionWithBuffers(const Files& files) {
   Description& ready = description();
   if (!std::exchange(ready.hasBuffers, true)) {
     findBuffers(ready.gltf, ready.binary, files);
@@ -60,7 +60,7 @@ ModelFile::Description& ModelFile::readyDescription(const Files& files) {
 std::vector<PackedPart> ModelFile::packedParts(const Files& files) {
   const Format format = formatOf(bytes_);
   if (format != Format::Glb && format != Format::Gltf) return {};
-  return readyDescription(files).parts;
+  return descriptionWithBuffers(files).parts;
 }
 
 void ModelFile::unpack(std::size_t part, Pieces pieces) {
@@ -78,7 +78,7 @@ Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
     default:
       break;
   }
-  Gltf& gltf = readyDescription(files).gltf;
+  Gltf& gltf = descriptionWithBuffers(files).gltf;
   rejectPacked(gltf);
   Mesh mesh = mergeDraws(gltf, files);
   warnings = gltf.warnings;
@@ -121,7 +121,7 @@ std::vector<std::string> ModelFile::externalFiles(const Files& files) {
       if (!uri.empty() && !isDataUri(uri) && known.insert(uri).second) uris.push_back(uri);
     };
     for (const Buffer& buffer : gltf.buffers) add(buffer.uri);
-    for (const std::string& uri : picturesOf(gltf)) add(uri);
+    for (const std::string& uri : imageUris(gltf)) add(uri);
     return uris;
   } catch (const std::exception&) {
     return {};

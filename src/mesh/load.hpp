@@ -28,13 +28,13 @@ class ModelFile {
   explicit ModelFile(Bytes bytes);
   ~ModelFile();
 
-  // See the functions below. Load a file only once.
+  // See the functions of the same names below. `load` may be called only once.
   std::vector<std::string> externalFiles(const Files& files = {});
   Loaded load(const Files& files);
 
-  // The compressed parts of a glTF. `unpack` may replace them by their decoded bytes before the
-  // file is loaded: see gltf/packed_part.hpp. The files must not move until it is loaded. Throws a
-  // FileProblem.
+  // Returns the compressed parts of a glTF. `unpack` may replace them by their decoded bytes before
+  // the file is loaded: see gltf/packed_part.hpp. The files must not move until it is loaded.
+  // Throws a FileProblem.
   std::vector<PackedPart> packedParts(const Files& files);
   void unpack(std::size_t part, Pieces pieces);
 
@@ -43,7 +43,7 @@ class ModelFile {
 
   Mesh read(const Files& files, std::vector<std::string>& warnings);
   Description& description();
-  Description& readyDescription(const Files& files);
+  Description& descriptionWithBuffers(const Files& files);
 
   Bytes bytes_;
   std::string converted_;  // the UTF-8 text of a file in UTF-16, which bytes_ then refers to
@@ -56,9 +56,9 @@ class ModelFile {
 // and the rest are finite and the indices are in range: problemOf(mesh) is empty.
 Loaded loadMesh(Bytes bytes, const Files& files = {});
 
-// The URIs of the files that loadMesh expects in `files`: buffers, without which a model can't be
-// loaded, and base color images and .mtl files, without which it warns. The images of an .mtl
-// file are included once it is in `files` itself. Empty if the bytes can't be read at all.
+// Returns the URIs of the files that loadMesh expects in `files`: buffers, without which a model
+// can't be loaded, and base color images and .mtl files, without which it warns. The images of an
+// .mtl file are included once it is in `files` itself. Empty if the bytes can't be read at all.
 std::vector<std::string> externalFiles(Bytes bytes, const Files& files = {});
 
 }  // namespace warpjet

@@ -46,7 +46,7 @@ struct Mesh {
   std::size_t triangleCount() const {
     return (indices.empty() ? vertexCount() : indices.size()) / 3;
   }
-  // The vertices of triangle i.
+  // Returns the vertices of triangle i.
   std::array<std::uint32_t, 3> corners(std::size_t i) const {
     const auto first = static_cast<std::uint32_t>(3 * i);
     if (indices.empty()) return {first, first + 1, first + 2};

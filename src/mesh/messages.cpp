@@ -9,10 +9,10 @@ std::string groupDigits(std::uint64_t number) {
 }
 
 std::string quoteText(std::string_view text) {
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t maxLength = 60;
   std::string line = "\"";
-  for (const char c : text.substr(0, longest)) line += c >= ' ' && c <= '~' ? c : '?';
-  if (text.size() > longest) line += "...";
+  for (const char c : text.substr(0, maxLength)) line += c >= ' ' && c <= '~' ? c : '?';
+  if (text.size() > maxLength) line += "...";
   return line + '"';
 }
 

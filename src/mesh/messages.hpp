@@ -9,8 +9,8 @@
 
 namespace warpjet {
 
-// A problem with a file. Thrown by the parts of the loader, since an error may be deep inside of a
-// file, and caught by loadMesh, which prefixes its name.
+// A problem with a file. The parts of the loader throw it, since an error may be deep inside of a
+// file; loadMesh catches it, and puts its own name before the message.
 struct FileProblem : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -7,7 +7,7 @@
 
 namespace warpjet {
 
-// The MIME type, by the first bytes.
+// Returns the MIME type of an image, by its first bytes.
 std::string sniffType(Bytes bytes);
 
 }  // namespace warpjet

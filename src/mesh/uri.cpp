@@ -24,7 +24,7 @@ constexpr std::array<std::uint8_t, 256> base64Digits() {
 
 constexpr auto base64Values = base64Digits();
 
-std::optional<std::vector<std::uint8_t>> decodedBase64(std::string_view text) {
+std::optional<std::vector<std::uint8_t>> decodeBase64(std::string_view text) {
   while (text.ends_with('=')) text.remove_suffix(1);
   if (text.size() % 4 == 1) return std::nullopt;
   std::vector<std::uint8_t> bytes;
@@ -50,15 +50,15 @@ int hexDigit(char c) {
   return -1;
 }
 
-// True if a text starts with `start`, which is lowercase; case-insensitive.
+// Returns true if a text starts with `start`, which is lowercase; case-insensitive.
 bool startsLike(std::string_view text, std::string_view start) {
   return std::equal(start.begin(), start.end(), text.begin(),
-                    text.begin() + std::min(text.size(), start.size()), [](char small, char c) {
-                      return c == small || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == small);
+                    text.begin() + std::min(text.size(), start.size()), [](char lower, char c) {
+                      return c == lower || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower);
                     });
 }
 
-std::string withoutPercents(std::string_view uri) {
+std::string decodePercents(std::string_view uri) {
   std::string plain;
   for (std::size_t i = 0; i < uri.size(); ++i) {
     const bool isEscape = uri[i] == '%' && i + 2 < uri.size() && hexDigit(uri[i + 1]) >= 0 &&
@@ -82,10 +82,10 @@ std::optional<DataUri> decodeDataUri(std::string_view uri) {
   const std::string mimeType(type.substr(0, type.find(';')));
   const std::size_t last = type.rfind(';');
   if (last == type.npos || !startsLike(type.substr(last), ";base64")) {
-    const std::string plain = withoutPercents(text);
+    const std::string plain = decodePercents(text);
     return DataUri{mimeType, {plain.begin(), plain.end()}};
   }
-  auto bytes = decodedBase64(text);
+  auto bytes = decodeBase64(text);
   if (!bytes) return std::nullopt;
   return DataUri{mimeType, std::move(*bytes)};
 }
@@ -113,7 +113,7 @@ std::string uriOfName(std::string_view name, std::string_view beside) {
 
 const std::vector<std::uint8_t>* fileOf(const std::string& uri, const Files& files) {
   auto found = files.find(uri);
-  if (found == files.end()) found = files.find(withoutPercents(uri));
+  if (found == files.end()) found = files.find(decodePercents(uri));
   return found == files.end() ? nullptr : &found->second;
 }
 

@@ -1,5 +1,5 @@
-// The URIs of a model's other files, and their bytes: inside of the URI, or among the caller's
-// files.
+// Finds the bytes of the files that a model refers to by URI: inside of the URI, or among the files
+// that the caller passed.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct DataUri {
 
 bool isDataUri(std::string_view uri);
 
-// Parses `data:<type>;base64,<text>`, or percent encoding without ";base64" (RFC 2397). Empty if
-// the base64 is invalid or missing.
+// Parses `data:<type>;base64,<text>`, or percent encoding without ";base64" (RFC 2397). Returns
+// nullopt if the base64 is invalid or missing.
 std::optional<DataUri> decodeDataUri(std::string_view uri);
 
 // Converts the name of a file in an OBJ or MTL file to a relative URI: backslashes become slashes,
@@ -26,7 +26,7 @@ std::optional<DataUri> decodeDataUri(std::string_view uri);
 // the URI of the file that contains the name.
 std::string uriOfName(std::string_view name, std::string_view beside = {});
 
-// The file with that name as written, or percent-decoded ("my file.bin"), or null.
+// Returns the file with that name as written, or percent-decoded ("my file.bin"), or null.
 const std::vector<std::uint8_t>* fileOf(const std::string& uri, const Files& files);
 
 }  // namespace warpjet

@@ -21,10 +21,10 @@ struct Comments {
   std::vector<Range> ranges;  // in the order of nodes, disjoint
 
   const Range* find(NodeId id) const {
-    const auto at =
+    const auto range =
         std::lower_bound(ranges.begin(), ranges.end(), id,
-                         [](const Range& range, NodeId node) { return range.end <= node; });
-    return at != ranges.end() && at->first <= id ? &*at : nullptr;
+                         [](const Range& other, NodeId node) { return other.end <= node; });
+    return range != ranges.end() && range->first <= id ? &*range : nullptr;
   }
 };
 

@@ -96,8 +96,8 @@ std::string join(std::span<const std::string_view> tokens, std::string_view betw
   return text;
 }
 
-// True if there is no operator outside of brackets, so that a selector at the end applies to the
-// whole expression.
+// Returns true if there is no operator outside of brackets, so that a selector at the end applies
+// to the whole expression.
 bool isOneOperand(std::span<const std::string_view> tokens) {
   int depth = 0;
   for (const std::string_view token : tokens) {
@@ -120,10 +120,10 @@ Label readLabel(std::string_view text) {
   std::span<const std::string_view> root = unwrap(tokens);
   Label label;
   while (isOneOperand(root)) {
-    auto found = lastSelector(root);
-    if (!found) break;
-    label.selectors.insert(label.selectors.begin(), std::move(found->selector));
-    root = root.first(found->begin);
+    auto last = lastSelector(root);
+    if (!last) break;
+    label.selectors.insert(label.selectors.begin(), std::move(last->selector));
+    root = root.first(last->begin);
   }
   label.text = isReference(root) ? join(unwrap(tokens), "") : std::string(text);
   label.root = join(unwrap(root), " ");
@@ -135,22 +135,22 @@ bool isWithin(const Label& part, const Label& whole) {
          std::equal(whole.selectors.begin(), whole.selectors.end(), part.selectors.begin());
 }
 
-// The position of components in a selection: of p.zx, p.x is the second.
+// Returns the position of components in a selection: of p.zx, p.x is the second.
 static std::optional<std::vector<int>> partOfSelection(const Label& whole, const Label& part) {
   const std::size_t last = whole.selectors.size() - 1;
-  const bool isBeside =
+  const bool differsOnlyInLast =
       part.root == whole.root && part.selectors.size() == last + 1 &&
       std::equal(part.selectors.begin(), part.selectors.begin() + last, whole.selectors.begin()) &&
       part.selectors[last].name.empty();
-  if (!isBeside) return {};
-  const std::vector<int>& among = whole.selectors[last].indices;
-  std::vector<int> places;
+  if (!differsOnlyInLast) return {};
+  const std::vector<int>& selected = whole.selectors[last].indices;
+  std::vector<int> positions;
   for (const int index : part.selectors[last].indices) {
-    const auto place = std::find(among.begin(), among.end(), index);
-    if (place == among.end()) return {};
-    places.push_back(static_cast<int>(place - among.begin()));
+    const auto found = std::find(selected.begin(), selected.end(), index);
+    if (found == selected.end()) return {};
+    positions.push_back(static_cast<int>(found - selected.begin()));
   }
-  return places;
+  return positions;
 }
 
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part) {

@@ -1,5 +1,5 @@
-// The meaning of a host's expression, as far as it can be parsed: a variable, and which part of it.
-// Spaces and redundant parentheses are removed.
+// Determines what a host's expression reads, as far as it can be parsed: a variable, and which part
+// of it. Spaces and redundant parentheses don't matter.
 #pragma once
 
 #include <optional>
@@ -28,16 +28,18 @@ struct Label {
   std::string text;  // normalized
 };
 
-// The text must be a syntactically valid expression.
+// Parses an expression, which must be syntactically valid.
 Label readLabel(std::string_view text);
 
-// The components of `whole`, which has that shape, that the expression `part` reads, if any.
+// Returns the components of `whole`, which has that shape, that the expression `part` reads, if
+// any.
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part);
 
-// True if `part` starts like `whole`, which makes it a part of it.
+// Returns true if `part` has the root of `whole` and starts with its selectors, so that it reads
+// `whole` or a part of it.
 bool isWithin(const Label& part, const Label& whole);
 
-// True if both may read the same number.
+// Returns true if the two expressions may read the same number.
 bool mayOverlap(const Label& a, const Label& b);
 
 }  // namespace warpjet

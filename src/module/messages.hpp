@@ -9,10 +9,10 @@
 
 namespace warpjet {
 
-// "a single number", "a vec3", "a mat3", "a matrix of 2 columns and 3 rows"
+// Returns "a single number", "a vec3", "a mat3", "a matrix of 2 columns and 3 rows", and so on.
 std::string shapeName(Shape shape);
 
-// "no arguments", "1 argument", "3 arguments"
+// Returns "no arguments", "1 argument", "3 arguments", and so on.
 std::string argumentCount(int count);
 
 inline constexpr std::string_view notFinite =

@@ -39,11 +39,11 @@ struct Module {
   Comments comments;
 
   std::vector<NodeId> roots() const;
-  // The components of these results, given by number.
+  // Returns the components of these results, given by number.
   std::vector<NodeId> roots(std::span<const std::uint32_t> results) const;
 };
 
-// The numbers of the inputs that these results depend on, in ascending order.
+// Returns the numbers of the inputs that these results depend on, in ascending order.
 std::vector<std::uint32_t> inputsRead(const Module& module, std::span<const std::uint32_t> results);
 
 // Serializes the module to plain words, without anything that no output needs. The words are

@@ -11,7 +11,8 @@ namespace warpjet {
 
 namespace {
 
-// Creates our own functions, by number. Other modules that create functions must be added here.
+// The functions that recreate our own functions from their settings. Words refer to them by index.
+// A module that defines functions must be added here.
 constexpr std::array<Definition::Maker, 2> makers{noiseFrom, samplingFrom};
 
 std::size_t numberOf(Definition::Maker maker) {
@@ -30,19 +31,19 @@ class Saver {
   }
 
   std::vector<std::uint32_t> run() {
-    nodes();
-    inputs();
-    functions();
-    loops();
-    outputs();
-    comments();
+    writeNodes();
+    writeInputs();
+    writeFunctions();
+    writeLoops();
+    writeOutputs();
+    writeComments();
     return words_.take();
   }
 
  private:
-  void nodes() {
+  void writeNodes() {
     words_.number(retained_.size());
-    std::uint32_t* word = words_.room(retained_.size() * wordsOfNode);
+    std::uint32_t* word = words_.extend(retained_.size() * wordsOfNode);
     for (const NodeId id : retained_) {
       const auto& [operands, op] = graph_.node(id);
       *word++ = static_cast<std::uint32_t>(index(op));
@@ -52,23 +53,23 @@ class Saver {
     }
   }
 
-  void shape(Shape shape) {
+  void writeShape(Shape shape) {
     words_.number(shape.columns);
     words_.number(shape.rows);
   }
 
-  void inputs() {
+  void writeInputs() {
     words_.number(graph_.inputCount());
     for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
       const Input& input = graph_.input(i);
       words_.text(input.label);
-      shape(input.shape);
+      writeShape(input.shape);
       words_.number(input.image ? *input.image + 1 : 0);
       words_.text(module_.methods[i]);
     }
   }
 
-  void functions() {
+  void writeFunctions() {
     words_.number(graph_.functionCount());
     for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
       const Function& function = graph_.function(i);
@@ -96,7 +97,7 @@ class Saver {
     }
   }
 
-  void loops() {
+  void writeLoops() {
     words_.number(graph_.loopCount());
     for (std::uint32_t i = 0; i < graph_.loopCount(); ++i) {
       words_.number(graph_.loop(i).steps);
@@ -104,17 +105,17 @@ class Saver {
     }
   }
 
-  void outputs() {
+  void writeOutputs() {
     words_.number(module_.outputs.size());
     for (const Output& output : module_.outputs) {
       words_.text(output.name);
       words_.text(output.method);
-      shape(output.shape);
+      writeShape(output.shape);
       for (const NodeId id : output.components) words_.number(places_[index(id)]);
     }
   }
 
-  void comments() {
+  void writeComments() {
     words_.number(module_.comments.texts.size());
     for (const std::string& text : module_.comments.texts) words_.text(text);
     words_.number(module_.comments.ranges.size());
@@ -138,19 +139,20 @@ class Loader {
 
   Module run() {
     Module module;
-    std::vector<Node> made = nodes();
-    std::vector<Input> given = inputs(module);
-    std::vector<Function> called = functions(module);
-    module.graph = Graph(std::move(made), std::move(given), std::move(called), loops());
-    outputs(module);
-    comments(module);
+    std::vector<Node> graphNodes = readNodes();
+    std::vector<Input> graphInputs = readInputs(module);
+    std::vector<Function> graphFunctions = readFunctions(module);
+    module.graph = Graph(std::move(graphNodes), std::move(graphInputs), std::move(graphFunctions),
+                         readLoops());
+    readOutputs(module);
+    readComments(module);
     return module;
   }
 
  private:
-  NodeId node() { return NodeId{words_.number()}; }
+  NodeId readNode() { return NodeId{words_.number()}; }
 
-  std::vector<Node> nodes() {
+  std::vector<Node> readNodes() {
     std::vector<Node> all(words_.number());
     const std::uint32_t* word = words_.block(all.size() * wordsOfNode);
     for (Node& node : all) {
@@ -160,23 +162,23 @@ class Loader {
     return all;
   }
 
-  Shape shape() {
+  Shape readShape() {
     const auto columns = static_cast<std::uint8_t>(words_.number());
     return {columns, static_cast<std::uint8_t>(words_.number())};
   }
 
-  std::vector<Input> inputs(Module& module) {
+  std::vector<Input> readInputs(Module& module) {
     std::vector<Input> all(words_.number());
     for (Input& input : all) {
       input.label = words_.text();
-      input.shape = shape();
+      input.shape = readShape();
       if (const std::uint32_t image = words_.number()) input.image = image - 1;
       module.methods.push_back(words_.text());
     }
     return all;
   }
 
-  std::vector<Function> functions(Module& module) {
+  std::vector<Function> readFunctions(Module& module) {
     std::vector<Function> all(words_.number());
     module.sources.resize(all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -208,7 +210,7 @@ class Loader {
     return readRecordedFunction(name, words_.number(), std::move(words), library);
   }
 
-  std::vector<Loop> loops() {
+  std::vector<Loop> readLoops() {
     std::vector<Loop> all(words_.number());
     for (Loop& loop : all) {
       loop.steps = words_.number();
@@ -217,23 +219,23 @@ class Loader {
     return all;
   }
 
-  void outputs(Module& module) {
+  void readOutputs(Module& module) {
     module.outputs.resize(words_.number());
     for (Output& output : module.outputs) {
       output.name = words_.text();
       output.method = words_.text();
-      output.shape = shape();
-      for (int i = 0; i < output.shape.size(); ++i) output.components.push_back(node());
+      output.shape = readShape();
+      for (int i = 0; i < output.shape.size(); ++i) output.components.push_back(readNode());
     }
   }
 
-  void comments(Module& module) {
+  void readComments(Module& module) {
     module.comments.texts.resize(words_.number());
     for (std::string& text : module.comments.texts) text = words_.text();
     module.comments.ranges.resize(words_.number());
     for (auto& [first, end, text] : module.comments.ranges) {
-      first = node();
-      end = node();
+      first = readNode();
+      end = readNode();
       text = words_.number();
     }
   }

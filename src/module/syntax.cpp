@@ -17,7 +17,7 @@ std::size_t digitsLength(std::string_view text) {
                                   text.begin());
 }
 
-// 12, 1.5, .5, 1e-3, 2u
+// Returns the length of a number such as 12, 1.5, .5, 1e-3 or 2u.
 std::size_t numberLength(std::string_view text) {
   std::size_t length = digitsLength(text);
   if (text.substr(length).starts_with('.')) length += 1 + digitsLength(text.substr(length + 1));

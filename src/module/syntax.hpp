@@ -23,10 +23,10 @@ inline constexpr std::string_view optionalOperators = "%&|^~?:";
 // `optionalOperators` that the language has.
 std::string syntaxProblem(std::string_view text, std::string_view operators);
 
-// The numbers, words, brackets and operators of a complete expression.
+// Returns the numbers, words, brackets and operators of a complete expression.
 std::vector<std::string_view> tokensOf(std::string_view text);
 
-// The identifiers in a text, without members after a dot.
+// Returns the identifiers in a text, without members after a dot.
 std::vector<std::string_view> identifiers(std::string_view text);
 
 }  // namespace warpjet

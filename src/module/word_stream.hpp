@@ -12,8 +12,8 @@ namespace warpjet {
 
 class WordWriter {
  public:
-  // Returns space for that many words, which must be filled before the next call.
-  std::uint32_t* room(std::size_t words) {
+  // Appends space for that many words, which must be filled before the next call; returns it.
+  std::uint32_t* extend(std::size_t words) {
     words_.resize(words_.size() + words);
     return words_.data() + (words_.size() - words);
   }

@@ -5,7 +5,7 @@ namespace warpjet {
 
 namespace {
 
-// The derivative of a function's only value with respect to one of its arguments.
+// Returns the derivative of a function's only value with respect to one of its arguments.
 Expression slope(Expression value, int argument) {
   Graph& graph = *value.graph;
   return {&graph, graph.result(graph.operand(value.id, 0), 1 + argument)};

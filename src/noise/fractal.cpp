@@ -13,10 +13,10 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 
 }  // namespace
 
-// A loop of octaves, the first of which is the unshifted noise. The alternative, each octave
-// written out, compares as follows (SwiftShader, warps with their normals of 5 octaves of 3D noise,
-// medians of 3 rounds side by side on a busy machine, in milliseconds of the first draw, and of a
-// frame of 14,000 vertices):
+// Returns a loop of octaves, the first of which is the unshifted noise. The alternative, each
+// octave written out, compares as follows (SwiftShader, warps with their normals of 5 octaves of 3D
+// noise, medians of 3 rounds side by side on a busy machine, in milliseconds of the first draw, and
+// of a frame of 14,000 vertices):
 //
 //                                  every octave        a loop
 //   fbm, GLSL 3.00                  1878    55        641   108
@@ -31,9 +31,9 @@ Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
   const NoiseRow& kind = row(noise.kind);
   const double mean = kind.mean(noise, p.size(), 0);
   const double wavelength = kind.wavelength * row(noise.base).wavelength;
-  // The octave fades, not its base: the mean of |n| is not |the mean of n|.
-  const auto octaveAt = [&](const Point& moved, Expression itsSeed, Expression fineness) {
-    const Expression value = shape(callBase(library, noise.base, moved, itsSeed));
+  // Returns an octave. The octave fades, not its base: the mean of |n| is not |the mean of n|.
+  const auto octaveAt = [&](const Point& moved, Expression octaveSeed, Expression fineness) {
+    const Expression value = shape(callBase(library, noise.base, moved, octaveSeed));
     return p.pixel ? fade(value, mean, *p.pixel * fineness, wavelength) : value;
   };
   Graph& graph = *seed.graph;
@@ -46,8 +46,8 @@ Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
     for (std::size_t i = 0; i < p.size(); ++i)
       moved.push_back(p[i] * fineness + octave * shifts[i]);
     for (const Expression cell : p.cells) moved.cells.push_back(cell * fineness);
-    const Expression itsSeed = ifElse(gt(octave, 0.0), hash(seed, octave), seed);
-    const Expression value = octaveAt(moved, itsSeed, fineness);
+    const Expression octaveSeed = ifElse(gt(octave, 0.0), hash(seed, octave), seed);
+    const Expression value = octaveAt(moved, octaveSeed, fineness);
     return Numbers{total + value * strength, strengths + strength, fineness * lacunarity,
                    strength * gain};
   };

@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-// 6t⁵ - 15t⁴ + 10t³: its first and second derivatives are 0 at 0 and 1.
+// Returns 6t⁵ - 15t⁴ + 10t³, whose first and second derivatives are 0 at 0 and 1.
 Expression fade(Expression t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
 // The value of a corner, computed from its hash and the offset of the point from it.

@@ -49,7 +49,7 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
   return values;
 }
 
-// The names of parameters: with and without octaves, and the same of noise that fades.
+// The names of parameters. Definition::noiseParameters has those of noise with octaves.
 constexpr std::string_view namesWithoutOctaves[] = {"seed", "cellX", "cellY", "cellZ", "cellW"};
 constexpr std::string_view fadingNames[] = {"pixel", "seed",  "lacunarity", "gain",
                                             "cellX", "cellY", "cellZ",      "cellW"};
@@ -61,7 +61,7 @@ const std::string_view* parameterNames(const Noise& noise) {
   return noise.fades ? fadingNamesWithoutOctaves : namesWithoutOctaves;
 }
 
-// warpjetNoise3, warpjetCurl4Simplex, warpjetFbm2Noise5
+// Returns a name such as warpjetNoise3, warpjetCurl4Simplex or warpjetFbm2Noise5.
 std::string functionName(const Noise& noise, int dimensions) {
   std::string name = "warpjet" + capitalize(row(noise.kind).name) + std::to_string(dimensions);
   const NoiseUse use = row(noise.kind).use;
@@ -79,16 +79,16 @@ Definition definitionOf(const Noise& noise, int dimensions) {
   const NoiseRow& kind = row(noise.kind);
   const int parameters =
       (noise.fades ? 1 : 0) + (isFractal(noise.kind) ? 3 : 1) + (noise.hasCells ? dimensions : 0);
-  Definition made{
+  Definition definition{
       {functionName(noise, dimensions), dimensions + parameters, kind.values, dimensions},
       body,
       pack(noise, dimensions)};
-  made.low = kind.low;
-  made.high = kind.high;
-  if (kind.maxSlope) made.maxSlope = kind.maxSlope(dimensions);
-  made.parameters = parameterNames(noise);
-  made.maker = noiseFrom;
-  return made;
+  definition.low = kind.low;
+  definition.high = kind.high;
+  if (kind.maxSlope) definition.maxSlope = kind.maxSlope(dimensions);
+  definition.parameters = parameterNames(noise);
+  definition.maker = noiseFrom;
+  return definition;
 }
 
 Definition noiseFrom(std::uint32_t settings) {
@@ -130,7 +130,7 @@ double wavelengthOf(const Definition& definition, int octave) {
   const NoiseRow& kind = row(noise.kind);
   const bool hasBase = kind.use == NoiseUse::Fractal || kind.use == NoiseUse::Composed;
   if (!hasBase) return kind.wavelength;
-  // Curl is made of derivatives, which are finer than their base.
+  // Curl consists of derivatives, which are finer than their base.
   const double share = kind.use == NoiseUse::Fractal ? kind.wavelength : 0.5;
   return share * row(noise.base).wavelength / (1 << std::min(octave, noise.octaves - 1));
 }

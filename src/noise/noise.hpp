@@ -29,27 +29,28 @@ struct Noise {
   NoiseKind kind;
   NoiseKind base = {};  // of fractals and curl
   int octaves = 1;      // of fractals
-  // True if integer cells are passed, too, which are added to the point. It may then be so far away
-  // that float32 couldn't represent its position within a cell.
+  // True if integer cells are passed, too, which are added to the point. Float32 need not represent
+  // the point's position within a cell, however far away the point is.
   bool hasCells = false;
   // True if the width of a pixel is passed, too, in the space of the point: see `fadeNoise`.
   bool fades = false;
 };
 
-// A function of a point with that many dimensions and of a hash; for fractals, also of lacunarity
-// and gain. The width of a pixel precedes the hash, and cells are last.
+// Returns a function of a point with that many dimensions and of a hash; for fractals, also of
+// lacunarity and gain. The width of a pixel precedes the hash, and cells are last.
 Definition definitionOf(const Noise& noise, int dimensions);
-// The variant that takes integer cells, each within ±`ops::hashPrime` / 2.
+// Returns the variant that takes integer cells, each within ±`ops::hashPrime` / 2.
 Definition withCells(const Definition& definition);
-// True if there is such a function, and float32 can represent the cells of its finest octave.
+// Returns true if `withCells` may be used: the period is known to be `ops::hashPrime`, and float32
+// can represent the cells of the finest octave.
 bool canTakeCells(const Definition& definition, std::optional<double> lacunarity);
-// The period of each coordinate; 0 if it is unknown, or if the definition isn't a noise. Cells have
-// one of `ops::hashPrime` hashes, cyclically.
+// Returns the period of each coordinate; 0 if it is unknown, or if the definition isn't a noise.
+// Cells have one of `ops::hashPrime` hashes, cyclically.
 double noisePeriod(const Definition& definition, std::optional<double> lacunarity);
-// The wavelength in the space of the point; of fractals, that of their octave number `octave`, or
-// of their last one if there are fewer, with a lacunarity of 2.
+// Returns the wavelength in the space of the point. For fractals, returns the wavelength of octave
+// number `octave`, or of the last one if there are fewer, assuming a lacunarity of 2.
 double wavelengthOf(const Definition& definition, int octave);
-// The variant that takes the width of a pixel.
+// Returns the variant that takes the width of a pixel.
 Definition withFading(const Definition& definition);
 // Recreates the definition from its settings.
 Definition noiseFrom(std::uint32_t settings);

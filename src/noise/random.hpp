@@ -14,7 +14,7 @@ inline Expression hash(Expression h, double i) {
 // Returns `count` numbers from 0 to below 1 for a hash, which fill a square or cube evenly.
 Numbers randomNumbers(Expression hash, int count);
 
-// A unit vector with that many dimensions; in one dimension, a number from -1 to 1.
+// Returns a unit vector with that many dimensions; in one dimension, a number from -1 to 1.
 Numbers randomDirection(Library& library, Expression hash, int dimensions);
 
 inline Expression fract(Expression x) { return build(ops::find("fract"), x); }

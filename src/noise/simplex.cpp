@@ -11,8 +11,8 @@ namespace {
 // (reach - d²)⁴ d over a simplex, where d are the distances from its corners.
 constexpr double scales[] = {0, 3.16049, 99.2043, 107.6534, 108.5678};
 
-// The squared radius of a corner's kernel: the squared height of such a simplex, which is the same
-// in all dimensions but the first.
+// Returns the squared radius of a corner's kernel: the squared height of such a simplex, which is
+// the same in all dimensions but the first.
 constexpr double reachOf(int dimensions) { return dimensions == 1 ? 1 : 0.5; }
 
 Expression sum(const Numbers& x) {
@@ -21,8 +21,8 @@ Expression sum(const Numbers& x) {
   return total;
 }
 
-// The number of coordinates that each is at least as large as; of equal ones the first is the
-// largest.
+// Returns for each coordinate how many others it is at least as large as. Of equal coordinates, the
+// first counts as the largest.
 Numbers ranks(const Numbers& x) {
   Graph& graph = *x[0].graph;
   Numbers all;
@@ -37,9 +37,9 @@ Numbers ranks(const Numbers& x) {
   return all;
 }
 
-// 1 if the path to the given corner, numbered from 0 to n, includes a step along the coordinate of
-// this rank, else 0.
-Expression isTaken(Expression rank, int corner, int n) {
+// Returns 1 if the path to the given corner, numbered from 0 to n, includes a step along the
+// coordinate of this rank, else 0.
+Expression countStep(Expression rank, int corner, int n) {
   if (corner == 0 || corner == n) return {rank.graph, rank.graph->constant(corner == n ? 1 : 0)};
   return step(static_cast<double>(n - corner), rank);
 }
@@ -105,7 +105,7 @@ Expression simplexNoise(Library& library, const Numbers& p, Expression seed) {
     Expression cellHash = seed;
     Numbers offset;
     for (int i = 0; i < n; ++i) {
-      const Expression taken = isTaken(rank[i], corner, n);
+      const Expression taken = countStep(rank[i], corner, n);
       cellHash = hash(cellHash, skewed.cell(i) + taken);
       offset.push_back(first[i] - taken + corner * unskew);
     }

@@ -42,7 +42,7 @@ struct NoiseRow {
 
 constexpr const NoiseRow& row(NoiseKind kind);
 
-// Covers the rounding of float32.
+// A factor that covers the rounding of float32.
 inline constexpr double slack = 1.001;
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -153,7 +153,7 @@ static_assert(std::all_of(noises.begin(), noises.end(),
 // Not constexpr, so that reaching it at compile time is an error.
 void noSuchNoise();
 
-// The kind with that name. An unknown name doesn't compile.
+// Returns the kind with that name. An unknown name doesn't compile.
 consteval NoiseKind noiseNamed(std::string_view name) {
   for (std::size_t i = 0; i < noises.size(); ++i) {
     if (noises[i].name == name) return static_cast<NoiseKind>(i);

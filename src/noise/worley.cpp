@@ -6,17 +6,17 @@ namespace warpjet {
 
 namespace {
 
-// Searches the four cells nearest to the point along each axis. Points beyond are at least 1.5
-// away, and some point in the 2^n nearest cells is at most √n away, √2 in 2D. In 3D, all eight
-// nearest points would have to be in a hundredth of their cells for the nearest distance to be
-// wrong, once in 10^16 places; for the second nearest distance, seven of them, or all but one of
-// those around a cell.
+// The number of cells that are searched along each axis, those nearest to the point. Random points
+// in other cells are at least 1.5 away, and some random point in the 2^n nearest cells is at most
+// √n away, √2 in 2D. In 3D, the nearest distance is wrong only if the random points of all eight
+// nearest cells are in a certain hundredth of their cells, once in 10^16 places; the second nearest
+// distance, if those of seven are, or all but one of those around a cell.
 constexpr int cells = 4;
 
-// A loop along each axis. With each cell written out instead (SwiftShader, 3D, with normals, one
-// round side by side on a busy machine, milliseconds), code has 66,376 characters instead of 3,769,
-// the first draw takes 1,126 instead of 114 in GLSL 3.00 and 8,859 instead of 206 in 1.00, and
-// frames take 36 instead of 46 and 54 instead of 81.
+// Searches by a loop along each axis. With each cell written out instead (SwiftShader, 3D, with
+// normals, one round side by side on a busy machine, milliseconds), code has 66,376 characters
+// instead of 3,769, the first draw takes 1,126 instead of 114 in GLSL 3.00 and 8,859 instead of 206
+// in 1.00, and frames take 36 instead of 46 and 54 instead of 81.
 class Search {
  public:
   explicit Search(const Point& p) {
@@ -32,12 +32,12 @@ class Search {
   Numbers search(Expression cellHash, const Numbers& before) {
     const std::size_t axis = steps_.size();
     if (axis == inside_.size()) return addPoint(cellHash, before);
-    const Numbers taken = steps_;
+    const Numbers fixed = steps_;
     return fold(cells, before, [&](const Numbers& nearest, Expression step) {
-      const Expression place = step - cells / 2.0;
-      steps_ = taken;
-      steps_.push_back(place);
-      return search(hash(cellHash, corner_[axis] + place), nearest);
+      const Expression offset = step - cells / 2.0;
+      steps_ = fixed;
+      steps_.push_back(offset);
+      return search(hash(cellHash, corner_[axis] + offset), nearest);
     });
   }
 

@@ -22,7 +22,7 @@ enum class Trait : std::uint8_t {
   Divides,      // its second operand must not be 0
   Increasing,   // monotonically increasing in its only operand
   Hidden,       // has no public method of its name
-  GlslOnly,     // only the GLSL front end uses it
+  SourceOnly,   // only the front ends for shader source use it
 };
 
 class Traits {
@@ -133,30 +133,30 @@ inline constexpr std::array declarations{
     unary("bool", toBool, Hidden),
 
     // integers; operations named `bits` treat them as unsigned
-    unary("int", toInt, GlslOnly),
-    unary("bitsOf", toInt, GlslOnly),
-    unary("intToFloat", fromInt, GlslOnly),
-    unary("bitsToFloat", fromInt, GlslOnly),
-    unary("floatBitsToInt", toInt, GlslOnly),
-    unary("intBitsToFloat", fromInt, GlslOnly),
-    binary("intAdd", ints, GlslOnly, Commutative),
-    binary("intSub", ints, GlslOnly),
-    binary("intMult", ints, GlslOnly, Commutative),
-    binary("intDiv", ints, GlslOnly),
-    binary("intMod", ints, GlslOnly),
-    binary("bitsDiv", ints, GlslOnly),
-    binary("bitsMod", ints, GlslOnly),
-    binary("bitAnd", ints, GlslOnly, Commutative),
-    binary("bitOr", ints, GlslOnly, Commutative),
-    binary("bitXor", ints, GlslOnly, Commutative),
-    unary("bitNot", ints, GlslOnly),
-    binary("shiftLeft", ints, GlslOnly),
-    binary("shiftRight", ints, GlslOnly),
-    binary("bitsShiftRight", ints, GlslOnly),
-    binary("intLt", intComparison, GlslOnly),
-    binary("bitsLt", intComparison, GlslOnly),
-    binary("intEq", intComparison, GlslOnly),
-    ternary("intIfElse", intChoice, GlslOnly, Branches),
+    unary("int", toInt, SourceOnly),
+    unary("bitsOf", toInt, SourceOnly),
+    unary("intToFloat", fromInt, SourceOnly),
+    unary("bitsToFloat", fromInt, SourceOnly),
+    unary("floatBitsToInt", toInt, SourceOnly),
+    unary("intBitsToFloat", fromInt, SourceOnly),
+    binary("intAdd", ints, SourceOnly, Commutative),
+    binary("intSub", ints, SourceOnly),
+    binary("intMult", ints, SourceOnly, Commutative),
+    binary("intDiv", ints, SourceOnly),
+    binary("intMod", ints, SourceOnly),
+    binary("bitsDiv", ints, SourceOnly),
+    binary("bitsMod", ints, SourceOnly),
+    binary("bitAnd", ints, SourceOnly, Commutative),
+    binary("bitOr", ints, SourceOnly, Commutative),
+    binary("bitXor", ints, SourceOnly, Commutative),
+    unary("bitNot", ints, SourceOnly),
+    binary("shiftLeft", ints, SourceOnly),
+    binary("shiftRight", ints, SourceOnly),
+    binary("bitsShiftRight", ints, SourceOnly),
+    binary("intLt", intComparison, SourceOnly),
+    binary("bitsLt", intComparison, SourceOnly),
+    binary("intEq", intComparison, SourceOnly),
+    ternary("intIfElse", intChoice, SourceOnly, Branches),
 };
 
 }  // namespace warpjet::ops

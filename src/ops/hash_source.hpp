@@ -7,10 +7,11 @@
 
 namespace warpjet::ops {
 
-// hashOf of scalar.hpp, in integers if the language has them. Adding 4091 * 262144 makes a negative
-// `i` positive, where GLSL's % is defined. In floats, the rounded quotient may leave a remainder
-// that is up to 5 below 0 or above 4091, if division is accurate to 2.5 ulp. Products of two such
-// remainders, at most 2^24, are exact as well, so only the last one needs correction.
+// Computes hashOf of scalar.hpp, in integers if the language has them. Adding 4091 * 262144 makes a
+// negative `i` positive, where GLSL's % is defined. In floats, the rounded quotient may leave a
+// remainder that is up to 5 below 0 or above 4091, if division is accurate to 2.5 ulp. Products of
+// two such remainders, at most 2^24, are exact as well, so only the last remainder needs
+// correction.
 inline constexpr Helpers hashHelpers{
     R"(highp float warpjetHash(highp float h, highp float i) {
   highp uint n = (1597u * (uint(h) + uint(int(floor(i)) + 1072431104) % 4091u) + 823u) % 4091u;
@@ -33,6 +34,6 @@ highp float warpjetHash(highp float h, highp float i) {
 )"};
 static_assert(std::none_of(hashHelpers.begin(), hashHelpers.end(),
                            [](std::string_view source) { return source.empty(); }),
-              "each language needs one");
+              "each language needs a source");
 
 }  // namespace warpjet::ops

@@ -1,5 +1,5 @@
 // The rows of the table that compute with integers; operations named `bits` treat them as unsigned.
-// Only the GLSL front end uses them.
+// Only the front ends for shader source use them.
 #pragma once
 
 #include <tuple>

@@ -8,10 +8,10 @@ using namespace intervals;
 
 namespace {
 
-// 0 times infinity is 0 here, the limit at the corners of a box.
+// Returns x y; 0 times infinity is 0, the limit at the corners of a box.
 double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 
-// Shared by products and quotients.
+// Returns the hull of the values of a product or quotient at the corners of a box.
 Interval hullOfScaledCorners(Binary f, const Interval& x, const Interval& y, double relativeError) {
   Interval result = hullOfCorners(f, x, y, relativeError);
   // Keeps the zero positive for nonnegative factors: a product of lengths.
@@ -30,12 +30,12 @@ Interval increasing(Unary f, const Interval& x, double relativeError) {
 
 Interval withFloat32(const Interval& x) {
   using Limits = std::numeric_limits<float>;
-  constexpr double most = Limits::max(), least = Limits::min();
+  constexpr double max = Limits::max(), minNormal = Limits::min();
   Interval result = x;
-  if (x.low < -most) result.low = -infinity;
-  if (x.high > most) result.high = infinity;
-  if (x.low > 0 && x.low < least) result.low = 0.0;
-  if (x.high < 0 && x.high > -least) result.high = -0.0;
+  if (x.low < -max) result.low = -infinity;
+  if (x.high > max) result.high = infinity;
+  if (x.low > 0 && x.low < minNormal) result.low = 0.0;
+  if (x.high < 0 && x.high > -minNormal) result.high = -0.0;
   return result;
 }
 

@@ -43,16 +43,16 @@ struct Interval {
 // The relative amount by which an operation widens its result: two roundings of float32.
 inline constexpr double rounding = 0x1p-23;
 
-// The smallest interval that contains both.
+// Returns the smallest interval that contains both.
 Interval join(const Interval& x, const Interval& y);
 
 // Accounts for the range of float32: too large values become infinite, too small ones may become
 // zero.
 Interval withFloat32(const Interval& x);
 
-// Applies a monotonically increasing function that maps NaN to NaN; the result is widened by
-// the relative error that functions may have in shaders (see interval_parts.hpp).
-// One copy for all functions: a copy for each made the code of this module a third larger.
+// Applies a monotonically increasing function that maps NaN to NaN; the result is widened by the
+// relative error that functions may have in shaders (see interval_parts.hpp). Not inlined: a copy
+// for each function made the code of this module a third larger.
 [[gnu::noinline]] Interval increasing(double (*function)(double), const Interval& x,
                                       double relativeError = 8 * rounding);
 
@@ -64,7 +64,7 @@ Interval operator+(const Interval& x, const Interval& y);
 Interval operator-(const Interval& x, const Interval& y);
 Interval operator*(const Interval& x, const Interval& y);
 Interval operator/(const Interval& x, const Interval& y);
-// x * x, which is never negative.
+// Returns x * x, which is never negative.
 Interval square(const Interval& x);
 
 Interval pow(const Interval& x, const Interval& y);

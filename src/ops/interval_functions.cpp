@@ -8,15 +8,15 @@ using namespace intervals;
 
 namespace {
 
-// True if start + k * period is in x, or within a relative distance of `relativeError`, for some
-// integer k.
+// Returns true if start + k * period is in x, or within a relative distance of `relativeError`, for
+// some integer k.
 bool containsMultiple(const Interval& x, double start, double period, double relativeError) {
   const double from = (x.low - start) / period, to = (x.high - start) / period;
   const double slack = (std::abs(from) + std::abs(to) + 1) * relativeError;
   return std::ceil(from - slack) <= std::floor(to + slack);
 }
 
-// sin or cos; `peak` is where it is 1.
+// Returns the range of sin or cos, which is 1 at `peak`.
 Interval wave(Unary f, const Interval& x, double peak) {
   if (x.isEmpty()) return x;
   if (x.canBeInfinite()) return {-1, 1, true};
@@ -30,7 +30,8 @@ Interval wave(Unary f, const Interval& x, double peak) {
 
 bool isInteger(double x) { return x == std::floor(x); }
 
-// x to the power of y for nonnegative x: y log(x) is bilinear, so the extremes are at the corners.
+// Returns x to the power of y for nonnegative x. y log(x) is bilinear, so the extremes are at the
+// corners.
 Interval powerOfPositive(const Interval& x, const Interval& y) {
   return hullOfCorners(std::pow, x, y, 2 * functionError);
 }
@@ -38,7 +39,7 @@ Interval powerOfPositive(const Interval& x, const Interval& y) {
 }  // namespace
 
 Interval pow(const Interval& x, const Interval& y) {
-  const bool isOne = (x.canBeNaN && y.has(0)) || (y.canBeNaN && x.has(1));
+  const bool canBeOne = (x.canBeNaN && y.has(0)) || (y.canBeNaN && x.has(1));
   Interval result = emptyInterval();
   if (!x.isEmpty() && !y.isEmpty()) {
     if (x.high >= 0) result = powerOfPositive(clipTo(x, 0, infinity), y);
@@ -55,7 +56,7 @@ Interval pow(const Interval& x, const Interval& y) {
     }
     result.canBeNaN |= x.canBeNaN || y.canBeNaN;
   }
-  return isOne ? join(result, 1.0) : result;
+  return canBeOne ? join(result, 1.0) : result;
 }
 
 Interval sqrt(const Interval& x) {

@@ -47,7 +47,7 @@ using Binary = double(double, double);
 
 inline bool isNegative(double x) { return std::signbit(x); }
 
-// The hull of the values of f at the corners of a box.
+// Returns the hull of the values of f at the corners of a box.
 inline Interval hullOfCorners(Binary f, const Interval& x, const Interval& y,
                               double relativeError) {
   const double a = f(x.low, y.low), b = f(x.low, y.high);

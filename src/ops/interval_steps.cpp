@@ -8,14 +8,14 @@ using namespace intervals;
 
 namespace {
 
-// For operations that may return the other operand if one is NaN.
+// Joins the result with the operands: an operation may return one operand if the other is NaN.
 Interval joinOtherIfNaN(Interval result, const Interval& x, const Interval& y) {
   if (x.canBeNaN) result = join(result, y);
   if (y.canBeNaN) result = join(result, x);
   return result;
 }
 
-// With f = floor(x / y), the result is x - y f: from 0 to y, and as wide as x if f is constant.
+// Returns x - y f, where f = floor(x / y): from 0 to y, and no wider than x if f is constant.
 Interval modulo(const Interval& x, const Interval& y) {
   const Interval quotient = x / y;
   if (quotient.canBeInfinite()) return Interval::anything(true);
@@ -86,7 +86,7 @@ Interval min(const Interval& x, const Interval& y) {
 
 Interval max(const Interval& x, const Interval& y) { return -min(-x, -y); }
 
-// Linear in each operand, so the extremes are at the ends of the amount's range.
+// A blend is linear in each operand, so its extremes are at the ends of the amount's range.
 Interval mix(const Interval& x, const Interval& y, const Interval& amount) {
   if (amount.isEmpty()) return amount;
   const auto at = [&](double t) { return x * (1.0 - Interval(t)) + y * t; };

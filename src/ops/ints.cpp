@@ -9,7 +9,7 @@ namespace {
 
 constexpr double bitCount = 4294967296.0;
 
-// A sum or product that may wrap around can be any integer.
+// Returns a range; if it exceeds that of an int, so that the result wraps around, any integer.
 Interval anyIfWrapped(double low, double high) {
   return minInt <= low && high <= maxInt ? Interval(low, high) : anyInt();
 }
@@ -20,7 +20,7 @@ Interval intSum(const Interval& x, const Interval& y) {
   return anyIfWrapped(x.low + y.low, x.high + y.high);
 }
 
-// The remainder is smaller than the divisor and has the sign of the dividend.
+// Bounds a remainder, which is smaller than the divisor and has the sign of the dividend.
 Interval intRemainder(const Interval& x, const Interval& y) {
   const double largest = std::max({-y.low, y.high, 1.0}) - 1;
   return {x.low < 0 ? std::max(x.low, -largest) : 0.0,

@@ -45,7 +45,7 @@ inline double shiftRight(double x, double y) {
 }
 inline double bitsShiftRight(double x, double y) { return intOf(bitsOf(x) >> (bitsOf(y) & 31)); }
 
-// Out-of-range floats are clamped to the nearest integer, as in WGSL.
+// Converts a float to an integer; floats out of range to the nearest one, as in WGSL.
 inline double truncate(double x) {
   if (x != x) return 0;
   return std::trunc(std::fmin(std::fmax(x, minInt), maxInt));
@@ -62,7 +62,8 @@ inline double floatBits(double x) {
 }
 inline double floatOfBits(double x) { return __builtin_bit_cast(float, bitsOf(x)); }
 
-// Ranges, where they are useful. Results that may wrap around have the full range.
+// The following functions return the ranges of those operations for which a range is useful.
+// Results that may wrap around have the full range.
 inline Interval anyInt() { return {minInt, maxInt}; }
 Interval intSum(const Interval& x, const Interval& y);
 Interval intRemainder(const Interval& x, const Interval& y);

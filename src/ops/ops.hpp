@@ -23,7 +23,7 @@ constexpr const Declaration& declaration(Op op) {
   return declarations[static_cast<std::size_t>(op)];
 }
 constexpr bool has(Op op, Trait trait) { return declaration(op).traits.has(trait); }
-// True if the first operand selects the second or the third one.
+// Returns true if the first operand selects the second or the third one.
 constexpr bool isChoice(Op op) {
   return declaration(op).arity == 3 && declaration(op).signature.operands[0] == Type::Bool;
 }
@@ -31,7 +31,7 @@ constexpr bool isChoice(Op op) {
 // Not constexpr, so that reaching it at compile time is an error.
 void noSuchOperation();
 
-// The operation with that name. An unknown name doesn't compile.
+// Returns the operation with that name. An unknown name doesn't compile.
 consteval Op find(std::string_view name) {
   for (std::size_t i = 0; i < count; ++i) {
     if (declarations[i].name == name) return static_cast<Op>(i);
@@ -40,7 +40,7 @@ consteval Op find(std::string_view name) {
   return {};
 }
 
-// True if these rows have the names of the declarations, in the same order.
+// Returns true if these rows have the names of the declarations, in the same order.
 template <class Rows>
 consteval bool haveDeclaredNames(const Rows& rows) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,16 +50,16 @@ consteval bool haveDeclaredNames(const Rows& rows) {
 }
 
 const Spelling& spelling(Op op, Language language);
-// The source of the helper functions that the spelling calls; empty if it calls none.
+// Returns the source of the helper functions that the spelling calls; empty if it calls none.
 std::string_view helpers(Op op, Language language);
 
-// True if it has no partials, which means that it is piecewise constant.
+// Returns true if the operation has no partials, which means that it is piecewise constant.
 bool isStep(Op op);
 
-// The value of an operation on numbers; conditions are 1 and 0.
+// Returns the value of an operation on numbers; conditions are 1 and 0.
 double valueOf(Op op, const Operands<double>& operands);
 
-// The range of the result for operands within their ranges.
+// Returns the range of the result for operands within their ranges.
 Interval rangeOf(Op op, const Operands<Interval>& operands);
 
 }  // namespace ops

@@ -5,8 +5,8 @@ namespace warpjet::ops {
 
 namespace {
 
-// A condition as an interval: its upper bound is 1 if it can be true, its lower bound 0 if it can
-// be false.
+// Returns a condition as an interval: its upper bound is 1 if it can be true, its lower bound 0 if
+// it can be false.
 Interval asInterval(const Interval& x) { return x; }
 Interval asInterval(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
 

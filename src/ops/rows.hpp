@@ -44,7 +44,7 @@ inline constexpr bool takesDerivative = withIndices<declarations[Row].arity>([](
                               double>;
 });
 
-// The product of the partial and `d`, the derivative of the operand.
+// Returns the product of the partial and `d`, the derivative of the operand.
 template <std::size_t Row, std::size_t K, class Scalar>
 auto term(const Scalar* operands, const Scalar& value, const Scalar& d) {
   constexpr auto partial = std::get<K>(std::get<Row>(table).partials);

@@ -43,7 +43,8 @@ inline bool logicalNot(bool x) { return !x; }
 
 inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
 
-// A term of a derivative; 0 where the condition is false and the factor may be infinite.
+// Returns a term of a derivative; 0 where the condition is false. (An expression's term is only
+// masked if its factor may be infinite.)
 inline double maskTerm(bool condition, double, double term) { return condition ? term : 0; }
 
 // A pseudorandom integer from 0 to 4090, computed from another such number and any integer.
@@ -53,18 +54,20 @@ inline double maskTerm(bool condition, double, double term) { return condition ?
 // 1994). No product here reaches 2^24, so float computes every step as exactly as integers do.
 inline constexpr double hashPrime = 4091, hashFactor = 1597, hashSummand = 823;
 
+// The remainder next to 0. It is up to 2047 away: the rounded product with the inverse, which takes
+// less time than a quotient, may be on the other side of a half. Products of two are below 2^24.
 template <class Scalar>
 Scalar hashRemainder(Scalar x) {
-  const Scalar prime = hashPrime, r = x - prime * floor(x / prime);
-  // Corrects the cases in which float rounds x / prime to the next integer.
-  return ifElse(lt(r, Scalar(0.0)), r + prime, ifElse(ge(r, prime), r - prime, r));
+  const Scalar prime = hashPrime, inverse = 1 / hashPrime;
+  return x - prime * round(x * inverse);
 }
 
 template <class Scalar>
 Scalar hashOf(Scalar h, Scalar i) {
-  const Scalar factor = hashFactor, summand = hashSummand;
+  const Scalar factor = hashFactor, summand = hashSummand, prime = hashPrime;
   const Scalar x = hashRemainder(factor * (floor(h) + hashRemainder(floor(i))) + summand);
-  return hashRemainder(hashRemainder(x * x) * x);
+  const Scalar r = hashRemainder(hashRemainder(x * x) * x);
+  return ifElse(lt(r, Scalar(0.0)), r + prime, r);
 }
 
 inline double hash(double h, double i) { return hashOf(h, i); }

@@ -77,14 +77,14 @@ constexpr Spellings call(std::string_view text, SomeOperands numbers = noOperand
 // For built-in functions that are inaccurate: the operation is lowered in every language.
 inline constexpr Spellings nowhere = Spelling{""};
 
-// Left-associative: a left operand of the same precedence needs no parentheses, a right one does.
-// They matter, since floating-point addition isn't associative.
+// Spells a left-associative operator: a left operand of the same precedence needs no parentheses, a
+// right one does. They matter, since floating-point addition isn't associative.
 constexpr Spellings infix(std::string_view text, Precedence level) {
   const auto tighter = static_cast<Precedence>(static_cast<int>(level) + 1);
   return Spelling{text, level, {level, tighter, tighter}, firstOperand | secondOperand};
 }
 
-// WGSL doesn't allow && and || to be mixed without parentheses.
+// Spells && and ||, which WGSL doesn't allow to be mixed without parentheses.
 constexpr Spellings logical(std::string_view text) {
   return Spelling{text, Precedence::Logical, {Precedence::Equality, Precedence::Equality, {}}};
 }
@@ -93,7 +93,8 @@ constexpr Spellings logical(std::string_view text) {
 inline constexpr Spellings negation =
     Spelling{"-$0", Precedence::Multiplicative, {Precedence::Multiplicative, {}, {}}};
 
-// Bitwise operations; operands that are not primary expressions get parentheses, as WGSL requires.
+// Spells a bitwise operator. Operands that are not primary expressions get parentheses, as WGSL
+// requires.
 constexpr Spellings bits(std::string_view text) {
   return Spelling{text, Precedence::Logical, {Precedence::Unary, Precedence::Unary, {}}};
 }

@@ -1,7 +1,7 @@
 // THE table: one row per operation, in the order of declarations.hpp, which has the types and
 // traits. A row gives spelling, the domain on which tests sample it, value, and one partial
 // derivative per operand; `v` is the operation's own result, so that exp, sqrt or tan can share it.
-// A row that a language lacks also says how it is lowered to others.
+// A row that a language lacks also says how it is lowered to other operations.
 //
 // A new row only needs its declaration: a value that takes `double` runs everywhere. A value that
 // takes any scalar type runs four vertices at a time and has narrow bounds; the functions it calls
@@ -145,7 +145,7 @@ inline constexpr std::tuple floatRows{
           return maskTerm(gt(shrink, minFactor), d, slope * d);
         })
         .lowersTo([](auto x) {
-          // Not above 1: built-in ones compute exp(2x), which overflows and gives NaN.
+          // shrink is at most 1; built-in functions compute exp(2x), which overflows and gives NaN.
           const auto shrink = exp(-2.0 * abs(x));
           return sign(x) * (1.0 - shrink) / (1.0 + shrink);
         }),
@@ -153,8 +153,8 @@ inline constexpr std::tuple floatRows{
         "asinh", nowhere, everywhere, [](auto x) { return asinh(x); },
         [](auto x, auto) { return inversesqrt(x * x + 1.0); })
         .lowersTo([](auto x) {
-          // Uses |x|, since built-in ones cancel for large negative x: they give -88 for
-          // asinh(-10000), which is -9.9.
+          // Uses |x|, since built-in functions lose all digits for large negative x: they give -88
+          // for asinh(-10000), which is -9.9.
           return sign(x) * log(abs(x) + sqrt(x * x + 1.0));
         }),
     row(

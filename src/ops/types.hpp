@@ -23,7 +23,7 @@ struct Signature {
   Type result;
   Operands<Type> operands;
 
-  // True if an operand or the result is an integer.
+  // Returns true if an operand or the result is an integer.
   constexpr bool hasInt() const {
     return result == Type::Int || operands[0] == Type::Int || operands[1] == Type::Int;
   }

@@ -86,9 +86,9 @@ struct Found {
 std::optional<Found> findBuiltIn(BuiltIns table, std::string_view name,
                                  std::span<const Type> operands);
 bool isOut(const BuiltIn& row, std::size_t parameter);
-// True if it reads an image, which no constant expression does.
+// Returns true if the function reads an image, which no constant expression does.
 bool readsImage(const BuiltIn& row);
-// True if its last parameter is an offset in texels.
+// Returns true if the function's last parameter is an offset in texels.
 bool hasOffset(const BuiltIn& row);
 
 }  // namespace warpjet::source

@@ -20,23 +20,24 @@ class Constants {
   Constants(const Tree& tree, int version);
   ~Constants();
 
-  // Also treats variables as constant if `isKnown` holds for them.
+  // Returns true for a constant expression. Variables for which `isKnown` returns true count as
+  // constants.
   template <class IsKnown>
   bool isConstant(ExpressionId expression, const IsKnown& isKnown) const;
   bool isConstant(ExpressionId expression) const {
     return isConstant(expression, [](VariableId) { return false; });
   }
 
-  // The numbers of a constant expression; empty if it isn't one, or has no value.
+  // Returns the numbers of a constant expression; empty if it isn't one, or has no value.
   std::vector<double> numbers(ExpressionId expression);
-  // The bits of each component of a constant expression of ints or uints; empty if they are
+  // Returns the bits of each component of a constant expression of ints or uints; empty if they are
   // unknown.
   std::vector<std::int32_t> integers(ExpressionId expression);
-  // The value of a constant int or uint scalar; nullopt if it is unknown.
+  // Returns the value of a constant int or uint scalar; nullopt if it is unknown.
   std::optional<std::int32_t> integer(ExpressionId expression);
 
  private:
-  // False if the expression isn't constant whatever its operands are.
+  // Returns false if the expression isn't constant even if its operands are.
   bool mayBeConstant(const Expression& node) const;
 
   const Tree& tree_;

@@ -15,7 +15,7 @@ Code codeOfConstant(Base base) {
   return base == Base::Int || base == Base::Uint ? Code::Whole : Code::Constant;
 }
 
-// Some languages have no literal for infinity: the largest float is used instead.
+// Replaces infinities by the largest floats, since some languages have no literal for infinity.
 double finite(double value) {
   constexpr double largest = 3.4028234663852886e38;
   return std::clamp(value, -largest, largest);
@@ -106,7 +106,7 @@ class Lister {
     writeNumbers(routine.results);
   }
 
-  // Writes each operation in its innermost loop.
+  // Writes the operations, each in the innermost loop whose step number or states it depends on.
   void writeNeeded(std::span<const Id> needed) {
     std::vector<std::uint32_t> used{0};
     for (const Id id : needed) {

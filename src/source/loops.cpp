@@ -6,7 +6,8 @@
 
 namespace warpjet::source {
 
-// Only computes the states that have been queried.
+// Goes to the next step, and computes the states that have been queried, for which others may have
+// to be queried.
 void LoopRun::advance() {
   std::vector<std::optional<double>> nexts(states_.size());
   for (bool hasNew = true; hasNew;) {

@@ -36,9 +36,9 @@ struct Changing {
     Counter,  // changes by the same integer in each step
     State,
   } kind = Kind::State;
-  double by = 0;
-  // The value in a step: before it, at the start of the next one, and after it, including early
-  // ends.
+  double by = 0;  // the change of a counter per step
+  // The value before a step; at its end if the loop continues; and after it, also if the loop ends
+  // early.
   Id now{}, atEnd{}, next{};
 };
 
@@ -65,7 +65,7 @@ class LoopRun {
     isQueried_.resize(all.size());
   }
 
-  // The value in this step; nullopt if it is unknown or takes too long.
+  // Returns the value in the current step; nullopt if it is unknown or takes too long to compute.
   std::optional<double> value(Id id) {
     known_.clear();
     budget_ = maxVisits;

@@ -8,7 +8,7 @@ namespace warpjet::source {
 
 namespace {
 
-// No real shader needs that many; lowering them takes half a second.
+// No real shader needs that many steps; lowering them takes half a second.
 constexpr std::size_t maxSteps = 250'000;
 constexpr int maxDepth = 600;
 
@@ -45,7 +45,8 @@ Lowered Lowering::lower(FunctionId number) {
           std::move(routines_)};
 }
 
-// Every variable has fixed slots, since no function calls itself.
+// Allocates the slots of all variables, which are fixed, since no function calls itself, and
+// executes the initializers of globals.
 void Lowering::start() {
   for (const Variable& variable : tree_.variables) {
     const auto size = static_cast<std::size_t>(sizeOf(variable.type));
@@ -138,7 +139,8 @@ bool Lowering::exceedsLimits(Location location) {
   return problems_.any();
 }
 
-// `targets` are the destinations of `out` and `inout` parameters, in the order of parameters.
+// Lowers a call. `targets` are the destinations of `out` and `inout` parameters, in the order of
+// parameters.
 Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
                                const std::vector<LValue>& targets, Location location) {
   const Function& function = tree_.functions[number];
@@ -172,8 +174,8 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
   return result;
 }
 
-// Inlines a pure function once per set of arguments. The operations of a call that contains loops
-// belong to the enclosing loop.
+// Inlines a pure function once per list of arguments and innermost loop: the operations of a call
+// that contains loops belong to the enclosing loop.
 Lowering::Value Lowering::inlineOnce(FunctionId number, const std::vector<Value>& arguments) {
   std::vector<std::uint32_t> key{static_cast<std::uint32_t>(number),
                                  openLoops_.empty() ? 0 : openLoops_.back()};

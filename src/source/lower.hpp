@@ -3,8 +3,9 @@
 // every variable becomes a choice between its two values. An early end of a loop or function is a
 // condition on everything that follows.
 //
-// `loop` in lower_loops.cpp is the only place that repeats statements. A loop that remains one has
-// its body recorded once, in terms of the variables that it changes; see lower_folds.cpp.
+// `loop` in lower_loops.cpp is the only place that repeats statements. If a loop remains a loop in
+// the shader, its body is recorded once, in terms of the variables that it changes; see
+// lower_folds.cpp.
 #pragma once
 
 #include <map>
@@ -39,24 +40,25 @@ struct Lowered {
 
 class Lowering {
  public:
-  // A loop whose end is unknown runs `maxIterations` times, or is rejected if that is 0. Calls of
-  // the functions in `inlined` are always inlined.
+  // A loop whose end is unknown gets `maxIterations` iterations, or is rejected if that is 0. Calls
+  // of the functions in `inlined` are always inlined.
   Lowering(const Tree& tree, Problems& problems, int maxIterations,
            std::set<RoutineKey> inlined = {});
 
-  // For constant expressions of a tree that is still growing.
+  // Makes a lowering for constant expressions of a tree that is still growing.
   Lowering(const Tree& tree, Problems& problems);
 
   Lowered lower(FunctionId function);
-  // The numbers of a constant expression; empty if it has no value, like 1 / 0.
+  // Returns the numbers of a constant expression; empty if it has no value, like 1 / 0.
   std::vector<double> constant(ExpressionId expression);
 
  private:
   using Value = std::vector<Id>;
   using Slot = Store::Slot;
 
-  // The target of an assignment: consecutive slots from the first slot of each choice, with one
-  // choice per possible index; for a swizzle, only some of them.
+  // The target of an assignment. It has one choice per possible value of an unknown index:
+  // consecutive slots, from `first` on. For a swizzle, `picked` has the offsets of those slots that
+  // are assigned.
   struct LValue {
     struct Choice {
       Id condition;
@@ -178,10 +180,10 @@ class Lowering {
   LValue elementOf(LValue whole, ExpressionId index);
   Value load(const LValue& from);
   void store(const LValue& to, const Value& value);
-  // The slot of a variable; fails if a warp doesn't have it.
+  // Returns the slot of a variable; fails if a warp doesn't have it.
   Slot slotToRead(const Expression& node);
-  // The slot of a variable, a field or an element with a known index, so that reading one number
-  // doesn't copy an array. Returns nullopt if that requires evaluating side effects.
+  // Returns the slot of a variable, a field or an element with a known index, so that reading one
+  // number doesn't copy an array. Returns nullopt if that requires evaluating side effects.
   std::optional<Slot> knownSlot(const Expression& node);
   bool isPlain(ExpressionId expression) const;
 

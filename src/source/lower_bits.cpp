@@ -18,7 +18,7 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
   const auto apply = [&](Code code, Id value) {
     return recorder_.apply(code, Base::Float, {value});
   };
-  const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
+  const auto floatOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
   const Base base = node.type.base;
   switch (row.way) {
     case Same:
@@ -29,7 +29,7 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
       });
     case Fma:
       return forEach([&](std::size_t i) {
-        return of(Operator::Add, of(Operator::Multiply, x[0][i], x[1][i]), x[2][i]);
+        return floatOf(Operator::Add, floatOf(Operator::Multiply, x[0][i], x[1][i]), x[2][i]);
       });
     case Ldexp:
       return forEach([&](std::size_t i) { return ldexp(x[0][i], x[1][i]); });
@@ -38,7 +38,8 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
     case ModfPair: {
       const Value whole = forEach([&](std::size_t i) { return apply(Code::Trunc, x[0][i]); });
       return joined(
-          forEach([&](std::size_t i) { return of(Operator::Subtract, x[0][i], whole[i]); }), whole);
+          forEach([&](std::size_t i) { return floatOf(Operator::Subtract, x[0][i], whole[i]); }),
+          whole);
     }
     case Frexp: {
       const Value exponents = forEach([&](std::size_t i) { return exponentOf(x[0][i]); });
@@ -66,7 +67,7 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
   }
 }
 
-// Functions of four bytes in a uint.
+// Lowers a function of the four bytes of a uint.
 Lowering::Value Lowering::bytes(const BuiltIn& row, const std::vector<Value>& x,
                                 const Expression& node) {
   const auto byte = [&](Id bits, Base base, int i) { return partOfBits(bits, base, 8, i); };
@@ -99,17 +100,17 @@ Lowering::Value Lowering::bytes(const BuiltIn& row, const std::vector<Value>& x,
   return {all};
 }
 
-// Counts and places of bits in an int or uint.
+// Lowers a function that counts or finds bits in an int or uint.
 Id Lowering::bit(Way way, Base base, Id x) {
   const auto uint = [&](double value) { return number(Base::Uint, value); };
-  const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
+  const auto uintOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const Id bits = recorder_.convert(x, Base::Uint);
-  // All bits below the lowest one that is set.
+  // Returns all bits below the lowest one that is set.
   const auto below = [&] {
-    return of(Operator::BitAnd, recorder_.apply(Code::BitNot, Base::Uint, {bits}),
-              of(Operator::Subtract, bits, uint(1)));
+    return uintOf(Operator::BitAnd, recorder_.apply(Code::BitNot, Base::Uint, {bits}),
+                  uintOf(Operator::Subtract, bits, uint(1)));
   };
-  const Id isZero = of(Operator::Equal, bits, uint(0));
+  const Id isZero = uintOf(Operator::Equal, bits, uint(0));
   const Id none = uint(4294967295.0);
   const auto result = [&]() -> Id {
     using enum Way;
@@ -117,7 +118,7 @@ Id Lowering::bit(Way way, Base base, Id x) {
       case CountOneBits:
         return countOnes(bits);
       case CountLeadingZeros:
-        return of(Operator::Subtract, uint(32), countOnes(smear(bits)));
+        return uintOf(Operator::Subtract, uint(32), countOnes(smear(bits)));
       case CountTrailingZeros:
         return countOnes(below());
       case FirstTrailingBit:
@@ -130,8 +131,8 @@ Id Lowering::bit(Way way, Base base, Id x) {
           significant =
               recorder_.choose(isNegative, recorder_.apply(Code::BitNot, Base::Uint, {bits}), bits);
         }
-        const Id position = of(Operator::Subtract, countOnes(smear(significant)), uint(1));
-        return recorder_.choose(of(Operator::Equal, significant, uint(0)), none, position);
+        const Id position = uintOf(Operator::Subtract, countOnes(smear(significant)), uint(1));
+        return recorder_.choose(uintOf(Operator::Equal, significant, uint(0)), none, position);
       }
       default:
         return reverse(bits);
@@ -142,86 +143,88 @@ Id Lowering::bit(Way way, Base base, Id x) {
 
 // Sets all bits below the highest one that is set.
 Id Lowering::smear(Id bits) {
-  for (int by = 1; by < 32; by *= 2)
+  for (int width = 1; width < 32; width *= 2)
     bits = scalar(Operator::BitOr, Base::Uint, bits,
-                  scalar(Operator::ShiftRight, Base::Uint, bits, number(Base::Int, by)));
+                  scalar(Operator::ShiftRight, Base::Uint, bits, number(Base::Int, width)));
   return bits;
 }
 
-// Adds neighboring bits, then pairs, and so on.
+// Counts the bits that are set: adds neighboring bits, then neighboring pairs, and so on.
 Id Lowering::countOnes(Id bits) {
   constexpr double masks[]{1431655765, 858993459, 252645135, 16711935, 65535};
-  int by = 1;
+  int width = 1;
   for (const double mask : masks) {
     const Id every = number(Base::Uint, mask);
-    const Id upper = scalar(Operator::ShiftRight, Base::Uint, bits, number(Base::Int, by));
+    const Id upper = scalar(Operator::ShiftRight, Base::Uint, bits, number(Base::Int, width));
     bits = scalar(Operator::Add, Base::Uint, scalar(Operator::BitAnd, Base::Uint, bits, every),
                   scalar(Operator::BitAnd, Base::Uint, upper, every));
-    by *= 2;
+    width *= 2;
   }
   return bits;
 }
 
-// Swaps neighboring bits, then pairs, and so on.
+// Reverses the bits: swaps neighboring bits, then neighboring pairs, and so on.
 Id Lowering::reverse(Id bits) {
   constexpr double masks[]{1431655765, 858993459, 252645135, 16711935, 65535};
-  int by = 1;
+  int width = 1;
   for (const double mask : masks) {
-    const Id every = number(Base::Uint, mask), shift = number(Base::Int, by);
+    const Id every = number(Base::Uint, mask), shift = number(Base::Int, width);
     const Id down = scalar(Operator::BitAnd, Base::Uint,
                            scalar(Operator::ShiftRight, Base::Uint, bits, shift), every);
     const Id up = scalar(Operator::ShiftLeft, Base::Uint,
                          scalar(Operator::BitAnd, Base::Uint, bits, every), shift);
     bits = scalar(Operator::BitOr, Base::Uint, down, up);
-    by *= 2;
+    width *= 2;
   }
   return bits;
 }
 
-// `count` bits from `offset` on; those of an int have the sign of the highest of them.
+// Returns `count` bits from `offset` on, as a number; for an int, the highest of these bits is the
+// sign.
 Id Lowering::extract(Base base, Id x, Id offset, Id count) {
-  const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
-  const auto least = [&](Id a, Id b) { return recorder_.choose(of(Operator::Less, b, a), b, a); };
+  const auto uintOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
+  const auto min = [&](Id a, Id b) { return recorder_.choose(uintOf(Operator::Less, b, a), b, a); };
   const Id all = number(Base::Uint, 32);
-  const Id start = least(offset, all);
-  const Id size = least(count, of(Operator::Subtract, all, start));
-  const Id isEmpty = of(Operator::Equal, size, number(Base::Uint, 0));
-  const Id unused = of(Operator::Subtract, all, size);
-  const Id up = scalar(Operator::ShiftLeft, base, x, of(Operator::Subtract, unused, start));
+  const Id start = min(offset, all);
+  const Id size = min(count, uintOf(Operator::Subtract, all, start));
+  const Id isEmpty = uintOf(Operator::Equal, size, number(Base::Uint, 0));
+  const Id unused = uintOf(Operator::Subtract, all, size);
+  const Id up = scalar(Operator::ShiftLeft, base, x, uintOf(Operator::Subtract, unused, start));
   return recorder_.choose(isEmpty, number(base, 0), scalar(Operator::ShiftRight, base, up, unused));
 }
 
-// Replaces `count` bits from `offset` on.
+// Replaces `count` bits of x from `offset` on by the lowest bits of `bits`.
 Id Lowering::insert(Id x, Id bits, Id offset, Id count) {
-  const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
-  const auto least = [&](Id a, Id b) { return recorder_.choose(of(Operator::Less, b, a), b, a); };
+  const auto uintOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
+  const auto min = [&](Id a, Id b) { return recorder_.choose(uintOf(Operator::Less, b, a), b, a); };
   const Id all = number(Base::Uint, 32);
-  const Id start = least(offset, all);
-  const Id size = least(count, of(Operator::Subtract, all, start));
-  const Id isEmpty = of(Operator::Equal, size, number(Base::Uint, 0));
-  const Id ones =
-      of(Operator::ShiftRight, number(Base::Uint, 4294967295.0), of(Operator::Subtract, all, size));
-  const Id mask = of(Operator::ShiftLeft, ones, start);
-  const Id kept = of(Operator::BitAnd, x, recorder_.apply(Code::BitNot, Base::Uint, {mask}));
-  const Id placed = of(Operator::BitAnd, of(Operator::ShiftLeft, bits, start), mask);
-  return recorder_.choose(isEmpty, x, of(Operator::BitOr, kept, placed));
+  const Id start = min(offset, all);
+  const Id size = min(count, uintOf(Operator::Subtract, all, start));
+  const Id isEmpty = uintOf(Operator::Equal, size, number(Base::Uint, 0));
+  const Id ones = uintOf(Operator::ShiftRight, number(Base::Uint, 4294967295.0),
+                         uintOf(Operator::Subtract, all, size));
+  const Id mask = uintOf(Operator::ShiftLeft, ones, start);
+  const Id kept = uintOf(Operator::BitAnd, x, recorder_.apply(Code::BitNot, Base::Uint, {mask}));
+  const Id placed = uintOf(Operator::BitAnd, uintOf(Operator::ShiftLeft, bits, start), mask);
+  return recorder_.choose(isEmpty, x, uintOf(Operator::BitOr, kept, placed));
 }
 
-// x times a power of two, in two steps, since the power alone may be too large for a float.
+// Multiplies x by a power of two, in two steps, since the power alone may be too large for a float.
 Id Lowering::ldexp(Id x, Id exponent) {
-  const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Int, a, b); };
-  const auto power = [&](Id by) {
-    const Id bits = of(Operator::ShiftLeft, of(Operator::Add, by, number(Base::Int, 127)),
-                       number(Base::Int, 23));
+  const auto intOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Int, a, b); };
+  const auto powerOfTwo = [&](Id part) {
+    const Id bits = intOf(Operator::ShiftLeft, intOf(Operator::Add, part, number(Base::Int, 127)),
+                          number(Base::Int, 23));
     return recorder_.apply(Code::FloatOfBits, Base::Float, {bits});
   };
-  const Id half = of(Operator::ShiftRight, exponent, number(Base::Int, 1));
-  const Id rest = of(Operator::Subtract, exponent, half);
+  const Id half = intOf(Operator::ShiftRight, exponent, number(Base::Int, 1));
+  const Id rest = intOf(Operator::Subtract, exponent, half);
   return scalar(Operator::Multiply, Base::Float,
-                scalar(Operator::Multiply, Base::Float, x, power(half)), power(rest));
+                scalar(Operator::Multiply, Base::Float, x, powerOfTwo(half)), powerOfTwo(rest));
 }
 
-// The exponent of frexp: x is from 0.5 to 1 times a power of two; that of 0 is 0.
+// Returns the exponent of frexp: |x| is 2 to that exponent times a number from 0.5 to 1. For 0 it
+// is 0.
 Id Lowering::exponentOf(Id x) {
   const Id bits = recorder_.apply(Code::FloatBits, Base::Int, {x});
   const Id biased = scalar(Operator::BitAnd, Base::Int,

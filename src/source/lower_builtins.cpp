@@ -19,10 +19,10 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
       value.push_back(make(static_cast<std::size_t>(i)));
     return value;
   };
-  const auto least = [&](Id a, Id b) {
+  const auto min = [&](Id a, Id b) {
     return recorder_.choose(scalar(Operator::Less, base, b, a), b, a);
   };
-  const auto most = [&](Id a, Id b) {
+  const auto max = [&](Id a, Id b) {
     return recorder_.choose(scalar(Operator::Less, base, a, b), b, a);
   };
   const auto multiply = [&](Id a, Id b) { return scalar(Operator::Multiply, Base::Float, a, b); };
@@ -47,11 +47,11 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
                                 above);
       });
     case MinInt:
-      return forEach([&](std::size_t i) { return least(at(0, i), at(1, i)); });
+      return forEach([&](std::size_t i) { return min(at(0, i), at(1, i)); });
     case MaxInt:
-      return forEach([&](std::size_t i) { return most(at(0, i), at(1, i)); });
+      return forEach([&](std::size_t i) { return max(at(0, i), at(1, i)); });
     case ClampInt:
-      return forEach([&](std::size_t i) { return least(most(at(0, i), at(1, i)), at(2, i)); });
+      return forEach([&](std::size_t i) { return min(max(at(0, i), at(1, i)), at(2, i)); });
     case MixBool:
       return forEach([&](std::size_t i) { return recorder_.choose(at(2, i), x[1][i], x[0][i]); });
     case PackSigned:
@@ -96,8 +96,8 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
       return forEach([&](std::size_t i) { return x[0][(i % rows) * columns + i / rows]; });
     }
     case Compare: {
-      const Base of = recorder_.base(x[0][0]);
-      return forEach([&](std::size_t i) { return compare(row.code, of, x[0][i], x[1][i]); });
+      const Base compared = recorder_.base(x[0][0]);
+      return forEach([&](std::size_t i) { return compare(row.code, compared, x[0][i], x[1][i]); });
     }
     case Any:
     case All: {
@@ -197,7 +197,7 @@ Lowering::Value Lowering::applyToVectors(const BuiltIn& row, const std::vector<V
   const Type first = tree_.expressions[node.operands[0]].type;
   if (recorder_.foldsAll()) return expandFunction(row.code, x);
   if (first.isScalar()) {
-    // These are simpler for scalars.
+    // The formulas are simpler for scalars.
     const auto minus = [&](Id a, Id b) { return scalar(Operator::Subtract, Base::Float, a, b); };
     const auto times = [&](Id a, Id b) { return scalar(Operator::Multiply, Base::Float, a, b); };
     const Id two = number(Base::Float, 2), zero = number(Base::Float, 0);
@@ -211,9 +211,9 @@ Lowering::Value Lowering::applyToVectors(const BuiltIn& row, const std::vector<V
       case Code::Reflect:
         return {minus(x[0][0], times(times(two, times(x[1][0], x[0][0])), x[1][0]))};
       case Code::Faceforward: {
-        const Id along = scalar(Operator::Less, Base::Float, times(x[2][0], x[1][0]), zero);
-        return {
-            recorder_.choose(along, x[0][0], recorder_.apply(Code::Neg, Base::Float, {x[0][0]}))};
+        const Id isFacing = scalar(Operator::Less, Base::Float, times(x[2][0], x[1][0]), zero);
+        return {recorder_.choose(isFacing, x[0][0],
+                                 recorder_.apply(Code::Neg, Base::Float, {x[0][0]}))};
       }
       default: {
         // Uses a vector with one significant component.
@@ -232,7 +232,8 @@ Lowering::Value Lowering::applyToVectors(const BuiltIn& row, const std::vector<V
   return unpackGroup(recorder_.group(row.code, operands), node.type);
 }
 
-// Reads a texel at a vec2 or ivec2, or at a vector divided by its last component, plus the offset.
+// Reads an image at a vec2 or ivec2, or, in projections, at a vector divided by its last component;
+// adds the offset, if there is one.
 Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x) {
   const bool isFetched = row.way == Way::TexelFetch;
   Value at(x[1].begin(), x[1].begin() + 2);
@@ -243,10 +244,11 @@ Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x
     each = recorder_.convert(each, Base::Float);
     if (row.way == Way::TextureProj) each = scalar(Operator::Divide, Base::Float, each, last);
     if (!hasOffset(row)) continue;
-    Id by = recorder_.convert(x.back()[i], Base::Float);
+    Id offset = recorder_.convert(x.back()[i], Base::Float);
     if (!isFetched)
-      by = scalar(Operator::Divide, Base::Float, by, recorder_.convert(size[i], Base::Float));
-    each = scalar(Operator::Add, Base::Float, each, by);
+      offset =
+          scalar(Operator::Divide, Base::Float, offset, recorder_.convert(size[i], Base::Float));
+    each = scalar(Operator::Add, Base::Float, each, offset);
   }
   return texture(isFetched ? Code::FetchedTexel : Code::Texel, x[0], at);
 }

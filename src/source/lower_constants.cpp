@@ -7,7 +7,7 @@ namespace warpjet::source {
 Lowering::Lowering(const Tree& tree, Problems& problems)
     : tree_(tree), problems_(problems), maxIterations_(0), recorder_(true) {}
 
-// Constants that were declared since the last call become known.
+// Evaluates a constant expression, after the constants that were declared since the last call.
 std::vector<double> Lowering::constant(ExpressionId expression) {
   steps_ = 0;
   while (slots_.size() < tree_.variables.size()) {
@@ -26,9 +26,9 @@ std::vector<double> Lowering::constant(ExpressionId expression) {
   return numbers;
 }
 
-// Functions of vectors and matrices, by the formulas of section 8 of GLSL ES 3.00.
+// Expands a function of vectors or matrices by its formula in section 8 of GLSL ES 3.00.
 Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x) {
-  const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
+  const auto floatOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
   const auto constant = [&](double value) { return number(Base::Float, value); };
   const auto forEach = [&](const auto& make) {
     Value value;
@@ -38,7 +38,7 @@ Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x)
   const auto dot = [&](const Value& a, const Value& b) {
     Id sum = constant(0);
     for (std::size_t i = 0; i < a.size(); ++i)
-      sum = of(Operator::Add, sum, of(Operator::Multiply, a[i], b[i]));
+      sum = floatOf(Operator::Add, sum, floatOf(Operator::Multiply, a[i], b[i]));
     return sum;
   };
   const auto length = [&](const Value& a) {
@@ -48,39 +48,41 @@ Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x)
     case Code::Length:
       return {length(x[0])};
     case Code::Distance:
-      return {
-          length(forEach([&](std::size_t i) { return of(Operator::Subtract, x[0][i], x[1][i]); }))};
+      return {length(
+          forEach([&](std::size_t i) { return floatOf(Operator::Subtract, x[0][i], x[1][i]); }))};
     case Code::Normalize: {
       const Id size = length(x[0]);
-      return forEach([&](std::size_t i) { return of(Operator::Divide, x[0][i], size); });
+      return forEach([&](std::size_t i) { return floatOf(Operator::Divide, x[0][i], size); });
     }
     case Code::Faceforward: {
-      const Id isAlong = of(Operator::Less, dot(x[2], x[1]), constant(0));
+      const Id isFacing = floatOf(Operator::Less, dot(x[2], x[1]), constant(0));
       return forEach([&](std::size_t i) {
-        return recorder_.choose(isAlong, x[0][i],
+        return recorder_.choose(isFacing, x[0][i],
                                 recorder_.apply(Code::Neg, Base::Float, {x[0][i]}));
       });
     }
     case Code::Reflect: {
-      const Id twice = of(Operator::Multiply, constant(2), dot(x[1], x[0]));
+      const Id twice = floatOf(Operator::Multiply, constant(2), dot(x[1], x[0]));
       return forEach([&](std::size_t i) {
-        return of(Operator::Subtract, x[0][i], of(Operator::Multiply, twice, x[1][i]));
+        return floatOf(Operator::Subtract, x[0][i], floatOf(Operator::Multiply, twice, x[1][i]));
       });
     }
     case Code::Refract: {
-      const Id along = dot(x[1], x[0]), ratio = x[2][0];
-      const Id rest = of(Operator::Subtract, constant(1), of(Operator::Multiply, along, along));
-      const Id inside = of(Operator::Subtract, constant(1),
-                           of(Operator::Multiply, of(Operator::Multiply, ratio, ratio), rest));
-      const Id isOut = of(Operator::Less, inside, constant(0));
-      const Id by =
-          of(Operator::Add, of(Operator::Multiply, ratio, along),
-             recorder_.apply(Code::Sqrt, Base::Float,
-                             {recorder_.apply(Code::Max, Base::Float, {inside, constant(0)})}));
+      const Id cosine = dot(x[1], x[0]), ratio = x[2][0];
+      const Id squaredSine =
+          floatOf(Operator::Subtract, constant(1), floatOf(Operator::Multiply, cosine, cosine));
+      const Id radicand = floatOf(
+          Operator::Subtract, constant(1),
+          floatOf(Operator::Multiply, floatOf(Operator::Multiply, ratio, ratio), squaredSine));
+      const Id isTotal = floatOf(Operator::Less, radicand, constant(0));
+      const Id normalFactor = floatOf(
+          Operator::Add, floatOf(Operator::Multiply, ratio, cosine),
+          recorder_.apply(Code::Sqrt, Base::Float,
+                          {recorder_.apply(Code::Max, Base::Float, {radicand, constant(0)})}));
       return forEach([&](std::size_t i) {
-        const Id bent = of(Operator::Subtract, of(Operator::Multiply, ratio, x[0][i]),
-                           of(Operator::Multiply, by, x[1][i]));
-        return recorder_.choose(isOut, constant(0), bent);
+        const Id bent = floatOf(Operator::Subtract, floatOf(Operator::Multiply, ratio, x[0][i]),
+                                floatOf(Operator::Multiply, normalFactor, x[1][i]));
+        return recorder_.choose(isTotal, constant(0), bent);
       });
     }
     default:
@@ -88,7 +90,7 @@ Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x)
   }
 }
 
-// The minor of a square matrix without a column and a row.
+// Returns the minor of a square matrix without a column and a row.
 Id Lowering::minorOf(const Value& matrix, std::size_t column, std::size_t row) {
   const std::size_t size = matrix.size() == 4 ? 2 : matrix.size() == 9 ? 3 : 4;
   Value rest;
@@ -97,7 +99,7 @@ Id Lowering::minorOf(const Value& matrix, std::size_t column, std::size_t row) {
   return determinant(rest);
 }
 
-// Expands along the first column.
+// Returns the determinant by expansion along the first column.
 Id Lowering::determinant(const Value& matrix) {
   if (matrix.size() == 1) return matrix[0];
   const std::size_t size = matrix.size() == 4 ? 2 : matrix.size() == 9 ? 3 : 4;

@@ -79,7 +79,8 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
   return {};
 }
 
-// Follows left operands iteratively, so that sums of thousands of terms don't recurse.
+// Evaluates a chain of operators. Follows left operands iteratively, so that sums of thousands of
+// terms don't recurse.
 Lowering::Value Lowering::chain(const Expression& node) {
   std::vector<const Expression*> way;
   const Expression* first = &node;
@@ -100,7 +101,7 @@ Lowering::Value Lowering::chain(const Expression& node) {
   return left;
 }
 
-// The second operand is evaluated, including its side effects, only if the first doesn't decide.
+// Evaluates && and ||: the second operand, with its side effects, only if the first doesn't decide.
 Lowering::Value Lowering::logical(const Expression& node) {
   std::vector<const Expression*> way;
   const Expression* first = &node;
@@ -223,7 +224,8 @@ Lowering::Value Lowering::element(const Expression& node) {
   return pick(elements, at);
 }
 
-// The name of the element is known once its indices are: as soon as a loop is unrolled.
+// Declares an element of a storage buffer as an external. Its name is known once its indices are,
+// for which loops may have to be unrolled.
 Lowering::Value Lowering::hostElement(const Expression& node) {
   std::string name = tree_.made[static_cast<std::size_t>(node.index)];
   std::size_t from = 0;
@@ -248,7 +250,8 @@ Lowering::Value Lowering::hostElement(const Expression& node) {
   return hostElements_[name] = leaves;
 }
 
-// Out-of-range indices are undefined in GLSL; here they are clamped.
+// Returns the element with an index. Out-of-range indices are undefined in GLSL; here they are
+// clamped.
 Lowering::Value Lowering::pick(const std::vector<Value>& elements, Id index) {
   const auto last = static_cast<int>(elements.size()) - 1;
   if (recorder_.isConstant(index)) {

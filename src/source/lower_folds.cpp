@@ -21,9 +21,9 @@ bool isSmall(double x) { return x == std::trunc(x) && std::abs(x) <= large; }
 
 }  // namespace
 
-// Runs condition, body and step once, unless something has stopped; the condition of a `do` comes
-// last. Returns the condition, which is assumed to hold unless `evaluatesTest` is set. `end` is
-// called at the start of the next iteration.
+// Runs condition, body and step once, in branches that end at a break, continue or return; the
+// condition of a `do` comes last. Returns the condition, which is assumed to hold unless
+// `evaluatesTest` is set. Calls `end` where the next iteration would start.
 template <class End>
 Id Lowering::iterate(const Statement& statement, bool evaluatesTest, const End& end) {
   const Breakable here = breakables_.back();
@@ -75,7 +75,7 @@ std::vector<Changing> Lowering::changesOf(const Store::Changes& changes) const {
   return all;
 }
 
-// The value of a variable in a step of the loop.
+// Returns the value of a variable in a step of the loop.
 Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t location) {
   const Base base = recorder_.base(each.start);
   const auto apply = [&](Code code, Id x, double y) {
@@ -92,20 +92,20 @@ Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t l
   return fromState(recorder_.state(loop, location), base);
 }
 
-// A condition is a state of 0 or 1.
+// Converts a state to the type of its variable. A condition is stored as 0 or 1.
 Id Lowering::fromState(Id state, Base base) {
   if (base == Base::Bool)
     return recorder_.apply(Code::Gt, Base::Bool, {state, number(Base::Float, 0.5)});
   return recorder_.convert(state, base);
 }
 
-// True if an int only counts, so that it can be a float: it changes from its previous value, or a
-// constant, by constants.
+// Returns true if an int only counts, so that a float can represent it: its next value is a
+// constant, or its previous value plus constants.
 bool Lowering::onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const {
   if (next == before) return true;
   if (depth == 0) return false;
-  const auto isWithin = [&](Id id, double most) {
-    return recorder_.isConstant(id) && std::abs(recorder_.value(id)) <= most;
+  const auto isWithin = [&](Id id, double max) {
+    return recorder_.isConstant(id) && std::abs(recorder_.value(id)) <= max;
   };
   if (isWithin(next, large)) return true;
   const auto operands = recorder_.operands(next);
@@ -159,7 +159,7 @@ bool Lowering::foldLoop(const Statement& statement) {
   return close(statement, folding);
 }
 
-// Repeats until the guesses about constant variables and counters hold.
+// Records the body, and repeats that until the guesses about constant variables and counters hold.
 bool Lowering::record(const Statement& statement, Folding& folding) {
   std::vector<Changing>& all = folding.all;
   for (int attempt = 0; attempt < 8; ++attempt) {
@@ -189,33 +189,33 @@ bool Lowering::record(const Statement& statement, Folding& folding) {
 bool Lowering::confirmGuesses(const Statement& statement, Folding& folding,
                               const Store::Changes& changes) {
   using enum Changing::Kind;
-  bool isRight = true;
+  bool areRight = true;
   for (Changing& each : folding.all) {
-    const auto isNext = [&](Operator op, double by) {
+    const auto isNext = [&](Operator op, double step) {
       const Base base = recorder_.base(each.now);
-      return each.atEnd == scalar(op, base, each.now, number(base, by));
+      return each.atEnd == scalar(op, base, each.now, number(base, step));
     };
     // After an early end, the value doesn't follow from the number of steps.
     const bool isKnownAfter = each.next == each.atEnd || declares(statement, each.slot);
     if (each.kind == Fixed && each.next != each.start) {
       each.kind = State;
-      isRight = false;
+      areRight = false;
     } else if (each.kind == Counter && !(isKnownAfter && (isNext(Operator::Add, each.by) ||
                                                           isNext(Operator::Subtract, -each.by)))) {
       each.kind = State;
-      isRight = false;
+      areRight = false;
     }
   }
   for (const auto& [slot, value] : changes) {
-    const auto isThis = [&, at = slot](const Changing& each) { return each.slot == at; };
-    if (std::any_of(folding.all.begin(), folding.all.end(), isThis)) continue;
+    const auto hasSlot = [&, wanted = slot](const Changing& each) { return each.slot == wanted; };
+    if (std::any_of(folding.all.begin(), folding.all.end(), hasSlot)) continue;
     folding.all.push_back({slot, store_.get(slot)});
-    isRight = false;
+    areRight = false;
   }
-  return isRight;
+  return areRight;
 }
 
-// True if a variable belongs to the loop and doesn't exist after it.
+// Returns true if a variable belongs to the loop and doesn't exist after it.
 bool Lowering::declares(const Statement& loop, Slot slot) const {
   if (loop.children[0] == nothing) return false;
   for (const Statement* each : declarationsOf(loop.children[0])) {
@@ -226,8 +226,8 @@ bool Lowering::declares(const Statement& loop, Slot slot) const {
   return false;
 }
 
-// The number of iterations, if it depends only on known numbers. They are computed in float32, as
-// in the shader.
+// Returns the number of iterations, if it depends only on known numbers. They are computed in
+// float32, as in the shader.
 std::optional<std::uint32_t> Lowering::stepsOf(const Statement& statement,
                                                const Folding& folding) const {
   LoopRun run(recorder_, folding.loop, folding.all);

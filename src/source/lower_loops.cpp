@@ -25,15 +25,16 @@ void Lowering::loop(const Statement& statement) {
   breakables_.pop_back();
 }
 
-// True if only a break or a return can end the loop.
+// Returns true if only a break or a return can end the loop.
 bool Lowering::hasNoEnd(const Statement& statement) const {
   if (statement.expression == nothing) return true;
   const Expression& test = tree_.expressions[statement.expression];
   return test.kind == Expression::Kind::Constant && test.value != 0;
 }
 
-// If it is unknown whether there is another iteration, it and all following ones are in a branch of
-// their own, so that counters remain known. The branches are closed at the end, in reverse order.
+// Unrolls a loop. If it is unknown whether there is another iteration, a branch is opened that
+// contains this iteration and all following ones, so that counters remain known. The branches are
+// closed at the end, in reverse order.
 void Lowering::unroll(const Statement& statement) {
   const Id no = number(Base::Bool, 0);
   std::vector<Id> conditions;
@@ -42,7 +43,8 @@ void Lowering::unroll(const Statement& statement) {
     store_.open();
   };
   const Problems before = problems_;
-  // Iterations that only the shader can end. The first one of a `do` is one of them.
+  // The number of iterations after which only the shader knows whether the loop ends. The first
+  // iteration of a `do` is one of them.
   int unknown = statement.isLate;
   const bool isEndless = hasNoEnd(statement);
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {

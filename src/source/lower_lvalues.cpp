@@ -7,7 +7,7 @@ namespace warpjet::source {
 
 namespace {
 
-// The number of elements of an array, a matrix or a vector.
+// Returns the number of elements of an array, a matrix or a vector.
 int countOf(Type whole) {
   return whole.isArray() ? whole.length : whole.isMatrix() ? whole.columns : whole.rows;
 }
@@ -96,7 +96,8 @@ Lowering::Slot Lowering::slotToRead(const Expression& node) {
   return slotOf(node.index);
 }
 
-// True if the expression has no side effects and is so short that it may be evaluated twice.
+// Returns true if the expression has no side effects and is so short that it may be evaluated
+// twice.
 bool Lowering::isPlain(ExpressionId expression) const {
   const Expression& node = tree_.expressions[expression];
   using enum Expression::Kind;

@@ -40,7 +40,7 @@ Lowering::Value Lowering::product(Type a, const Value& x, Type b, const Value& y
   return value;
 }
 
-// x - y trunc(x / y), as in WGSL; GLSL has % for integers only.
+// Returns x - y trunc(x / y), as in WGSL; GLSL has % for integers only.
 Id Lowering::floatRemainder(Id x, Id y) {
   const Id times =
       recorder_.apply(Code::Trunc, Base::Float, {scalar(Operator::Divide, Base::Float, x, y)});
@@ -62,7 +62,7 @@ Id Lowering::scalar(Operator op, Base base, Id x, Id y) {
     return op == Xor || op == Unequal ? recorder_.logicalNot(same) : same;
   }
   const bool isFloat = base == Base::Float, isUint = base == Base::Uint;
-  const auto either = [&](Code ofFloats, Code ofInts) { return isFloat ? ofFloats : ofInts; };
+  const auto either = [&](Code floatCode, Code intCode) { return isFloat ? floatCode : intCode; };
   const Code less = isUint ? Code::UintLt : Code::IntLt;
   switch (op) {
     case Add:

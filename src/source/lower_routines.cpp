@@ -54,8 +54,8 @@ void Lowering::visitExpressions(StatementId body, const Visit& visit) const {
   }
 }
 
-// A pure function writes to no parameter, names no global that is assigned, and calls only pure
-// functions.
+// Finds the pure functions: those that write to no parameter, name no global that is assigned, and
+// call only pure functions.
 void Lowering::findPure() {
   std::vector<bool> isChanging(tree_.variables.size());
   for (const VariableId each : assignedGlobals_) isChanging[each] = true;
@@ -129,8 +129,9 @@ std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
   return results;
 }
 
-// Returns the routine's number, or -1 if the function can't be a routine or is too short: functions
-// that write globals, read assigned globals, or have values that aren't floats can't.
+// Records a function as a routine. Returns its number; -1 if the function is too short, or if it
+// can't be a routine because it writes globals, reads assigned globals, or has results that aren't
+// floats.
 int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& arguments,
                             const RoutineKey& key) {
   if (routineCount_ >= Recorder::maxLoops || problems_.any()) return -1;
@@ -169,7 +170,8 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   return static_cast<int>(routines_.size() - 1);
 }
 
-// Also finds the values that it reads from outside.
+// Returns true if the recorded function can be a routine and is long enough; also finds the values
+// that it reads from outside.
 bool Lowering::isRoutine(Routine& routine) const {
   const auto isFloat = [&](Id id) { return recorder_.base(id) == Base::Float; };
   const Value& results = routine.results;

@@ -48,7 +48,7 @@ void Lowering::execute(StatementId child) {
   --depth_;
 }
 
-// The condition under which the following statements are skipped.
+// Returns the condition under which the following statements are skipped.
 Id Lowering::stopCondition() {
   Id any = frames_.empty() ? number(Base::Bool, 0) : store_.get(frames_.back().returned);
   for (const Breakable& each : breakables_)
@@ -94,7 +94,7 @@ void Lowering::declare(const Statement& statement) {
   initialize(statement);
 }
 
-// The initial value, if it is known.
+// Sets a variable to its initial value; without one, it is undefined.
 void Lowering::initialize(const Statement& statement) {
   set(slotOf(statement.index), statement.expression == nothing
                                    ? undefined(tree_.variables[statement.index].type)
@@ -115,7 +115,8 @@ void Lowering::returnFrom(const Statement& statement) {
   store_.set(frames_.back().returned, number(Base::Bool, 1));
 }
 
-// `float x = 1.0, y;` is a block of two declarations.
+// Returns the declarations in a statement: `float x = 1.0, y;` is a block of two. Empty for other
+// statements.
 std::vector<const Statement*> Lowering::declarationsOf(StatementId child) const {
   const Statement& statement = tree_.statements[child];
   const auto isDeclaration = [&](StatementId each) {
@@ -129,8 +130,8 @@ std::vector<const Statement*> Lowering::declarationsOf(StatementId child) const 
   return all;
 }
 
-// Cases run from the matching one until a break. Their declarations are visible in all later cases,
-// so they are outside of the branches.
+// Executes a switch, from the matching case until a break. Declarations in a case are visible in
+// all later cases, so they are outside of the branches.
 void Lowering::select(const Statement& statement) {
   const Id value = evaluate(statement.expression)[0];
   const Id no = number(Base::Bool, 0);

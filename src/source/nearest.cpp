@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t maxLength = 40;  // longer names are not compared
 
-// The Damerau-Levenshtein distance, by three rows of the table.
+// Returns the Damerau-Levenshtein distance, by three rows of the table.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::array<std::vector<std::size_t>, 3> rows;
   for (auto& row : rows) row.resize(b.size() + 1);

@@ -13,7 +13,7 @@ class Nearest {
   explicit Nearest(std::string_view name);
   void offer(std::string_view name);
 
-  // "; did you mean sin?", or empty if no candidate is close.
+  // Returns "; did you mean sin?", for example; empty if no candidate is close.
   std::string question() const;
 
  private:

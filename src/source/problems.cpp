@@ -10,7 +10,7 @@ constexpr std::size_t maxPieceLength = 40, maxLineLength = 100;
 
 bool isControl(char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }
 
-// Tabs are preserved so that the caret stays aligned.
+// Replaces control characters, except tabs, so that the caret stays aligned.
 std::string printable(std::string_view piece) {
   std::string text(piece);
   for (char& c : text)
@@ -27,7 +27,7 @@ std::string_view lineOf(std::string_view source, std::uint32_t number) {
   return source.substr(start, source.find('\n', start) - start);
 }
 
-// True for a continuation byte of UTF-8.
+// Returns true for a continuation byte of UTF-8.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 }  // namespace
@@ -36,7 +36,7 @@ Lines::Lines(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
     const char c = text[i] == '\r' ? '\n' : text[i];
-    separate += c;
+    lines += c;
     if (c == '\n' && joined.ends_with('\\')) {
       joined.pop_back();
       joins.push_back(joined.size());
@@ -53,8 +53,8 @@ std::string quote(std::string_view piece) {
   return '"' + text + (piece.size() > maxPieceLength ? "…\"" : "\"");
 }
 
-std::string Problems::text(std::string_view source) const {
-  const auto& [location, message] = *found_;
+std::string Problems::message(std::string_view source) const {
+  const auto& [location, what] = *found_;
   std::string_view line = lineOf(source, location.line);
   std::size_t before = std::min<std::size_t>(location.column - 1, line.size());
   std::string dots;
@@ -71,8 +71,8 @@ std::string Problems::text(std::string_view source) const {
   for (std::size_t i = 0; i < before; ++i)
     if (!continues(line[i])) caret += line[i] == '\t' ? '\t' : ' ';
   return "line " + std::to_string(location.shown) + ", column " + std::to_string(location.column) +
-         ": " + message + (message.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) +
-         "\n  " + caret + '^';
+         ": " + what + (what.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) + "\n  " +
+         caret + '^';
 }
 
 }  // namespace warpjet::source

@@ -24,8 +24,8 @@ class Problems {
 
   bool any() const { return found_.has_value(); }
 
-  // The message with line and column, then the line itself and a caret under the location.
-  std::string text(std::string_view source) const;
+  // Returns the message with line and column, then the line itself and a caret under the location.
+  std::string message(std::string_view source) const;
 
  private:
   struct Found {
@@ -36,12 +36,12 @@ class Problems {
   std::optional<Found> found_;
 };
 
-// The source with '\n' at all line ends: `separate` has the lines of the source. In `joined`, each
-// line that ends with a backslash is joined to the next one; `joins` are the positions where.
+// A source with '\n' at all line ends. `lines` has its lines unchanged. In `joined`, each line that
+// ends with a backslash is joined to the next one, at the positions `joins`.
 struct Lines {
   explicit Lines(std::string_view text);
 
-  std::string separate, joined;
+  std::string lines, joined;
   std::vector<std::size_t> joins;
 };
 

@@ -27,7 +27,8 @@ double representAs(Base base, double value) {
   }
 }
 
-// Infinite results are left to the shader, unless an operand was already infinite.
+// Returns true if a result may be folded. Infinite results are left to the shader, unless an
+// operand was already infinite.
 bool canFoldTo(double result, bool areFinite) {
   return areFinite ? std::abs(result) <= 3.4028234663852886e38 : !std::isnan(result);
 }
@@ -108,8 +109,8 @@ Id Recorder::call(std::uint32_t routine, std::span<const Id> arguments) {
   return intern({Code::Call, Base::Float, 0, 0, 1.0 * routine}, known);
 }
 
-// Takes time proportional to the result, not to the recorder: it is called for every function of a
-// source.
+// Takes time proportional to the number of needed operations, not of recorded ones, since it is
+// called for every function of a source.
 std::vector<Id> Recorder::neededBy(std::span<const Id> results) const {
   std::unordered_set<std::uint32_t> known;
   std::vector<Id> all;

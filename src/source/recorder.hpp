@@ -1,6 +1,6 @@
-// Records the computations of a source as operations on single numbers: interned, and folded if all
-// operands are known, so that loops and indices are known, too. Floats are folded in float32, as
-// the language requires.
+// Records the computations of a source as operations on single numbers. Equal operations are
+// recorded once. If all operands are known, an operation is folded, so that the lengths of loops
+// and indices are known, too. Floats are folded in float32, as the language requires.
 #pragma once
 
 #include <cstdint>
@@ -49,26 +49,29 @@ class Recorder {
   bool foldsAll() const { return foldsAll_; }
 
   Id constant(Base base, double value);
-  // An uninitialized value: it may be anything.
+  // Returns an uninitialized value: it may be anything.
   Id undefined(Base base);
-  // A leaf: component number `part` of an argument or a uniform of that layout, or an image.
+  // Records a leaf: component number `part` of an argument or a uniform of that layout, or an
+  // image.
   Id leaf(Code code, int number, int part = 0, int layout = 0);
-  // The leaf as a number of that type. An integer consists of two leaves of 16 bits each, since a
-  // leaf is a float.
+  // Returns the leaf as a number of that type. An integer consists of two leaves of 16 bits each,
+  // since a leaf is a float.
   Id leafOf(Code code, int number, int part, Type type);
   // A flag added to the layout if the leaf is the upper half, which has the sign.
   static constexpr int highHalf = 128;
 
-  // An operation, folded if all operands are known. Results of int or uint wrap around.
+  // Records an operation, or folds it if all operands are known. Results of int or uint wrap
+  // around.
   Id apply(Code code, Base base, std::initializer_list<Id> operands);
-  // A group of numbers, for an operation on vectors; its results are read one by one.
+  // Records an operation on vectors, whose result is a group of numbers; `component` reads one of
+  // them.
   Id group(Code code, std::span<const Id> operands);
   // `layout` holds the numbers of columns and rows, four bits each.
   Id component(Id group, int part, int layout) {
     return component(Code::Component, group, part, layout);
   }
 
-  // A number that a function of the source is called with.
+  // Returns the argument number `i` of a function of the source, in the function's body.
   Id parameter(std::uint32_t routine, std::size_t i) {
     return leaf(Code::Parameter, static_cast<int>(routine), static_cast<int>(i));
   }
@@ -76,7 +79,7 @@ class Recorder {
   Id result(Id call, std::size_t i) {
     return component(Code::Result, call, static_cast<int>(i), 0);
   }
-  // All operations that the results depend on, including themselves, in order.
+  // Returns all operations that the results depend on, including themselves, in order.
   std::vector<Id> neededBy(std::span<const Id> results) const;
 
   // Opens a loop whose body is recorded from now on; `outer` is the enclosing loop, or 0. Returns
@@ -86,11 +89,11 @@ class Recorder {
   Id state(std::uint32_t loop, std::size_t i) {
     return leaf(Code::State, static_cast<int>(loop), static_cast<int>(i));
   }
-  // The loop, given the initial values of its states, which are floats, and their values after each
-  // step.
+  // Returns the loop, given the initial values of its states, which are floats, and their values
+  // after each step.
   Id fold(std::uint32_t loop, std::uint32_t steps, std::span<const Id> starts,
           std::span<const Id> nexts);
-  // The final value of a state.
+  // Returns the final value of a state.
   Id outcome(Id fold, std::size_t state) {
     return component(Code::Outcome, fold, static_cast<int>(state), 0);
   }
@@ -122,7 +125,7 @@ class Recorder {
   // shifts by 32.
   Id avoidUndefined(Code code, Base base, Id x, Id y);
   Id component(Code code, Id group, int part, int layout);
-  // True if a float is computed only from integers and step numbers.
+  // Returns true if a float is computed only from integers and step numbers.
   bool isIntegral(Id id) const;
   Id intern(Operation operation, std::span<const Id> operands);
   bool isEqual(Id id, const Operation& operation, std::span<const Id> operands) const;

@@ -2,7 +2,7 @@
 
 namespace warpjet::source {
 
-// Visits each function once.
+// Searches depth-first, and visits each function once.
 std::optional<FunctionCall> findRecursion(std::size_t functionCount,
                                           const std::vector<FunctionCall>& calls) {
   enum class State : std::uint8_t { New, Open, Done };

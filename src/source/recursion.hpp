@@ -13,7 +13,7 @@ struct FunctionCall {
   Location location;
 };
 
-// A call that is part of a circle; nullopt if there is none.
+// Returns a call that is part of a circle; nullopt if there is none.
 std::optional<FunctionCall> findRecursion(std::size_t functionCount,
                                           const std::vector<FunctionCall>& calls);
 

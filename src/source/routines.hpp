@@ -1,5 +1,5 @@
-// Functions of the source that remain functions: recorded once, from numbers to numbers, for all
-// their calls.
+// Routines: functions of the source that remain functions in the shader. Their bodies are recorded
+// once for all calls, in terms of numbers.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace warpjet::source {
 
-// The function's number, and its arguments: arguments that aren't floats are known, and are
-// represented by their value.
+// Identifies a routine: the number of the function, followed by the values of those arguments that
+// aren't floats, which must be known.
 using RoutineKey = std::vector<double>;
 
 struct Routine {
   RoutineKey key;
   std::string name;
-  // The number of its parameters in the recorder.
+  // The number under which the recorder has its parameters.
   std::uint32_t number;
   std::size_t parameters;
   // Values that it reads from outside; calls pass them after the arguments.
@@ -33,7 +33,7 @@ inline constexpr std::size_t maxNumbers = 16;
 // respect to each argument would be longer than the body.
 inline constexpr std::size_t minOperationsPerResult = 12;
 
-// The routines that are called from a single place: these are inlined, which is shorter.
+// Returns the routines that are called from a single place: these are inlined, which is shorter.
 std::set<RoutineKey> calledOnce(const Recorder& recorder, const std::vector<Routine>& routines,
                                 const std::vector<Id>& results);
 

@@ -11,7 +11,8 @@ namespace warpjet::source {
 
 struct Meaning {
   enum class Kind : std::uint8_t { None, Variable, Structure, Function, Block } kind = Kind::None;
-  // The index of a variable or structure; functions have several.
+  // The index of a variable or structure. A function has none, since a name may have several
+  // overloads.
   std::int32_t index = nothing;
 };
 
@@ -33,7 +34,7 @@ class Scope {
     return found->second.back().meaning;
   }
 
-  // True if the name has no meaning yet in the innermost scope.
+  // Returns true if the name has no meaning yet in the innermost scope.
   bool isFree(std::string_view name) const {
     const auto found = meanings_.find(name);
     return found == meanings_.end() || found->second.empty() ||

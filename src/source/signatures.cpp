@@ -4,14 +4,16 @@ namespace warpjet::source {
 
 namespace {
 
-// Matches operands with letters. The first operand determines what a generic letter stands for.
+// Matches operands with the letters of a signature. The first operand of a generic letter
+// determines its size.
 struct Match {
   int size = 0;
   Type matrix;
   int columns = 0, rows = 0;
 
-  bool generic(Base base, Type type, int least) {
-    if (type.isArray() || type.base != base || type.columns != 1 || type.rows < least) return false;
+  bool generic(Base base, Type type, int minSize) {
+    if (type.isArray() || type.base != base || type.columns != 1 || type.rows < minSize)
+      return false;
     if (size == 0) size = type.rows;
     return size == type.rows;
   }
@@ -100,7 +102,7 @@ std::optional<Type> matchSignature(std::string_view signature, std::span<const T
   for (const char letter : signature.substr(1)) {
     if (letter == '>') continue;
     if (i >= operands.size()) return std::nullopt;
-    // The sizes of its operands are independent.
+    // The sizes of the operands of an outer product are independent.
     if (signature[0] == 'O') {
       if (!operands[i].isVector() || operands[i].base != Base::Float) return std::nullopt;
       (i == 0 ? match.rows : match.columns) = operands[i].rows;

@@ -9,7 +9,7 @@ constexpr int maxRounds = 4;
 }  // namespace
 
 std::string Source::problem() const {
-  return parsed_.problems.any() ? parsed_.problems.text(parsed_.text->separate) : "";
+  return parsed_.problems.any() ? parsed_.problems.message(parsed_.source->lines) : "";
 }
 
 std::vector<FunctionHead> Source::functions() const {
@@ -32,11 +32,11 @@ std::vector<FunctionHead> Source::functions() const {
 }
 
 Listing Source::lower(int function, int maxIterations) {
-  auto& [text, problems, tree] = parsed_;
+  auto& [source, problems, tree] = parsed_;
   if (problems.any()) return {};
   Lowered lowered = Lowering(tree, problems, maxIterations).lower(function);
-  // A function whose calls have been inlined may be long enough to remain one, and called once,
-  // too.
+  // Inlining calls can make the caller long enough to stay a function itself. If that is called
+  // only once, it should be inlined, too, so this is repeated.
   std::set<RoutineKey> inlined;
   for (int round = 0; round < maxRounds && !problems.any(); ++round) {
     const auto once = calledOnce(lowered.recorder, lowered.routines, lowered.results);

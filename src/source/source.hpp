@@ -15,7 +15,7 @@
 
 namespace warpjet::source {
 
-// An input from the host: a uniform or an attribute of the source.
+// An input that the host provides: a uniform or an attribute of the source.
 struct HostName {
   std::string name, type;
   bool isAttribute;
@@ -36,19 +36,19 @@ struct FunctionHead {
 };
 
 // Each operation is its code, followed by:
-//   Constant     the number of its value; so has Whole, for an int or uint
+//   Constant     the number of its value; the same for Whole, which is an int or uint
 //   Argument     number, component, layout
 //   Uniform      number of the name, component, layout
 //                for both: an integer has two halves; 128 in the layout marks the upper one
 //   Component    operand, component, layout of the operand: columns and rows, four bits each
-//   Texel        number of the image's name, operand; so has FetchedTexel
+//   Texel        number of the image's name, operand; the same for FetchedTexel
 //   ImageSize    number of the image's name
 //   Fold         number of iterations, number of states, and the states' initial values. The step
 //                number and the states are the next operations, followed by the body, until
 //   Next         the new values of the states, whose outcomes are the next operations
 //   Define       a function of the source, the next of `routines`: the number of arguments, and of
-//                those that it has derivatives for, which come first. Its body follows, whose
-//                operations are numbered from 0, until
+//                those with respect to which it is differentiated, which come first. Its body
+//                follows, whose operations are numbered from 0, until
 //   End          the number of results, and the results
 //   Parameter    number of an argument, in such a body
 //   Call         number of a function, number of arguments, and the arguments; its results are the
@@ -63,9 +63,9 @@ struct Listing {
   std::vector<std::string> routines;  // names of the functions that stay functions
 };
 
-// A source that a front end has read. The tree refers to the text.
+// A source that a front end has read. The tree refers to `source`.
 struct Parsed {
-  std::unique_ptr<const Lines> text;
+  std::unique_ptr<const Lines> source;
   Problems problems;
   Tree tree;
 };
@@ -74,7 +74,7 @@ class Source {
  public:
   explicit Source(Parsed parsed) : parsed_(std::move(parsed)) {}
 
-  // The message with its location; empty if there is none.
+  // Returns the message with its location; empty if there is none.
   std::string problem() const;
 
   std::vector<FunctionHead> functions() const;

@@ -28,7 +28,7 @@ class Store {
     return first;
   }
 
-  // Variables declared in a branch don't exist after it.
+  // Declares variables in the current branch, after which they don't exist: `close` omits them.
   void declare(Slot first, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) depths_[first + i] = depth();
   }
@@ -43,7 +43,7 @@ class Store {
 
   void open() { marks_.push_back(log_.size()); }
 
-  // The changes since `open`, one per slot, in order.
+  // Returns the changes since `open`, one per slot, in order.
   Changes close() {
     Changes changes;
     for (std::size_t i = log_.size(); i-- > marks_.back();) {

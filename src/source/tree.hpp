@@ -50,7 +50,7 @@ struct Expression {
   Kind kind;
   Operator op{};
   bool isCombined = false;
-  // True if it can be assigned.
+  // True if the expression may be the target of an assignment.
   bool isAssignable = false;
   std::uint16_t depth = 0;
   Type type{};
@@ -94,7 +94,7 @@ struct Variable {
     Attribute,
     Parameter,
     Global,
-    Fragment,  // of whole fragment shaders, which may occur beside the function that is run
+    Fragment,  // a built-in input of fragment shaders, which other functions of a source may read
   } kind;
   // The initializer of a constant or a global.
   ExpressionId start = nothing;

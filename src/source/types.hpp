@@ -13,7 +13,7 @@ enum class Base : std::uint8_t { Void, Bool, Int, Uint, Float, Sampler, Struct }
 
 struct Type {
   Base base = Base::Void;
-  // A vector has rows; a matrix has columns of rows.
+  // A vector has one column, whose rows are its components.
   std::uint8_t columns = 1, rows = 1;
   std::uint16_t structure = 0;
   // The length of an array; 0 if its initializer determines the length.
@@ -32,9 +32,9 @@ struct Type {
   bool isFloat() const { return isNumeric() && base == Base::Float; }
   bool isBool() const { return isScalar() && base == Base::Bool; }
   bool isStruct() const { return !isArray() && base == Base::Struct; }
-  // The number of components of a scalar, vector or matrix.
+  // Returns the number of components of a scalar, vector or matrix.
   int components() const { return columns * rows; }
-  // Columns and rows, four bits each.
+  // Returns columns and rows, four bits each.
   int layout() const { return columns << 4 | rows; }
 
   Type element() const {
@@ -94,17 +94,17 @@ class Types {
   const Structure& structure(Type type) const { return structures_[type.structure]; }
   std::size_t count() const { return structures_.size(); }
 
-  // The size of a type, in numbers.
+  // Returns the size of a type, in numbers.
   int size(Type type) const;
-  // The type as written in GLSL; with an article for messages.
+  // Returns the type as written in GLSL; with an article for messages.
   std::string name(Type type) const;
   std::string withArticle(Type type) const;
   bool hasSampler(Type type) const;
   bool hasArray(Type type) const;
   bool hasBase(Type type, Base base) const;
-  // True if a field of the structure is itself a structure.
+  // Returns true if a field of the structure is itself a structure.
   bool hasNested(Type type) const;
-  // True for a uniform block or an array of blocks.
+  // Returns true for a uniform block or an array of blocks.
   bool isBlock(Type type) const {
     return type.base == Base::Struct && structures_[type.structure].isBlock;
   }
@@ -113,11 +113,12 @@ class Types {
   std::vector<Structure> structures_;
 };
 
-// The type with that keyword, or null. `void` is one.
+// A keyword that is the name of a type; `void` is one, too.
 struct NamedType {
   std::string_view word;
   Type type;
 };
+// Returns the type with that keyword, or null.
 const NamedType* findType(std::string_view word);
 
 }  // namespace warpjet::source

@@ -104,18 +104,18 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
     if (operand == matrixType(2, 2) && type.isVector() && type.rows == 4) return "";
     return "a " + name + " cannot be constructed from " + types.withArticle(operand) + " alone";
   }
-  int given = 0;
+  int provided = 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (type.isMatrix() && operands[i].isMatrix())
       return "a matrix is constructed from a single matrix, or from numbers and vectors";
-    if (given >= type.components())
+    if (provided >= type.components())
       return name + " has " + std::to_string(type.components()) + " components, and argument " +
              std::to_string(i + 1) + " is one too many";
-    given += operands[i].components();
+    provided += operands[i].components();
   }
-  if (given < type.components())
+  if (provided < type.components())
     return "expected " + std::to_string(type.components()) + " components for " + name + ", got " +
-           std::to_string(given);
+           std::to_string(provided);
   // The last argument may have more components than needed.
   return "";
 }

@@ -18,7 +18,7 @@ constexpr std::int8_t weights[5][reach][4] = {
     {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}}};
 constexpr double divisors[] = {1, 2, 6, 1, 1};
 
-// Formulas in half as many bytes of wasm as with the operators of Expression.
+// Builds formulas, in half as many bytes of wasm as the operators of Expression take.
 struct Calculation {
   Graph& graph;
 
@@ -41,17 +41,17 @@ NodeId repeatIndex(Calculation make, NodeId i, NodeId period) {
   return make(sub, i, make(mult, period, times));
 }
 
-// Reflects the second half of two sizes. The first half is unchanged.
+// Reflects an index from 0 to 2 size - 1: the second half runs backwards, the first is unchanged.
 NodeId mirrorIndex(Calculation make, NodeId inside, NodeId size) {
   return make(minOp, inside, make(sub, make(sub, make(mult, size, 2.0), 1.0), inside));
 }
 
-// `mode` is the host's: 0 clamps, 1 repeats and 2 mirrors.
+// Wraps by the host's `mode`: 0 clamps, 1 repeats and 2 mirrors.
 NodeId wrapByHost(Calculation make, NodeId i, NodeId size, NodeId mode) {
   const NodeId clamps = make(maxOp, make(sub, make.graph.constant(1), mode), 0.0);
-  const NodeId kept = make(add, i, make(mult, clamps, make(sub, clampIndex(make, i, size), i)));
+  const NodeId clamped = make(add, i, make(mult, clamps, make(sub, clampIndex(make, i, size), i)));
   const NodeId period = make(mult, size, make(maxOp, mode, 1.0));
-  return mirrorIndex(make, repeatIndex(make, kept, period), size);
+  return mirrorIndex(make, repeatIndex(make, clamped, period), size);
 }
 
 // Wraps an integer of any size to the index of a texel.
@@ -77,8 +77,9 @@ struct HostSettings {
 
 // The texels near a point along one axis of the image, and the weight of each.
 struct Axis {
-  NodeId texels[reach], shares[reach];
+  NodeId texels[reach], texelWeights[reach];
 
+  // `x` is the position in texels along the axis.
   Axis(Calculation make, NodeId x, NodeId size, Sampling sampling, NodeId mode, NodeId isNearest) {
     const auto [filterKind, wrap] = sampling;
     const auto filter = static_cast<std::size_t>(filterKind);
@@ -92,9 +93,10 @@ struct Axis {
     }
     for (int i = 0; i < reach; ++i) {
       texels[i] = wrapIndex(make, make(add, first, i - 1.0), size, wrap, mode);
-      shares[i] = make.graph.constant(0);
-      for (const double weight : weights[filter][i])
-        shares[i] = make(add, make(mult, shares[i], inside), weight / divisors[filter]);
+      texelWeights[i] = make.graph.constant(0);
+      for (const double coefficient : weights[filter][i])
+        texelWeights[i] =
+            make(add, make(mult, texelWeights[i], inside), coefficient / divisors[filter]);
     }
   }
 };
@@ -109,23 +111,23 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
                                 : HostSettings{};
   const Axis across(make, arguments[0].id, arguments[3].id, sampling, host.wrapX, host.isNearest);
   const Axis down(make, arguments[1].id, arguments[4].id, sampling, host.wrapY, host.isNearest);
-  Numbers place{arguments[0], arguments[1], arguments[2], arguments[3], arguments[4]};
+  Numbers texelArguments{arguments[0], arguments[1], arguments[2], arguments[3], arguments[4]};
   const char* name = sampling.wrap == Wrap::Sampler ? sampledTexelName : texelName;
   const Definition texel{.function = {name, 5, channels, 0}};
   const Expression zero{&make.graph, make.graph.constant(0)};
   Numbers values{zero, zero, zero, zero};
-  const auto addTo = [&](Numbers& sums, NodeId share, const Numbers& x) {
+  const auto addTo = [&](Numbers& sums, NodeId weight, const Numbers& x) {
     for (int i = 0; i < channels; ++i)
-      sums[i].id = make(add, sums[i].id, make(mult, share, x[i].id));
+      sums[i].id = make(add, sums[i].id, make(mult, weight, x[i].id));
   };
   for (int row = 0; row < reach; ++row) {
-    place[1].id = down.texels[row];
+    texelArguments[1].id = down.texels[row];
     Numbers sums{zero, zero, zero, zero};
     for (int column = 0; column < reach; ++column) {
-      place[0].id = across.texels[column];
-      addTo(sums, across.shares[column], library.call(texel, place));
+      texelArguments[0].id = across.texels[column];
+      addTo(sums, across.texelWeights[column], library.call(texel, texelArguments));
     }
-    addTo(values, down.shares[row], sums);
+    addTo(values, down.texelWeights[row], sums);
   }
   return values;
 }

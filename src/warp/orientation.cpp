@@ -16,7 +16,7 @@ namespace warpjet {
 
 namespace {
 
-// -1 or 1 if the sign is known; zero counts as positive.
+// Returns -1 or 1; nullopt if the sign is unknown. Zero counts as positive.
 std::optional<double> signOf(const Interval& range) {
   if (range.low >= 0) return 1;
   return range.high <= 0 ? std::optional<double>(-1) : std::nullopt;
@@ -28,13 +28,13 @@ Flags uniformNodes(Expression x, std::span<const NodeId> vertexInputs) {
   Flags isUniform(graph.size());
   for (const NodeId id : reachable(graph, std::array{x.id})) {
     // A host function may read anything.
-    bool all = !graph.isCall(id) || graph.isLibraryCall(id);
+    bool isSame = !graph.isCall(id) || graph.isLibraryCall(id);
     // The CPU also computes the sign, and it can't read images.
     if (graph.isInput(id))
-      all = graph.input(graph.node(id).operands[0]).shape != imageShape &&
-            std::find(vertexInputs.begin(), vertexInputs.end(), id) == vertexInputs.end();
-    for (int i = 0; i < graph.arity(id); ++i) all &= isUniform[index(graph.operand(id, i))] != 0;
-    isUniform[index(id)] = all;
+      isSame = graph.input(graph.node(id).operands[0]).shape != imageShape &&
+               std::find(vertexInputs.begin(), vertexInputs.end(), id) == vertexInputs.end();
+    for (int i = 0; i < graph.arity(id); ++i) isSame &= isUniform[index(graph.operand(id, i))] != 0;
+    isUniform[index(id)] = isSame;
   }
   return isUniform;
 }
@@ -98,7 +98,8 @@ class SignOfPolynomial {
 
   static bool isBefore(const Monomial& x, const Monomial& y) { return x.factors < y.factors; }
 
-  // A cosine may be unmarked although its angle, and with it the sine, is uniform.
+  // Returns true if an atom is equal for all vertices. A cosine may be unmarked although its angle
+  // is uniform: `replaceSquaredSine` finds it in the graph.
   bool isUniform(std::uint8_t factor) const {
     const NodeId node = atoms_[factor].node;
     return isUniform_[index(node)] ||
@@ -126,8 +127,8 @@ class SignOfPolynomial {
       else
         common.push_back(factor);
       for (Monomial& each : terms) {
-        const auto place = std::find(each.factors.begin(), each.factors.end(), factor);
-        std::copy(place + 1, each.factors.end(), place);
+        const auto found = std::find(each.factors.begin(), each.factors.end(), factor);
+        std::copy(found + 1, each.factors.end(), found);
         each.factors.back() = Monomial::none;
       }
     }
@@ -148,15 +149,15 @@ class SignOfPolynomial {
     return {varying, uniform};
   }
 
-  // The number r with x = r y, if there is one. The terms of x and y must be sorted.
+  // Returns the number r with x = r y, if there is one. The terms of x and y must be sorted.
   static std::optional<double> ratioOf(const Polynomial& x, const Polynomial& y) {
-    constexpr double share = 1e-9;
+    constexpr double tolerance = 1e-9;
     if (x.size() != y.size()) return {};
     const double ratio = x.front().coefficient / y.front().coefficient;
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double expected = ratio * y[i].coefficient;
       if (x[i].factors != y[i].factors ||
-          std::abs(x[i].coefficient - expected) > share * std::abs(expected))
+          std::abs(x[i].coefficient - expected) > tolerance * std::abs(expected))
         return {};
     }
     return ratio;
@@ -188,7 +189,8 @@ class SignOfPolynomial {
       sign.factors.push_back(nodeOf(terms));
   }
 
-  // An inverse has the same sign as the number.
+  // Returns a node with the sign of the sum of the terms. In a single term, a factor's inverse is
+  // replaced by the factor, which has the same sign.
   Expression nodeOf(const Polynomial& terms) {
     Expression total{&graph_, graph_.constant(0)};
     for (const Monomial& each : terms) {

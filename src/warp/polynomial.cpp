@@ -32,7 +32,7 @@ void collect(Polynomial& terms) {
   terms.resize(count);
 }
 
-// Empty if there are too many factors.
+// Returns the product; nullopt if it has too many factors.
 std::optional<Monomial> product(const Monomial& x, const Monomial& y) {
   std::array<std::uint8_t, 2 * Monomial::maxFactors> all;
   std::merge(x.factors.begin(), x.factors.end(), y.factors.begin(), y.factors.end(), all.begin());
@@ -46,8 +46,8 @@ std::optional<Monomial> product(const Monomial& x, const Monomial& y) {
 
 const Polynomial& Expansion::expand(NodeId id, int levels) {
   if (const auto found = known_.find(id); found != known_.end()) return found->second;
-  isTooLong_ |= left_ == 0;
-  if (!isTooLong_) --left_;
+  isTooLong_ |= termsLeft_ == 0;
+  if (!isTooLong_) --termsLeft_;
   std::optional<Polynomial> terms;
   if (levels > 0 && !isTooLong_) terms = expanded(id, levels);
   if (!terms) terms = atom({id});
@@ -86,9 +86,9 @@ std::optional<Polynomial> Expansion::sum(const Polynomial& x, const Polynomial& 
 
 std::optional<Polynomial> Expansion::product(const Polynomial& x, const Polynomial& y) {
   const std::size_t work = x.size() * y.size();
-  isTooLong_ |= work > left_;
+  isTooLong_ |= work > termsLeft_;
   if (isTooLong_) return {};
-  left_ -= work;
+  termsLeft_ -= work;
   Polynomial terms;
   for (const Monomial& a : x) {
     for (const Monomial& b : y) {
@@ -117,7 +117,7 @@ bool Expansion::replaceSquaredSine(Polynomial& terms, std::size_t i) {
     if (!other) continue;
     std::copy(factors.begin() + k + 2, factors.end(), factors.begin() + k);
     factors[factors.size() - 2] = factors[factors.size() - 1] = Monomial::none;
-    // There is space for both, since two factors were removed.
+    // There is space for two cosines, since two sines were removed.
     const Monomial& factor = other->front();
     Monomial squared = *warpjet::product(*warpjet::product(terms[i], factor), factor);
     squared.coefficient = -squared.coefficient;
@@ -128,10 +128,10 @@ bool Expansion::replaceSquaredSine(Polynomial& terms, std::size_t i) {
 }
 
 std::optional<Polynomial> Expansion::atom(Atom wanted) {
-  const auto place = std::find(atoms_.begin(), atoms_.end(), wanted);
-  const auto number = static_cast<std::size_t>(place - atoms_.begin());
+  const auto found = std::find(atoms_.begin(), atoms_.end(), wanted);
+  const auto number = static_cast<std::size_t>(found - atoms_.begin());
   if (number >= Monomial::none) return {};
-  if (place == atoms_.end()) atoms_.push_back(wanted);
+  if (found == atoms_.end()) atoms_.push_back(wanted);
   Monomial term;
   term.factors[0] = static_cast<std::uint8_t>(number);
   return Polynomial{term};

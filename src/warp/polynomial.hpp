@@ -1,5 +1,5 @@
-// A number as a polynomial of other nodes, which cancels terms and reveals common factors: (c - 1)
-// + (u - 1) * c + 1 is u c.
+// Expands a node to a polynomial of other nodes, which cancels terms and reveals common factors: (c
+// - 1) + (u - 1) * c + 1 is u c.
 #pragma once
 
 #include <array>
@@ -21,7 +21,8 @@ struct Atom {
   bool operator==(const Atom&) const = default;
 };
 
-// A product of atoms, by number, sorted. Squares are listed twice.
+// A coefficient times a product of atoms: the factors are the numbers of the atoms, sorted; the
+// atom of a square is listed twice.
 struct Monomial {
   static constexpr std::size_t maxFactors = 12;
   static constexpr std::uint8_t none = 0xff;
@@ -36,7 +37,7 @@ struct Monomial {
   }
 };
 
-// Sorted by their factors, without duplicates.
+// The terms, sorted by their factors, without duplicates.
 using Polynomial = std::vector<Monomial>;
 
 // Expands nodes to polynomials, up to a limit. Knows that the squares of sine and cosine add up
@@ -45,12 +46,12 @@ class Expansion {
  public:
   explicit Expansion(const Graph& graph) : graph_(graph) {}
 
-  // Empty if the expansion exceeds the limit.
+  // Returns the polynomial of a node; nullopt if the expansion exceeds the limit.
   std::optional<Polynomial> of(NodeId id) {
     const Polynomial& terms = expand(id, maxLevels);
     return isTooLong_ ? std::nullopt : std::optional(terms);
   }
-  // Indexed by the factors of monomials.
+  // Returns the atoms, which the factors of monomials number.
   const std::vector<Atom>& atoms() const { return atoms_; }
 
  private:
@@ -68,8 +69,9 @@ class Expansion {
   std::vector<Atom> atoms_;
   std::map<NodeId, Polynomial> known_;
   // The number of terms that may still be created. A mirror that is twisted about an oblique axis
-  // takes 700; most warps whose determinant can have either sign are abandoned earlier.
-  std::size_t left_ = 1500;
+  // takes 700 terms; for most warps whose determinant can have either sign, the expansion exceeds
+  // the limit.
+  std::size_t termsLeft_ = 1500;
   bool isTooLong_ = false;
 };
 

@@ -16,8 +16,9 @@ namespace warpjet {
 
 namespace {
 
-// x + 1 if x is a sum with the term -1 within a few levels. An offset is often "moved - position",
-// and its derivative is such a sum; adding 1 would cost digits where the rest is small. Treats -(a
+// Returns x + 1 if x is a sum with the term -1 within a few levels; otherwise nullopt. An offset is
+// often "moved - position", and its derivative is such a sum; adding 1 would cost digits where the
+// rest is small. Treats -(a
 // - b), which the graph doesn't simplify, as b - a.
 std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
@@ -44,7 +45,7 @@ Expression plusOne(Expression x) {
   return x + 1.0;
 }
 
-// The max magnitude of the components; infinite near a pole, or if unbounded.
+// Returns the max magnitude of the components; infinite near a pole, or if unbounded.
 double maxMagnitude(const Value& v) {
   double maxValue = 0;
   for (const NodeId node : v.nodes()) {
@@ -55,15 +56,15 @@ double maxMagnitude(const Value& v) {
   return maxValue;
 }
 
-// A sum propagates NaN; a maximum may drop it.
+// Returns the sum of the components' magnitudes. It is NaN if a component is; a maximum may not be.
 Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std::array{v})); }
 
 // Squares, or cubes, of numbers below these limits, and sums of a few of them, are finite in
 // float32.
 constexpr double maxSquarable = 1e18, maxCubable = 1e12;
 
-// True if float32 can represent all values for inputs far beyond the magnitude that Graph::range
-// assumes; sums of a few of them are then finite, too.
+// Returns true if float32 can represent all values for inputs far beyond the magnitude that
+// Graph::range assumes; sums of a few of them are then finite, too.
 bool stayFinite(const Graph& graph, std::span<const NodeId> values) {
   constexpr double maxInput = 1e30, maxFinite = 1e37;
   std::vector<Interval> ranges(graph.size());
@@ -118,30 +119,31 @@ Value limitSize(const Value& m, double limit) {
   return m * Value(min(limit / sizeOf(m), 1.0));
 }
 
-std::array<Expression, 5> varying(const WarpInputs& inputs) {
+std::array<Expression, 5> varyingNumbers(const WarpInputs& inputs) {
   const auto& [position, normal, uv, tangent, gradients, color] = inputs;
   return {normal[0], normal[1], normal[2], uv[0], uv[1]};
 }
 
-// True for each node of `among` that the values depend on.
-Flags readBy(std::span<const NodeId> values, const Graph& graph, std::span<const NodeId> among) {
+// Marks those of `candidates` that the values depend on.
+Flags findRead(std::span<const NodeId> values, const Graph& graph,
+               std::span<const NodeId> candidates) {
   const std::vector<NodeId> nodes = reachable(graph, values);
-  Flags isRead(among.size());
-  for (std::size_t i = 0; i < among.size(); ++i)
-    isRead[i] = std::binary_search(nodes.begin(), nodes.end(), among[i]);
+  Flags isRead(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    isRead[i] = std::binary_search(nodes.begin(), nodes.end(), candidates[i]);
   return isRead;
 }
 
 WarpedDirections warpDirections(const Value& m, const WarpInputs& inputs) {
   Graph& graph = m.graph();
   const Value& t = inputs.tangent;
-  const Value along = fill(graph, vectorOf(3), [&](int i) { return t[i]; });
-  const Value normal = warpNormal(m, inputs.normal), turned = warpTangent(m, along, normal);
-  const Value tangent = fill(graph, vectorOf(4), [&](int i) { return i < 3 ? turned[i] : t[3]; });
-  return {normal, tangent, multiply(m, along), determinant(limitSize(m, maxCubable))};
+  const Value direction = fill(graph, vectorOf(3), [&](int i) { return t[i]; });
+  const Value normal = warpNormal(m, inputs.normal), warped = warpTangent(m, direction, normal);
+  const Value tangent = fill(graph, vectorOf(4), [&](int i) { return i < 3 ? warped[i] : t[3]; });
+  return {normal, tangent, multiply(m, direction), determinant(limitSize(m, maxCubable))};
 }
 
-// The inputs that vary per vertex.
+// Returns the inputs that vary per vertex.
 std::vector<NodeId> vertexInputs(const WarpInputs& inputs) {
   std::vector<NodeId> all;
   const auto add = [&](const Value& v) {
@@ -157,10 +159,10 @@ Expression valueOrOne(std::optional<Expression> orientation, Graph& graph) {
   return orientation.value_or(Expression{&graph, graph.constant(1)});
 }
 
-void orient(std::optional<WarpedDirections>& turned, Expression orientation) {
-  if (!turned) return;
-  turned->normal = turned->normal * Value(orientation);
-  turned->tangent.set(3, (turned->tangent[3] * orientation).id);
+void orient(std::optional<WarpedDirections>& directions, Expression orientation) {
+  if (!directions) return;
+  directions->normal = directions->normal * Value(orientation);
+  directions->tangent.set(3, (directions->tangent[3] * orientation).id);
 }
 
 }  // namespace
@@ -171,10 +173,10 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
   if (!options.needsDirections) return warp;
   Graph& graph = offset.graph();
   const Value constant = deformation(differentiator, offset, inputs.position);
-  const std::array<Expression, 5> numbers = varying(inputs);
+  const std::array<Expression, 5> numbers = varyingNumbers(inputs);
   std::vector<NodeId> nodes, gradients;
   for (const Expression number : numbers) nodes.push_back(number.id);
-  const Flags isRead = readBy(offset.nodes(), graph, nodes);
+  const Flags isRead = findRead(offset.nodes(), graph, nodes);
   const bool readsAny = std::find(isRead.begin(), isRead.end(), true) != isRead.end();
   if (options.isFlat || !readsAny) warp.flat = warpDirections(constant, inputs);
   Value m = constant;
@@ -185,11 +187,11 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
     gradients.insert(gradients.end(), gradient.begin(), gradient.end());
   }
   warp.surface = readsAny ? warpDirections(m, inputs) : warp.flat;
-  const Flags needed = readBy(m.nodes(), graph, gradients);
-  warp.varies = std::find(needed.begin(), needed.end(), true) != needed.end();
+  const Flags isNeeded = findRead(m.nodes(), graph, gradients);
+  warp.varies = std::find(isNeeded.begin(), isNeeded.end(), true) != isNeeded.end();
 
-  // The orientation of space is also that of the surface: with arbitrary gradients, the determinant
-  // can have either sign, and without gradients it is this one.
+  // Also orients the surface by the determinant without gradients, the orientation of space: with
+  // arbitrary gradients, the determinant can have either sign.
   warp.orientation = valueOrOne(
       orientation(warp.flat ? warp.flat->determinant : determinant(limitSize(constant, maxCubable)),
                   vertexInputs(inputs)),
@@ -211,11 +213,11 @@ Value varyInput(Differentiator& differentiator, const Value& m, const Value& off
   return fill(m.graph(), m.shape(), [&](int i) { return m[i] + slope[i % 3] * gradient[i / 3]; });
 }
 
-Value warpNormal(const Value& given, const Value& normal) {
-  const Value m = limitSize(given, maxSquarable);
+Value warpNormal(const Value& matrix, const Value& normal) {
+  const Value m = limitSize(matrix, maxSquarable);
   const Value a = cross(m.column(1), m.column(2)), b = cross(m.column(2), m.column(0)),
               c = cross(m.column(0), m.column(1));
-  const double maxValue = maxMagnitude(given);
+  const double maxValue = maxMagnitude(matrix);
   std::vector<NodeId> cofactors;
   for (const Value& column : {a, b, c}) {
     const auto nodes = column.nodes();
@@ -235,14 +237,14 @@ std::optional<Expression> orientationOf(const Value& m, const Value& normal,
 }
 
 Value outwardNormal(const Value& m, const Value& normal, const Value& position) {
-  const Value turned = warpNormal(m, normal);
-  return turned * Value(valueOrOne(orientationOf(m, normal, position), m.graph()));
+  const Value warped = warpNormal(m, normal);
+  return warped * Value(valueOrOne(orientationOf(m, normal, position), m.graph()));
 }
 
-Value warpTangent(const Value& given, const Value& tangent, const Value& normal) {
-  const Value m = limitSize(given, maxSquarable), moved = multiply(m, tangent);
+Value warpTangent(const Value& matrix, const Value& tangent, const Value& normal) {
+  const Value m = limitSize(matrix, maxSquarable), moved = multiply(m, tangent);
   return normalizeOrZero(moved - normal * dot(normal, moved),
-                         {maxMagnitude(given), stayFinite(m.graph(), m.nodes())});
+                         {maxMagnitude(matrix), stayFinite(m.graph(), m.nodes())});
 }
 
 }  // namespace warpjet

@@ -1,5 +1,5 @@
-// The warp: takes an offset as a graph, returns the warped surface as nodes of the same graph. The
-// only module that knows what a warp is.
+// Takes the offset of a warp as a graph and returns the warped surface as nodes of the same graph.
+// Only this module knows what a warp is.
 #pragma once
 
 #include <array>
@@ -49,16 +49,16 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
 
 // The steps of makeWarp.
 
-// M = I + J, where J is the Jacobian of the offset with respect to the position: M transforms
-// directions. Its determinant is the change of volume; where it isn't positive, the warp turns
-// space inside out. `position` must be the three components of one input. All other inputs,
+// Returns M = I + J, where J is the Jacobian of the offset with respect to the position: M
+// transforms directions. Its determinant is the change of volume; where it isn't positive, the warp
+// turns space inside out. `position` must be the three components of one input. All other inputs,
 // including normal and uv, are treated as constant.
 Value deformation(Differentiator& differentiator, const Value& offset, const Value& position);
 
-// Updates M for an `input` that the offset depends on and that varies over the surface, by the
-// chain rule: M + df/dinput (dinput/dp), where `gradient` is dinput/dp. Used for components of the
-// normal, if the offset is along the normal, and for texture coordinates. The resulting M is valid
-// for tangents of the surface.
+// Returns M, updated for an `input` that the offset depends on and that varies over the surface, by
+// the chain rule with the offset f: M + df/dinput (dinput/dp), where `gradient` is dinput/dp. Used
+// for components of the normal, if the offset is along the normal, and for texture coordinates. The
+// resulting M is valid for tangents of the surface.
 //
 // If the gradients are tangential to the surface, the determinant of M is that of the thin layer
 // around the surface in which normal and texture coordinates are constant along each normal: where
@@ -66,27 +66,29 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
 Value varyInput(Differentiator& differentiator, const Value& m, const Value& offset,
                 Expression input, const Value& gradient);
 
-// The unit normal of the surface whose tangents M transforms. It is zero where M isn't finite, or
-// collapses the surface so that it has no normal. If M's entries are known to be moderate in size,
-// a cof(M) n below 1e-19 counts as collapsed, since float32 can't represent its square; otherwise
-// it is scaled first.
+// Returns the unit normal of the surface whose tangents M transforms. It is zero where M isn't
+// finite, or collapses the surface so that it has no normal. If M's entries are known to be
+// moderate in size, a cof(M) n below 1e-19 counts as collapsed, since float32 can't represent its
+// square; otherwise it is scaled first.
 //
 // Tangents u and v of the surface become M u and M v, and (M u) x (M v) = cof(M) (u x v): the
 // cofactor matrix, with columns m2 x m3, m3 x m1 and m1 x m2, transforms normals. It equals
 // equation 1 of Pagurek van Mossel's "Vertex Shader Domain Warping with Automatic Differentiation"
 // (2024) for every choice of tangents. Where M collapses a direction (section 5.1 there), cof(M) n
-// can vanish. Where M mirrors, it points to the former inner side: `orientation` corrects that if
-// all of space is mirrored. Where the surface folds, it is continuous without correction.
+// can vanish. Where M mirrors, the normal points to the former inner side: `orientation` corrects
+// that if all of space is mirrored. Where the surface folds, the normal is continuous without
+// correction.
 Value warpNormal(const Value& m, const Value& normal);
 
-// The orientation of M (orientation.hpp), if all inputs but these two are equal for all vertices;
-// and the normal multiplied by it, if it is known.
+// Returns the orientation of M (orientation.hpp), if it is known. Only the position, and the inputs
+// that the normal is computed from, may vary per vertex.
 std::optional<Expression> orientationOf(const Value& m, const Value& normal, const Value& position);
+// Returns the warped normal, multiplied by the orientation if it is known.
 Value outwardNormal(const Value& m, const Value& normal, const Value& position);
 
-// The unit tangent M t, orthogonalized to `normal`, the warped normal; zero where M collapses it.
-// With cof(M) n, the bitangent keeps its sign: if t x b = n, then (M t) x (M b) = cof(M) n for
-// every M. With -cof(M) n, the sign flips.
+// Returns the unit tangent M t, orthogonalized to `normal`, the warped normal; zero where M
+// collapses it. With cof(M) n, the bitangent keeps its sign: if t x b = n, then (M t) x (M b) =
+// cof(M) n for every M. With -cof(M) n, the sign flips.
 Value warpTangent(const Value& m, const Value& tangent, const Value& normal);
 
 }  // namespace warpjet

@@ -8,10 +8,10 @@ import { compileWarp } from 'warpjet'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import {
   failsWithError,
+  failsWithUsage,
   folder,
   material,
   model,
-  usage,
   works,
   write,
 } from '../support/cli-tests.js'
@@ -52,11 +52,14 @@ describe('bake', () => {
 export default ({ glsl, position, uniforms }) =>
   glsl.vec3(position.x().mult(uniforms.flip.sub(1)), 0, 0)`,
     )
-    const countAgreeing = async (flip) => {
+    /**
+     * Returns the number of triangles whose normals point to their front side, minus the number of those whose normals point to the back.
+     */
+    const sumOfSides = async (flip) => {
       await works('bake', 'model.glb', 'flip.js', '-o', 'flip.glb', '--set', `flip=${flip}`)
       const { positions, normals, indices } = await load('flip.glb')
       const at = (numbers, i) => [...numbers.slice(3 * i, 3 * i + 3)]
-      let count = 0
+      let sum = 0
       for (let i = 0; i < indices.length; i += 3) {
         const [a, b, c] = [...indices.slice(i, i + 3)].map((k) => at(positions, k))
         const [u, v] = [b, c].map((p) => p.map((x, k) => x - a[k]))
@@ -66,13 +69,13 @@ export default ({ glsl, position, uniforms }) =>
           u[0] * v[1] - u[1] * v[0],
         ]
         const [x, y, z] = at(normals, indices[i])
-        count += Math.sign(front[0] * x + front[1] * y + front[2] * z)
+        sum += Math.sign(front[0] * x + front[1] * y + front[2] * z)
       }
-      return count
+      return sum
     }
-    const before = await countAgreeing(1)
+    const before = await sumOfSides(1)
     assert.equal(Math.abs(before), 168)
-    assert.equal(await countAgreeing(-1), before)
+    assert.equal(await sumOfSides(-1), before)
   })
 
   test('accepts vectors and negative numbers, and prints nothing with --quiet', async () => {
@@ -147,15 +150,15 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     assert.equal(image.width, 64)
     assert.ok(TANGENT.length > 0)
     const bake = ['bake', 'model.glb', 'named.js', '-o', 'map.glb']
-    await usage(
+    await failsWithUsage(
       [...bake, '--normal-map', '0'],
       /expected a whole number from 1 to 8192 .*--normal-map/,
     )
-    await usage(
+    await failsWithUsage(
       [...bake, '--normal-map', '8', '--frames', 'x'],
       /'normalized' or 'mikktspace'.*--frames/,
     )
-    await usage([...bake, '--frames', 'mikktspace'], /--frames needs --normal-map/)
+    await failsWithUsage([...bake, '--frames', 'mikktspace'], /--frames needs --normal-map/)
     write('bare.glb', exportGLB({ ...model, uvs: undefined, material: undefined }))
     await failsWithError(
       ['bake', 'bare.glb', 'named.js', '-q', '-o', 'map.glb', '--normal-map', '64'],
@@ -182,10 +185,13 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     symlinkSync('model.glb', join(folder, 'symbolic.glb'))
     linkSync(join(folder, 'model.glb'), join(folder, 'hard.glb'))
     for (const link of ['symbolic.glb', 'hard.glb'])
-      await usage(['bake', 'model.glb', 'named.js', '-o', link], /does not overwrite the model/)
+      await failsWithUsage(
+        ['bake', 'model.glb', 'named.js', '-o', link],
+        /does not overwrite the model/,
+      )
     assert.deepEqual(readFileSync(join(folder, 'model.glb')), before)
     symlinkSync('named.js', join(folder, 'linked.js'))
-    await usage(['emit', 'named.js', '-o', 'linked.js'], /does not overwrite the warp/)
+    await failsWithUsage(['emit', 'named.js', '-o', 'linked.js'], /does not overwrite the warp/)
   })
 
   test('reports invalid files and warps', async () => {
@@ -206,7 +212,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     ]
     await failsWithError(
       bakeArguments('model.glb', 'wave.js'),
-      /wave\.js reads millis; add --set millis=<number>; if it is an image, only a GPU can run this warp\./,
+      /wave\.js reads millis; add --set millis=<number>\. Warps that read an image can only be evaluated on a GPU\./,
     )
     await failsWithError(
       bakeArguments('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),
@@ -234,7 +240,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
   })
 })
 
-test('bakes a warp along the normal with the gradients of the normal, and emit reads these on request', async () => {
+test('bakes an offset along the normal with the gradients of the normal; emit --surface-variation declares them as attributes', async () => {
   const { stderr } = await works('bake', 'model.glb', 'bumps.js', '-o', 'bumps.glb')
   assert.doesNotMatch(stderr, /constant/)
   const { default: bumps } = await import(join(folder, 'bumps.js'))

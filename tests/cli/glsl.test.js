@@ -51,14 +51,14 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
   )
   write('bad.frag', 'vec3 offset(vec3 p) {\n  return q;\n}\n')
 
-  test('emit accepts it instead of a warp.js', async () => {
+  test('emit accepts GLSL instead of a warp.js', async () => {
     const { code, stdout } = await warpjet('emit', 'waves.glsl', '--target', 'wgsl')
     assert.equal(code, 0)
     assert.match(stdout, /uniforms: float height/)
     assert.match(stdout, /offset = vec3f\(0\.0f, height \* sin\(position\.x\), 0\.0f\);/)
   })
 
-  test('a file of WGSL is read as such, and derived as WGSL', async () => {
+  test('a .wgsl file is read as WGSL, and its derivatives are in WGSL by default', async () => {
     const emitted = await warpjet('emit', 'waves.wgsl', '--target', 'glsl300')
     assert.equal(emitted.code, 0, emitted.stderr)
     assert.match(emitted.stdout, /offset = vec3\(0\.0, height \* sin\(position\.x\), 0\.0\);/)
@@ -78,7 +78,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     assert.match(inGlsl.stdout, /^vec4 waveGradient\(vec3 p, float t\) \{/)
   })
 
-  test('bake accepts it too, with any function of the file', async () => {
+  test('bake accepts GLSL; --function selects any function of the file', async () => {
     const args = ['--function', 'up', '--returns', 'position', '-o', 'up.glb']
     const { code, stderr } = await warpjet('bake', 'model.glb', 'waves.glsl', ...args)
     assert.equal(code, 0, stderr)
@@ -104,7 +104,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     const settings = ['height=0.25', 'way=1,2,3', 'many=-3', 'bits=5', 'isOn=1', 'turn=0,1,-1,0']
     const others = ['heights[1]=0.5', 'waves[0].length=2', 'millis=2000']
     const all = [...settings, ...others]
-    const setting = (list) => list.flatMap((each) => ['--set', each])
+    const setting = (list) => list.flatMap((assignment) => ['--set', assignment])
     const set = setting(all)
     const result = await works('bake', 'model.glb', 'uniforms.glsl', ...set, '-o', 'set.glb')
     assert.equal(result.code, 0, result.stderr)
@@ -125,9 +125,16 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     }
     const missing = await warpjet('bake', 'model.glb', 'uniforms.glsl', '-o', 'set.glb')
     assert.match(missing.stderr, /uniforms\.glsl reads \w+; add --set \w+=<number>/)
-    const rest = setting(all.filter((each) => !each.startsWith('many')))
-    const whole = await warpjet('bake', 'model.glb', 'uniforms.glsl', ...rest, '-o', 'set.glb')
-    assert.match(whole.stderr, /uniforms\.glsl reads many; add --set many=/)
+    const rest = setting(all.filter((assignment) => !assignment.startsWith('many')))
+    const withoutMany = await warpjet(
+      'bake',
+      'model.glb',
+      'uniforms.glsl',
+      ...rest,
+      '-o',
+      'set.glb',
+    )
+    assert.match(withoutMany.stderr, /uniforms\.glsl reads many; add --set many=/)
     const wrong = await warpjet(
       'bake',
       'model.glb',
@@ -163,7 +170,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     const { stdout } = await works('derive', 'spiral.glsl', ...args, '--max-iterations', '5')
     assert.equal(stdout, expected)
     assert.match(stdout, /^fn along\(p: vec2f, t: f32, n: i32, isOn: bool\) -> vec2f \{/)
-    const written = await works(
+    const output = await works(
       'derive',
       'spiral.glsl',
       '--max-iterations',
@@ -171,7 +178,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
       '-o',
       'jacobian.glsl',
     )
-    assert.equal(written.stdout, '')
+    assert.equal(output.stdout, '')
     assert.equal(
       readFileSync(join(folder, 'jacobian.glsl'), 'utf8'),
       differentiate(source, { maxIterations: 5 }),

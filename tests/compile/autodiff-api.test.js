@@ -9,16 +9,16 @@ test('the interpreter in glsl/run.js rejects invalid GLSL', () => {
   const code = 'float y; bool b = x > 1.0; { y = b ? -x : p.yx.x * 2.0; } // done'
   assert.deepEqual(runGlsl(code, { x: 3, p: [5, 7] }), { x: 3, p: [5, 7], b: true, y: -3 })
   for (const [text, message] of [
-    ['float y = 1;', /y is float, its value int/],
+    ['float y = 1;', /y: expected float, got int/],
     ['y = 1.0;', /y is not declared/],
     ['float y = t;', /t is not declared/],
     ['float t; float y = t;', /t is not set/],
     ['float x = 1.0;', /x is declared twice/],
-    ['float y = p;', /y is float, its value vec2/],
+    ['float y = p;', /y: expected float, got vec2/],
     ['vec3 y = p + vec3(1.0);', /different sizes/],
-    ['float y = x ? 1.0 : 2.0;', /float where bool belongs/],
-    ['float y = p.z;', /\.z of vec2/],
-    ['float y = sine(x);', /sine is no function/],
+    ['float y = x ? 1.0 : 2.0;', /expected bool before \?, got float/],
+    ['float y = p.z;', /a vec2 has no \.z/],
+    ['float y = sine(x);', /there is no function sine/],
     ['float y = 1.0', /Expected .*";"/],
   ])
     assert.throws(() => runGlsl(text, { x: 3, p: [5, 7] }), message)
@@ -145,19 +145,19 @@ describe('settings:', () => {
   })
 
   test('debug writes the line of the user’s code above each statement', () => {
-    const value = (ad) => offset(ad).height.output('z')
-    const text = gen(value, { debug: true, maxDepthPerVariable: 4 })
+    const outputHeight = (ad) => offset(ad).height.output('z')
+    const text = gen(outputHeight, { debug: true, maxDepthPerVariable: 4 })
     const source = readFileSync(new URL(import.meta.url), 'utf8').split('\n')
-    const place = /\/\/ From .*autodiff-api\.test\.js:(\d+):(\d+)/
+    const location = /\/\/ From .*autodiff-api\.test\.js:(\d+):(\d+)/
     const commented = [...text.matchAll(/((?: *\/\/ .*\n)+)(.*)/g)]
     assert.equal(commented.length, linesOf(text).length)
     for (const [, comments, statement] of commented) {
       assert.match(statement, / = /)
       for (const comment of comments.trimEnd().split('\n')) {
-        const [, line, column] = place.exec(comment)
+        const [, line, column] = location.exec(comment)
         assert.match(source[line - 1].slice(column - 1), /^(mult|add|sum|sin)\(/)
       }
     }
-    assert.equal(text.replace(/ *\/\/.*\n/g, ''), gen(value, { maxDepthPerVariable: 4 }))
+    assert.equal(text.replace(/ *\/\/.*\n/g, ''), gen(outputHeight, { maxDepthPerVariable: 4 }))
   })
 })

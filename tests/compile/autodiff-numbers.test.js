@@ -1,5 +1,5 @@
-// Checks `gen` against the API in glsl-autodiff's README: each documented call on numbers has the value and the derivatives that plain JavaScript
-// computes. glsl/run.js evaluates the generated statements.
+// Checks `gen` against the API in glsl-autodiff's README: each documented call on numbers has the value and the derivatives that plain
+// JavaScript computes. glsl/run.js evaluates the generated statements.
 import { describe, test } from 'node:test'
 import { gen } from '../../dist/autodiff.js'
 import { runGlsl } from '../glsl/run.js'
@@ -10,7 +10,8 @@ const { sin, cos, tan, sqrt, log, abs, sign, min, max } = Math
 const clamp = (x, low, high) => min(max(x, low), high)
 const mix = (a, b, t) => a + t * (b - a)
 
-// A row has the forms of a call, its value, and its derivatives with respect to x, y and z, written by hand.
+// A row has equivalent forms of a call, a function that returns its value, one that returns its derivatives with respect to x, y and z
+// (derived by hand), and the points where they are compared (default: `anywhere`).
 
 const random = seededRandom(7)
 const anywhere = Array.from({ length: 40 }, () => [0, 1, 2].map(() => 4 * random() - 2))
@@ -18,8 +19,8 @@ const positive = anywhere.map((point) => point.map((x) => abs(x) + 0.1))
 const grid = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])))
 
 const zeros = () => [0, 0, 0]
-const isSmallest = (x, ...others) => (x < min(...others) ? 1 : 0)
-const isLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
+const oneIfSmallest = (x, ...others) => (x < min(...others) ? 1 : 0)
+const oneIfLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
 
 const arithmetic = [
   [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, zeros],
@@ -73,33 +74,45 @@ const functions = [
   [
     [(ad, x, y) => x.clamp(y.min(0), 1), (ad, x, y) => ad.clamp(x, y.min(0), 1)],
     (x, y) => clamp(x, min(y, 0), 1),
-    (x, y) => [isLargest(x, min(y, 0)) * isSmallest(x, 1), isSmallest(x, y) * isSmallest(y, 0), 0],
+    (x, y) => [
+      oneIfLargest(x, min(y, 0)) * oneIfSmallest(x, 1),
+      oneIfSmallest(x, y) * oneIfSmallest(y, 0),
+      0,
+    ],
   ],
   [
     [(ad, x) => x.clamp(-0.5, 0.5), (ad, x) => ad.clamp(x, -0.5, 0.5)],
     (x) => clamp(x, -0.5, 0.5),
-    (x) => [isSmallest(abs(x), 0.5), 0, 0],
+    (x) => [oneIfSmallest(abs(x), 0.5), 0, 0],
   ],
   [[(ad, x) => ad.min(x), (ad, x) => ad.max(x)], (x) => x, () => [1, 0, 0]],
   [
     [(ad, x, y) => x.min(y), (ad, x, y) => ad.min(x, y)],
     (x, y) => min(x, y),
-    (x, y) => [isSmallest(x, y), isSmallest(y, x), 0],
+    (x, y) => [oneIfSmallest(x, y), oneIfSmallest(y, x), 0],
   ],
   [
     [(ad, x, y, z) => x.min(y, 0.5, z), (ad, x, y, z) => ad.min(0.5, x, y, z)],
     (x, y, z) => min(x, y, 0.5, z),
-    (x, y, z) => [isSmallest(x, y, 0.5, z), isSmallest(y, x, 0.5, z), isSmallest(z, x, y, 0.5)],
+    (x, y, z) => [
+      oneIfSmallest(x, y, 0.5, z),
+      oneIfSmallest(y, x, 0.5, z),
+      oneIfSmallest(z, x, y, 0.5),
+    ],
   ],
   [
     [(ad, x, y) => x.max(y), (ad, x, y) => ad.max(x, y)],
     (x, y) => max(x, y),
-    (x, y) => [isLargest(x, y), isLargest(y, x), 0],
+    (x, y) => [oneIfLargest(x, y), oneIfLargest(y, x), 0],
   ],
   [
     [(ad, x, y, z) => x.max(y, -0.5, z), (ad, x, y, z) => ad.max(-0.5, x, y, z)],
     (x, y, z) => max(x, y, -0.5, z),
-    (x, y, z) => [isLargest(x, y, -0.5, z), isLargest(y, x, -0.5, z), isLargest(z, x, y, -0.5)],
+    (x, y, z) => [
+      oneIfLargest(x, y, -0.5, z),
+      oneIfLargest(y, x, -0.5, z),
+      oneIfLargest(z, x, y, -0.5),
+    ],
   ],
   [
     [(ad, x, y, z) => x.gt(0).ifElse(y, z), (ad, x, y, z) => ad.ifElse(x.gt(0), y, z)],
@@ -118,7 +131,7 @@ const makeChoice = (form, isTrue) => [
   grid,
 ]
 
-// These are in glsl-autodiff's types, but not in its README.
+// These methods are in glsl-autodiff's types, but not in its README.
 const conditions = [
   makeChoice(
     (ad, x, y, z) => x.lt(y).ifElse(z, 5),

@@ -1,5 +1,5 @@
 // Checks `gen` against the API in glsl-autodiff's README: each documented call on vectors has the value that plain JavaScript computes, and
-// derivatives close to its differences. glsl/run.js evaluates the generated statements.
+// derivatives close to the finite differences of that value. glsl/run.js evaluates the generated statements.
 import { describe, test } from 'node:test'
 import { gen } from '../../dist/autodiff.js'
 import { runGlsl } from '../glsl/run.js'
@@ -12,7 +12,8 @@ const mix = (a, b, t) => a + t * (b - a)
 
 const random = seededRandom(7)
 
-// Vectors a, b, c and a number k. A row has the forms of a call, and the value, whose differences approximate the derivatives.
+// A row has equivalent forms of a call on vectors a, b and c and a number k, and a function that returns its value. Finite differences of
+// the value approximate the derivatives.
 
 const zip = (f, ...vectors) => vectors[0].map((_, i) => f(...vectors.map((vector) => vector[i])))
 const dot = (a, b) => zip(times, a, b).reduce(plus)
@@ -80,7 +81,7 @@ const vectorRows = [
   [[({ a }) => a.sin()], ({ a }) => a.map(sin)],
   [[({ a }) => a.pow(2)], ({ a }) => a.map((x) => x * x)],
 
-  // These are in its types, but not in its README.
+  // These methods are in glsl-autodiff's types, but not in its README.
   [[({ a }) => a.normalize()], ({ a }) => a.map((x) => x / hypot(...a))],
   [[({ a }) => a.abs()], ({ a }) => a.map(abs)],
 ]
@@ -91,7 +92,7 @@ function spacedNumbers() {
   return numbers.sort(([a], [b]) => a - b).map(([, number]) => number)
 }
 
-/** Returns the derivative with respect to one of the numbers, from central differences with Richardson extrapolation. */
+/** Returns the derivative of `f` with respect to number `i`, from central differences with Richardson extrapolation. */
 function slope(f, numbers, i) {
   const at = (step) => [f(numbers.map((x, k) => (k === i ? x + step : x)))].flat()
   const central = (h) => difference(at(h), at(-h)).map((rise) => rise / (2 * h))
@@ -104,7 +105,7 @@ for (const size of [2, 3, 4]) {
     const [a, b, c] = [0, 4, 8].map((start) => vectorAt(numbers, start))
     return { a, b, c, k: numbers[12], size }
   }
-  const places = Array.from({ length: 13 }, (_, i) => i).filter((i) => i % 4 < size)
+  const usedIndices = Array.from({ length: 13 }, (_, i) => i).filter((i) => i % 4 < size)
 
   describe(`vec${size}:`, () => {
     for (const [forms, value] of vectorRows)
@@ -116,7 +117,7 @@ for (const size of [2, 3, 4]) {
             const k = ad.param('k')
             const result = form({ ad, a, b, c, k, size })
             result.output('value')
-            for (const i of places)
+            for (const i of usedIndices)
               result.outputDeriv(`by${i}`, i === 12 ? k : vectors[i >> 2][components[i % 4]]())
           })
           const f = (numbers) => value(toInputs(numbers))
@@ -125,7 +126,7 @@ for (const size of [2, 3, 4]) {
             const { a, b, c, k } = toInputs(numbers)
             const results = runGlsl(code, { a, b, c, k })
             assertClose(results.value, f(numbers), 1e-7, `the value at ${numbers}`)
-            for (const i of places)
+            for (const i of usedIndices)
               assertClose(results[`by${i}`], slope(f, numbers, i), 1e-6, `by ${i} at ${numbers}`)
           }
         })

@@ -111,9 +111,9 @@ test('gen transforms normals', () => {
   const code = gen((ad) => {
     const position = ad.vec3Param('position')
     const offset = ad.vec3(0, 0, position.x().sin())
-    offset.adjustNormal(ad.vec3Param('normal'), position).output('turned')
+    offset.adjustNormal(ad.vec3Param('normal'), position).output('warped')
   })
-  assert.match(code, /^vec3 turned;/)
+  assert.match(code, /^vec3 warped;/)
   assert.match(code, /cos\(position\.x\)/)
 })
 
@@ -123,10 +123,10 @@ test('gen limits the depth of expressions', () => {
     for (let i = 0; i < 8; i++) v = v.sin()
     v.output('y')
   }
-  const temporaries = (settings) => gen(chain, settings).match(/float t\d+ =/g)?.length ?? 0
-  assert.equal(temporaries({ maxDepthPerVariable: 1 }), 7)
-  assert.equal(temporaries({ maxDepthPerVariable: 4 }), 1)
-  assert.equal(temporaries({ maxDepthPerVariable: Infinity }), 0)
+  const countTemporaries = (settings) => gen(chain, settings).match(/float t\d+ =/g)?.length ?? 0
+  assert.equal(countTemporaries({ maxDepthPerVariable: 1 }), 7)
+  assert.equal(countTemporaries({ maxDepthPerVariable: 4 }), 1)
+  assert.equal(countTemporaries({ maxDepthPerVariable: Infinity }), 0)
 })
 
 test('debug names the line of the user’s code', () => {
@@ -227,7 +227,7 @@ test('the code has no adjacent signs, and preserves the sign of a zero', () => {
   assert.match(code, /atan\(0\.0, x\)/)
 })
 
-test('each result can have its default name', () => {
+test('a result whose name is undefined has its default name', () => {
   const { code } = compileWarp(wave, { outputs: { offset: undefined, position: 'moved' } })
   assert.match(code, /^vec3 offset, moved, warpedNormal;/)
 })
@@ -264,19 +264,19 @@ test(`${warps} warps leave no memory behind, also if the callback throws`, () =>
 })
 
 test('repeated squaring and a long chain take little time', () => {
-  const derivative = (build) =>
+  const compileWithSlope = (build) =>
     compile((glsl) => {
       const x = glsl.param('x')
       const y = build(x)
       return { y, slope: glsl.derivative(y, x) }
     })
-  const squared = derivative((x) => {
+  const squared = compileWithSlope((x) => {
     let v = x
     for (let i = 0; i < 40; i++) v = v.mult(v).add(v)
     return v
   })
   assert.ok(squared.stats.nodes < 300)
-  const chain = derivative((x) => {
+  const chain = compileWithSlope((x) => {
     let v = x
     for (let i = 0; i < 100_000; i++) v = v.sin()
     return v

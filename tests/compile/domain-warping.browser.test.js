@@ -1,5 +1,5 @@
-// Domain warping in the fragment shader, by a hook of p5's material shader, on each version of p5: numbers on the canvas against the
-// oracle in double precision, and the sketches themselves.
+// Evaluates domain warping in the fragment shader, in a hook of p5's material shader, on each version of p5: compares numbers on the canvas
+// with an oracle in double precision, and draws the sketches of the gallery.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -25,7 +25,7 @@ after(async () => {
 const size = 32
 const width = 1.3
 
-/** Encodes numbers from 0 to 1 as two 8-bit colors, the high and the low part. */
+/** Encodes a number from 0 to 1 in two 8-bit channels, the high and the low part. */
 const numberShader = `(name) => {
   const { code, declarations } = warpjet.compile((glsl) => {
     const p = glsl.vec2Param('p')
@@ -44,8 +44,8 @@ const numberShader = `(name) => {
   })
 }`
 
-// Slopes reach 31 here, and change by up to 39,000 per unit: rounding of the pixel's coordinates alone causes an error of 0.004,
-// which is 6e-5 of the range of 64 that colors represent.
+// Maps an expression of the shader → function that computes it from the oracle's result. Slopes reach 31 here, and change by up to 39,000
+// per unit: rounding of the pixel's coordinates alone causes an error of 0.004, which is 6e-5 of the range of 64 that colors represent.
 const numbers = {
   value: ({ value }) => value,
   'slope.x / 64.0 + 0.5': ({ slope }) => slope[0] / 64 + 0.5,
@@ -64,7 +64,7 @@ const expected = Array.from({ length: size * size }, (_, i) =>
   oracle([(i % size) + 0.5, Math.floor(i / size) + 0.5].map((x) => (width * x) / size)),
 )
 
-// gallery.test.js draws them in the default test run.
+// In the default test run, gallery.test.js draws the other sketches.
 const sketches = isRun('deep domain warping')
   ? ['domain-warping-2d', 'domain-warping-colours', 'domain-warping-lit', 'domain-warping-3d']
   : ['domain-warping-colours']
@@ -105,8 +105,8 @@ for (const [version, p5] of p5InThisRun)
       })
       for (const [name, number] of Object.entries(numbers)) {
         const errors = expected.map((truth, i) => {
-          const [above, left] = images[name].data.subarray(4 * i, 4 * i + 2)
-          return Math.abs((above + left / 255) / 255 - number(truth))
+          const [high, low] = images[name].data.subarray(4 * i, 4 * i + 2)
+          return Math.abs((high + low / 255) / 255 - number(truth))
         })
         const worst = Math.max(...errors)
         const bound = name === 'value' ? 1e-4 : 2e-4
@@ -132,7 +132,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 if (isRun('p5 1.11'))
-  test('both sketches draw the same without light', () => {
+  test('the sketches without light draw the same on both versions of p5', () => {
     for (const name of ['domain-warping-2d', 'domain-warping-colours'])
       assert.ok(differingPixels(...pictures[name], 4) < 300, name)
   })

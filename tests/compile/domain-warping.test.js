@@ -1,5 +1,5 @@
-// Quilez' domain warping in two dimensions: values and exact gradients of all three levels, and q and r, against plain noise and
-// differences in double precision.
+// Checks Quilez' domain warping in two dimensions, at all three levels: compares values, q and r with noise in plain JavaScript, and
+// gradients with finite differences, in double precision.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -23,17 +23,17 @@ describe('a domain warp has the right value and gradient', () => {
         return { value, slope: glsl.gradient(value, p), q, r }
       })
       for (const p of points) {
-        const found = compiled.evaluate({ p })
+        const actual = compiled.evaluate({ p })
         const expected = plainDomainWarp(p, level)
         for (const name of ['value', 'q', 'r'])
           [expected[name]].flat().forEach((x, i) => {
-            const difference = Math.abs([found[name]].flat()[i] - x)
+            const difference = Math.abs([actual[name]].flat()[i] - x)
             assert.ok(difference < 1e-11, `${name} is ${difference} off at ${p}`)
           })
         const slopes = [0, 1].map((axis) =>
           slope((at) => plainDomainWarp(at, level).value, p, axis),
         )
-        const error = Math.hypot(...slopes.map((x, i) => x - found.slope[i]))
+        const error = Math.hypot(...slopes.map((x, i) => x - actual.slope[i]))
         const bound = 1e-6 * Math.max(1, Math.hypot(...slopes))
         assert.ok(error < bound, `the gradient is ${error} off ${slopes} at ${p}`)
       }

@@ -18,12 +18,12 @@ for (const target of targetsInThisRun)
         inputs: ['position', 'normal'].map((name) => ({ name, shape: 3 })),
         outputs: [{ name: 'warpedNormal', shape: 3 }],
       }
-      const given = points.map(({ position, normal }) => [...position, ...normal])
-      const results = await pipelines.run(target, program, given)
+      const rows = points.map(({ position, normal }) => [...position, ...normal])
+      const results = await pipelines.run(target, program, rows)
       points.forEach(({ position, expected }, k) => {
-        const found = [...results[k]]
-        found.forEach((x, i) =>
-          assert.ok(Math.abs(x - expected[i]) < 1e-3, `${found}, not ${expected}, at ${position}`),
+        const actual = [...results[k]]
+        actual.forEach((x, i) =>
+          assert.ok(Math.abs(x - expected[i]) < 1e-3, `${actual}, not ${expected}, at ${position}`),
         )
       })
     })

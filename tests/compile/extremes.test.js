@@ -10,15 +10,15 @@ describe('a finite offset has a finite and correct normal:', () => {
     test(name, () => {
       const warp = compileWarp(offset)
       for (const { position, normal, expected } of points) {
-        const found = warp.evaluateAt(position, { normal })
+        const actual = warp.evaluateAt(position, { normal })
         assert.ok(
-          found.position.every(Number.isFinite),
-          `${name} is ${found.position} at ${position}`,
+          actual.position.every(Number.isFinite),
+          `${name} is ${actual.position} at ${position}`,
         )
-        found.normal.forEach((x, i) =>
+        actual.normal.forEach((x, i) =>
           assert.ok(
             Math.abs(x - expected[i]) < 1e-6,
-            `${found.normal}, not ${expected}, at ${position}`,
+            `${actual.normal}, not ${expected}, at ${position}`,
           ),
         )
       }
@@ -31,11 +31,11 @@ describe('a finite offset has a finite and correct normal:', () => {
 })
 
 test('foldover finds the correct side even if intermediate derivatives overflow', () => {
-  const turned = compileWarp(({ glsl, position }) => {
+  const mirrored = compileWarp(({ glsl, position }) => {
     const x = position.x()
     return glsl.vec3(glsl.val(1).div(x.neg().exp().add(1)).sub(x.mult(2)), 0, 0)
   })
-  const { mask } = turned.foldover({
+  const { mask } = mirrored.foldover({
     positions: [-100, 0, 0, 0, 0, 0],
     normals: [0, 1, 0, 0, 1, 0],
   })
@@ -52,7 +52,7 @@ describe('bounds contain the float32 result of', () => {
     })
   test('an overflow', () => assert.equal(boundsOf(100, (x) => x.cosh()).max[2], Infinity))
   test('an underflow', () => {
-    // exp(-200) is 0 in float32, and 1 / cosh(200) too.
+    // exp(-200) is 0 in float32, and so is 1 / cosh(200).
     const { max } = boundsOf(200, (x) => x.exp().gt(0).ifElse(0, 100).sub(x))
     assert.ok(max[2] >= 300, `${max[2]}`)
     const flat = boundsOf(200, (x, glsl) => glsl.val(1).div(x.cosh()).sign().mult(50).sub(x))
@@ -82,15 +82,15 @@ test('bounds of gradients of octaves and cells contain them, and are not much la
     const slope = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, glsl.derivative(field(glsl, position), position.x()).sub(position.z())),
     )
-    // The plane z = 0 of the box, in steps that are incommensurable with the lattice.
+    // Points of the box, in steps that are incommensurable with the lattice. The warped z is the derivative.
     const positions = Array.from({ length: 3e4 }, (_, i) => [
       ((i * 0.7548776662) % 1) * 4 - 2,
       ((i * 0.569840291) % 1) * 4 - 2,
       ((i * 0.381966) % 1) * 4 - 2,
     ]).flat()
     const { positions: moved } = slope.evaluate({ positions, normals: positions })
-    const found = moved.filter((_, i) => i % 3 === 2)
-    const [low, high] = [Math.min(...found), Math.max(...found)]
+    const actual = moved.filter((_, i) => i % 3 === 2)
+    const [low, high] = [Math.min(...actual), Math.max(...actual)]
     const { min, max } = slope.bounds(box)
     assert.ok(
       min[2] <= low && max[2] >= high,
@@ -104,13 +104,13 @@ test('bounds of gradients of octaves and cells contain them, and are not much la
   }
 })
 
-test('constants compare like the shader that reads them', () => {
+test('constants are compared in float32, like in a shader', () => {
   const { code, evaluate } = compile((glsl) => ({
-    sum: glsl.val(0.1).add(0.2).eq(0.3).ifElse(5, 7),
-    less: glsl.val(0.3).lt(glsl.val(0.1).add(0.2)).ifElse(5, 7),
-    kept: glsl.val(0.1).add(0.2),
+    isSum: glsl.val(0.1).add(0.2).eq(0.3).ifElse(5, 7),
+    isLess: glsl.val(0.3).lt(glsl.val(0.1).add(0.2)).ifElse(5, 7),
+    sum: glsl.val(0.1).add(0.2),
   }))
-  assert.match(code, /sum = 5\.0/)
-  assert.match(code, /less = 7\.0/)
-  assert.deepEqual(evaluate(), { sum: 5, less: 7, kept: 0.1 + 0.2 })
+  assert.match(code, /isSum = 5\.0/)
+  assert.match(code, /isLess = 7\.0/)
+  assert.deepEqual(evaluate(), { isSum: 5, isLess: 7, sum: 0.1 + 0.2 })
 })

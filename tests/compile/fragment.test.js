@@ -1,5 +1,5 @@
-// The shader code of fragments, which differs from that of vertices: numbers stay in the domain of operations on the border of a mesh, and
-// noise fades. Pictures of both are in tests/p5/borders and tests/p5/fading.
+// The fragment code differs from the vertex code: it keeps operands in the domains of operations at the border of a mesh, by reflecting
+// them, and fades noise. tests/p5/pixel-light.browser.test.js checks pictures.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -8,7 +8,7 @@ const alongZ = (height) => (inputs) => inputs.glsl.vec3(0, 0, height(inputs))
 
 const withBorders = {
   sqrt: alongZ(({ position }) => position.x().sqrt()),
-  // Only the derivative 1 / x is in the normal.
+  // The normal reads only the derivative, 1 / x.
   log: alongZ(({ position }) => position.x().mult(2).log()),
   log2: alongZ(({ position }) => position.x().log2()),
   pow: alongZ(({ position }) => position.x().pow(0.3)),
@@ -27,10 +27,11 @@ const withoutBorders = {
   'whole power': alongZ(({ position }) => position.x().pow(3)),
 }
 
+/** Returns whether the code reflects operands at the border of a domain. */
 const isReflected = ({ code }) => /\bwarpjetAcross\(/.test(code)
 
 for (const target of ['glsl300', 'wgsl'])
-  test(`${target}: pixels stay in the domain of each operation that has borders, vertices are not touched`, () => {
+  test(`${target}: the fragment code reflects operands of each operation whose domain has a border, the vertex code does not`, () => {
     for (const [name, offset] of Object.entries(withBorders)) {
       const warp = compileWarp(offset, { target, normals: 'pixel', fadeNoise: false })
       assert.ok(isReflected(warp.emitFragment()), name)
@@ -42,14 +43,14 @@ for (const target of ['glsl300', 'wgsl'])
     }
   })
 
-test('glsl100 has no derivatives on the screen', () => {
+test('glsl100 code does not reflect operands: it has no screen-space derivatives', () => {
   for (const offset of Object.values(withBorders))
     assert.ok(
       !isReflected(compileWarp(offset, { target: 'glsl100', normals: 'pixel' }).emitFragment()),
     )
 })
 
-test('numbers in loops remain as they are', () => {
+test('operands in loops are not reflected', () => {
   for (const step of [(x) => x.sqrt().add(0.1), (x) => x.mult(x).sub(0.2).sqrt()]) {
     const offset = alongZ(({ glsl, position }) => glsl.repeat(3, position.x(), step))
     const { code } = compileWarp(offset, { target: 'glsl300', normals: 'pixel' }).emitFragment()
@@ -58,7 +59,7 @@ test('numbers in loops remain as they are', () => {
   }
 })
 
-test('debug names the same lines of the user’s code where noise fades and numbers are reflected', () => {
+test('debug names the same lines of the user’s code where noise fades and operands are reflected', () => {
   const offset = ({ glsl, position }) => {
     const height = position.x().sin()
     const noise = glsl.fbm(position.mult(3))
@@ -75,6 +76,6 @@ test('debug names the same lines of the user’s code where noise fades and numb
   assert.match(fragment.code, /Fading\w*\(/)
   assert.match(fragment.code, /\bwarpjetAcross\(/)
   assert.ok(linesOf(fragment).size >= 5, fragment.code)
-  const known = linesOf(vertex)
-  for (const line of linesOf(fragment)) assert.ok(known.has(line), line)
+  const vertexLines = linesOf(vertex)
+  for (const line of linesOf(fragment)) assert.ok(vertexLines.has(line), line)
 })

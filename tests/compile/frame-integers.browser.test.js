@@ -51,18 +51,18 @@ for (const target of ['glsl300', 'wgsl'])
   })
 
 for (const target of ['glsl100', 'glsl300', 'wgsl'])
-  test(`operations without bit manipulation are exact, in ${target}`, async () => {
+  test(`integer arithmetic without bit operations is exact, in ${target}`, async () => {
     const source = `uniform float seed;
       vec3 offset(vec3 p) { int n = int(seed) / 3 + int(p.x); return vec3(float(n - n / 1000 * 1000), float(n / 1000), 0.0); }`
-    const wholes = [0, 1, -1, 40000, -40000, 9999999, -1234567, 2e7, 6e8, -2e9]
-    const expected = wholes.map((seed) => {
+    const integers = [0, 1, -1, 40000, -40000, 9999999, -1234567, 2e7, 6e8, -2e9]
+    const expected = integers.map((seed) => {
       const n = Math.trunc(seed / 3) + 5
       const thousands = Math.trunc(n / 1000)
       return [n - thousands * 1000, thousands, 0].map((x) => x + 0)
     })
-    const found = await offsetsOf(target, source, wholes, [5, 0, 0])
+    const actual = await offsetsOf(target, source, integers, [5, 0, 0])
     assert.deepEqual(
-      found.map((numbers) => numbers.map((x) => x + 0)),
+      actual.map((numbers) => numbers.map((x) => x + 0)),
       expected,
     )
   })

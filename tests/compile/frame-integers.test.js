@@ -20,19 +20,19 @@ function pcg(v) {
   return ((word >>> 22) ^ word) >>> 0
 }
 
-/** Returns the two 16-bit halves of each integer as coordinates, which float32 represents exactly. */
+/** The two 16-bit halves of the integer h as coordinates, which float32 represents exactly: in GLSL, and in JavaScript. */
 const halvesText = 'vec3(float(h & 65535u), float(h >> 16u), sin(millis) * 0.0)'
 const halvesOf = (h) => [h & 0xffff, h >>> 16]
 const offsetOf = (source, uniforms = 'uniform float millis;\n') =>
   glslOffset(`#version 300 es\n${uniforms}${source}`)
 
-/** Returns the warped position of a vertex at the origin. */
-function movedBy(offset, options, uniforms, position = [0, 0, 0]) {
+/** Returns the warped position of a vertex, by default at the origin. */
+function warpPosition(offset, options, uniforms, position = [0, 0, 0]) {
   const warp = compileWarp(offset, { normals: false, ...options })
   return warp.evaluateAt(position, { uniforms }).position
 }
 
-const kinds = [{}, { perFrame: true }]
+const optionSets = [{}, { perFrame: true }]
 
 test('constants beyond 2^24 are exact beside frame constants', () => {
   const offset = offsetOf(
@@ -42,15 +42,15 @@ test('constants beyond 2^24 are exact beside frame constants', () => {
     }`,
   )
   for (const target of ['glsl300', 'wgsl'])
-    for (const options of kinds) {
+    for (const options of optionSets) {
       const { code } = compileWarp(offset, { target, ...options })
       assert.match(code, /\b747796405\b/)
       assert.doesNotMatch(code, /747796416/)
     }
-  for (const options of kinds)
+  for (const options of optionSets)
     for (const x of [0.3, -7.25, 1e-20]) {
       const [low, high] = halvesOf(pcg(bitsOf(x)))
-      const [moved, y] = movedBy(offset, options, { millis: 0 }, [x, 0, 0])
+      const [moved, y] = warpPosition(offset, options, { millis: 0 }, [x, 0, 0])
       assert.ok(Math.abs(moved - x - low) < 0.01, `${moved} is not ${low}`)
       assert.equal(y, high)
     }
@@ -76,12 +76,12 @@ test('frame constants are exact in loops and in functions with many calls', () =
     return h >>> 20
   }
   assert.match(compileWarp(offset).declarations, /mixed_/)
-  for (const options of kinds)
+  for (const options of optionSets)
     for (const x of [0.5, 3.25]) {
       let sum = 0
       for (let i = 0; i < 30; i++) sum += mixed(x + i)
       for (let i = 0; i < 9; i++) sum += (bitsOf(x + i) ^ 2891336453) & 4095
-      assert.equal(movedBy(offset, options, { millis: 0 }, [x, 0, 0])[1], sum)
+      assert.equal(warpPosition(offset, options, { millis: 0 }, [x, 0, 0])[1], sum)
     }
 })
 
@@ -100,13 +100,22 @@ test('the bits of a uniform are exact, and so are values computed from them', ()
     'uint(floatBitsToInt(seed) / 3)': (seed) => Math.trunc((bitsOf(seed) | 0) / 3) >>> 0,
     '(seed > 0.0 ? 4294967295u : 2147483648u)': (seed) => (seed > 0 ? 4294967295 : 2147483648),
   }
-  for (const [text, by] of Object.entries(results))
-    for (const options of kinds)
+  for (const [expression, compute] of Object.entries(results))
+    for (const options of optionSets)
       for (const seed of seeds) {
-        const given = { ...options, uniforms: { seed: 1 } }
-        const [low, high] = movedBy(offset(text), given, { millis: 0, seed }, [0, 0, 7])
-        const expected = halvesOf((by(seed) + 7) >>> 0)
-        assert.deepEqual([low, high], expected, `${text} of ${seed} ${JSON.stringify(options)}`)
+        const warpOptions = { ...options, uniforms: { seed: 1 } }
+        const [low, high] = warpPosition(
+          offset(expression),
+          warpOptions,
+          { millis: 0, seed },
+          [0, 0, 7],
+        )
+        const expected = halvesOf((compute(seed) + 7) >>> 0)
+        assert.deepEqual(
+          [low, high],
+          expected,
+          `${expression} for seed ${seed} ${JSON.stringify(options)}`,
+        )
       }
 })
 
@@ -120,7 +129,7 @@ test('frame constants are numbers that float32 represents exactly, in every lang
       assert.equal(Math.fround(number), number)
     assert.doesNotMatch(warp.code, /floatBits\w+\(millis/)
   }
-  // GLSL ES 1.00 has whole numbers, but no bit operations.
+  // GLSL ES 1.00 has integers, but no bit operations.
   const steps = glslOffset(
     'uniform float millis; vec3 offset(vec3 p) { int n = int(millis) / 100; return vec3(float(n - n / 7 * 7), p.xy); }',
   )
@@ -141,8 +150,8 @@ test('frame constants that exceed the limit remain in the code', () => {
   const offset = offsetOf(`vec3 offset(vec3 p) { return vec3(0.0, ${terms.join(' + ')}, 0.0); }`)
   const sum = (millis) =>
     terms.reduce((sum, _, i) => sum + (bitsOf(Math.fround(millis * (i + 1))) & 15), 0)
-  for (const options of kinds)
-    assert.equal(movedBy(offset, options, { millis: 7.1875 })[1], sum(7.1875))
+  for (const options of optionSets)
+    assert.equal(warpPosition(offset, options, { millis: 7.1875 })[1], sum(7.1875))
 })
 
 test('three.js uses the exact values in the shader, in its uniforms, and for raycasting', () => {
@@ -156,7 +165,7 @@ test('three.js uses the exact values in the shader, in its uniforms, and for ray
   const shader = { vertexShader, fragmentShader, uniforms: { ...uniforms } }
   const drawn = []
   const renderer = {
-    renderBufferDirect: (...given) => drawn.push(given[3]),
+    renderBufferDirect: (...args) => drawn.push(args[3]),
     compile() {},
     properties: { get: () => ({}) },
     capabilities: { maxVaryings: 30 },
@@ -171,7 +180,7 @@ test('three.js uses the exact values in the shader, in its uniforms, and for ray
   assert.doesNotMatch(
     shader.vertexShader,
     /747796405|2891336453|277803737/,
-    'the shader does not compute the hash, which is the same for a whole frame',
+    'expected no hash in the shader: it is a frame constant',
   )
   for (const seed of [2.75, -1e30, 123456.789]) {
     warped.uniforms.seed.value = seed
@@ -183,8 +192,8 @@ test('three.js uses the exact values in the shader, in its uniforms, and for ray
     assert.equal(hitsAt(low + 0.3, high + 0.2).length, 1)
     assert.equal(hitsAt(low + 1.5, high + 0.2).length, 0)
     draw()
-    const given = shader.uniforms.warpjetFrame0.value
-    const sums = given.flatMap((upper) => given.map((lower) => (upper * 65536 + lower) >>> 0))
-    assert.ok(sums.includes(pcg(bitsOf(seed))), `${given}`)
+    const halves = shader.uniforms.warpjetFrame0.value
+    const integers = halves.flatMap((upper) => halves.map((lower) => (upper * 65536 + lower) >>> 0))
+    assert.ok(integers.includes(pcg(bitsOf(seed))), `${halves}`)
   }
 })

@@ -67,39 +67,44 @@ test('a long loop remains a loop', () => {
   assert.match(code, /\bfor\b/)
 })
 
-/** A wave, whose warped position at `millis` is computed here in double precision. */
+/** A wave. `waveAt` returns its warped position at `millis`, in double precision. */
 const wave = ({ glsl, position, millis, uniforms }) =>
   glsl.vec3(0, position.x.mult(3).add(millis.mult(uniforms.speed)).sin(), 0)
 const waveAt = ([x, y, z], millis, speed) => [x, y + Math.sin(3 * x + millis * speed), z]
 
 test('all CPU methods are accurate after a week', () => {
   const warp = compileWarp(wave, { perFrame: true, uniforms: { speed: 0.01 } })
-  const near = (found, expected, tolerance = 1e-6) =>
+  const assertNear = (actual, expected, tolerance = 1e-6) =>
     assert.ok(
-      expected.every((x, i) => Math.abs(found[i] - x) < tolerance),
-      `${found}, not ${expected}`,
+      expected.every((x, i) => Math.abs(actual[i] - x) < tolerance),
+      `${actual}, not ${expected}`,
     )
   for (const millis of [week, week + 16]) {
     const uniforms = { millis }
     const place = [0.3, 0.5, 0.7]
-    const right = waveAt(place, millis, 0.01)
+    const expected = waveAt(place, millis, 0.01)
     const { position, normal } = warp.evaluateAt(place, { uniforms, normal: [0, 1, 0] })
-    near(position, right)
+    assertNear(position, expected)
     const slope = 3 * Math.cos(0.9 + millis * 0.01)
-    near(normal, [-slope / Math.hypot(slope, 1), 1 / Math.hypot(slope, 1), 0])
-    near(warp.evaluate({ positions: [...place, ...place] }, { uniforms }).positions.slice(3), right)
+    assertNear(normal, [-slope / Math.hypot(slope, 1), 1 / Math.hypot(slope, 1), 0])
+    assertNear(
+      warp.evaluate({ positions: [...place, ...place] }, { uniforms }).positions.slice(3),
+      expected,
+    )
     const { min, max } = warp.bounds({ min: place, max: place }, { uniforms })
-    assert.ok(min[1] <= right[1] + 1e-7 && max[1] >= right[1] - 1e-7 && max[1] - min[1] < 1e-4)
-    near(warp.inverseAt(right, { uniforms }).position, place)
+    assert.ok(
+      min[1] <= expected[1] + 1e-7 && max[1] >= expected[1] - 1e-7 && max[1] - min[1] < 1e-4,
+    )
+    assertNear(warp.inverseAt(expected, { uniforms }).position, place)
     assert.equal(warp.foldover({ positions: place }, { uniforms }).count, 0)
   }
-  near(
+  assertNear(
     warp.evaluateAt([0.3, 0, 0], { uniforms: { millis: week, speed: 0.02 } }).position,
     waveAt([0.3, 0, 0], week, 0.02),
   )
 })
 
-test('a function of the option `uniforms` is called once for all uses', () => {
+test('a function in the option `uniforms` is called once per evaluation, for all its uses', () => {
   let calls = 0
   const speed = () => [0.25, 0.5, 0.75][calls++]
   const offset = (inputs) => wave(inputs).mult(inputs.uniforms.speed)
@@ -139,16 +144,16 @@ test('noise far from the origin is as accurate as near it: cells and positions i
     const warp = compileWarp(offset, options)
     assert.match(warp.declarations, /Cells/, name)
     const place = [0.3, 0.55, 0.7]
-    // The same noise in double precision, shifted by a number of cells: after a week, and after its repetitions.
-    const far = compile((glsl) => {
+    // This noise is evaluated in double precision. It repeats every 4,091 cells, so the remainder of a shift has the same values.
+    const reference = compile((glsl) => {
       const position = glsl.vec3Param('position')
       return { y: offset({ glsl, position, uniforms: { cells: glsl.param('cells') } }).y() }
     })
     const normal = [0, 1, 0]
     for (const cells of [2000.3, -1777.7, 20000.0625, 4091 * 5 + 0.25]) {
-      const given = { uniforms: { cells }, normal }
-      const { position } = warp.evaluateAt(place, given)
-      const y = far.evaluate({ position: place, cells: cells % 4091 }).y
+      const evaluateOptions = { uniforms: { cells }, normal }
+      const { position } = warp.evaluateAt(place, evaluateOptions)
+      const y = reference.evaluate({ position: place, cells: cells % 4091 }).y
       assert.ok(
         Math.abs(position[1] - place[1] - y) < 2e-6,
         `${name}, ${cells}: ${position[1] - place[1]}, not ${y}`,

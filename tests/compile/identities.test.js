@@ -1,14 +1,14 @@
-// The identities by which the compiler rewrites formulas, one at a time: evaluates the code of random formulas in double precision,
-// against the formula and its derivative without rewriting, and checks that the code has the shorter form.
+// Tests each identity by which the compiler rewrites formulas: evaluates the code of random formulas in double precision, compares it with
+// the value and the derivative that are computed here without rewriting, and checks that the code has the shorter form.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { runGlsl } from '../glsl/run.js'
 import { seededRandom } from '../warps/random.js'
 
-/** The rounding error in double precision, of numbers of about 1. */
+/** The maximum rounding error in double precision, of numbers of about 1. */
 const tolerance = 1e-11
-const formulas = 60
+const formulaCount = 60
 
 /** A formula in two forms: for the compiler, and as a function inputs → [value, derivative with respect to x]. */
 class Twin {
@@ -16,7 +16,7 @@ class Twin {
     Object.assign(this, { expression, at })
   }
 
-  #one(name, f, slope) {
+  #unary(name, f, slope) {
     const at = (inputs) => {
       const [value, derivative] = this.at(inputs)
       return [f(value), slope(value) * derivative]
@@ -24,7 +24,7 @@ class Twin {
     return new Twin(this.expression[name](), at)
   }
   /** `other` may be a number. */
-  #two(name, other, f, slopeOfFirst, slopeOfSecond) {
+  #binary(name, other, f, slopeOfFirst, slopeOfSecond) {
     const isNumber = typeof other === 'number'
     const at = (inputs) => {
       const [[a, da], [b, db]] = [this.at(inputs), isNumber ? [other, 0] : other.at(inputs)]
@@ -34,17 +34,17 @@ class Twin {
   }
 
   neg = () =>
-    this.#one(
+    this.#unary(
       'neg',
       (a) => -a,
       () => -1,
     )
-  sin = () => this.#one('sin', Math.sin, Math.cos)
-  cos = () => this.#one('cos', Math.cos, (a) => -Math.sin(a))
-  sqrt = () => this.#one('sqrt', Math.sqrt, (a) => 0.5 / Math.sqrt(a))
-  add = (other) => this.#two('add', other, (a, b) => a + b, one, one)
+  sin = () => this.#unary('sin', Math.sin, Math.cos)
+  cos = () => this.#unary('cos', Math.cos, (a) => -Math.sin(a))
+  sqrt = () => this.#unary('sqrt', Math.sqrt, (a) => 0.5 / Math.sqrt(a))
+  add = (other) => this.#binary('add', other, (a, b) => a + b, one, one)
   sub = (other) =>
-    this.#two(
+    this.#binary(
       'sub',
       other,
       (a, b) => a - b,
@@ -52,7 +52,7 @@ class Twin {
       () => -1,
     )
   mult = (other) =>
-    this.#two(
+    this.#binary(
       'mult',
       other,
       (a, b) => a * b,
@@ -60,7 +60,7 @@ class Twin {
       (a) => a,
     )
   div = (other) =>
-    this.#two(
+    this.#binary(
       'div',
       other,
       (a, b) => a / b,
@@ -71,7 +71,8 @@ class Twin {
 
 const one = () => 1
 
-class Chance {
+/** Generates random formulas and choices. */
+class Generator {
   constructor(glsl, seed) {
     this.glsl = glsl
     this.random = seededRandom(seed * 7919 + 1)
@@ -85,16 +86,16 @@ class Chance {
   /** Returns a number with few digits, so that the literal in the code is exact in float32. */
   number = () => ((1 + this.below(6)) / 4) * (this.isHeads() ? 1 : -1)
   either = (a, b) => (this.isHeads() ? [a, b] : [b, a])
-  /** Picks an input, x more often than others. */
+  /** Returns a random formula of nested operations, up to `depth`. Its inputs are x more often than others. */
   formula(depth = 2) {
     const input = this.inputs[Math.max(this.below(6) - 2, 0)]
     if (depth === 0) return input
-    const some = this.formula(depth - 1)
+    const operand = this.formula(depth - 1)
     const kinds = [
-      () => some.mult(this.number()).add(input),
-      () => some.mult(input),
-      () => input.add(some).sin(),
-      () => input.sub(some.cos()),
+      () => operand.mult(this.number()).add(input),
+      () => operand.mult(input),
+      () => input.add(operand).sin(),
+      () => input.sub(operand.cos()),
     ]
     return kinds[this.below(kinds.length)]()
   }
@@ -113,60 +114,63 @@ class Chance {
   positive = () => this.square(this.formula()).add(0.5)
 }
 
-/** Maps a name → function that makes a formula, and a pattern that its code must match, if the rewrite shows in the code. */
+/**
+ * Maps the name of an identity → `write`, which makes a formula to rewrite, and `isRewritten`, which returns whether its code has the short
+ * form.
+ */
 const identities = {
   'sin² + cos² is 1': {
-    write(chance) {
-      const angle = chance.formula()
-      const [a, b] = chance.either(chance.square(angle.sin()), chance.square(angle.cos()))
-      return a.add(b).mult(chance.inputs[3])
+    write(generator) {
+      const angle = generator.formula()
+      const [a, b] = generator.either(generator.square(angle.sin()), generator.square(angle.cos()))
+      return a.add(b).mult(generator.inputs[3])
     },
-    has: ({ value }) => value === 'w',
+    isRewritten: ({ value }) => value === 'w',
   },
-  'x + x is 2 x, and two minus signs are none': {
-    write(chance) {
-      const [x, y] = [chance.formula(), chance.formula()]
+  'x + x is 2 x, and two minus signs cancel': {
+    write(generator) {
+      const [x, y] = [generator.formula(), generator.formula()]
       return x.add(x).sub(y.neg()).add(x.neg().mult(y.neg()))
     },
-    has: ({ value }) => !/- ?-|\(-/.test(value),
+    isRewritten: ({ value }) => !/- ?-|\(-/.test(value),
   },
   'x / √x is √x': {
-    write(chance) {
-      const x = chance.positive()
+    write(generator) {
+      const x = generator.positive()
       return x.div(x.sqrt())
     },
-    has: ({ value }) => /^sqrt\(/.test(value),
+    isRewritten: ({ value }) => /^sqrt\(/.test(value),
   },
   'x (1 / y) is x / y': {
-    write(chance) {
-      const [x, y] = [chance.formula(), chance.positive()]
-      return chance.product(x, chance.reciprocal(y))
+    write(generator) {
+      const [x, y] = [generator.formula(), generator.positive()]
+      return generator.product(x, generator.reciprocal(y))
     },
-    has: ({ value }) => value.includes('/') && !value.includes('1.0 /'),
+    isRewritten: ({ value }) => value.includes('/') && !value.includes('1.0 /'),
   },
-  'constants of a sum, and of a product, are one': {
-    write(chance) {
-      const x = chance.inputs[1].add(chance.number()).sub(chance.number())
-      return x.mult(chance.number()).mult(chance.number())
+  'the constants of a sum or a product are combined into one': {
+    write(generator) {
+      const x = generator.inputs[1].add(generator.number()).sub(generator.number())
+      return x.mult(generator.number()).mult(generator.number())
     },
-    has: ({ value }) => (value.match(/\d\.\d/g) ?? []).length <= 2,
+    isRewritten: ({ value }) => (value.match(/\d\.\d/g) ?? []).length <= 2,
   },
 }
 
-/** Rotates two formulas by a random angle: about a pivot or not, in either direction, with factors and terms in any order. */
-function rotate(chance, [p, q], angle) {
+/** Rotates two formulas by an angle, in a random direction, with factors and terms in random order. */
+function rotate(generator, [p, q], angle) {
   const [c, s] = [angle.cos(), angle.sin()]
-  const times = (a, b) => chance.product(a, b)
-  const [ahead, back] = chance.either(1, -1)
-  const plus = (a, b) => chance.either(a, b).reduce((x, y) => x.add(y))
+  const times = (a, b) => generator.product(a, b)
+  const [firstSign, secondSign] = generator.either(1, -1)
+  const plus = (a, b) => generator.either(a, b).reduce((x, y) => x.add(y))
   const sum = (a, b, sign) => (sign > 0 ? plus(a, b) : a.sub(b))
-  return [sum(times(p, c), times(q, s), ahead), sum(times(q, c), times(p, s), back)]
+  return [sum(times(p, c), times(q, s), firstSign), sum(times(q, c), times(p, s), secondSign)]
 }
 
-function check(seed, outputs, has = () => true) {
+function check(seed, outputs, isRewritten = () => true) {
   let twins
   const { code, stats } = compile((glsl) => {
-    twins = outputs(new Chance(glsl, seed))
+    twins = outputs(new Generator(glsl, seed))
     const results = twins.flatMap((twin, i) => [
       [`value${i}`, twin.expression],
       [`slope${i}`, glsl.derivative(twin.expression, glsl.param('x'))],
@@ -176,47 +180,48 @@ function check(seed, outputs, has = () => true) {
   const random = seededRandom(seed + 4711)
   for (let point = 0; point < 8; point++) {
     const inputs = Object.fromEntries('xyzw'.split('').map((name) => [name, random() * 4 - 2]))
-    const found = runGlsl(code, inputs)
+    const actual = runGlsl(code, inputs)
     twins.forEach((twin, i) => {
       const [value, slope] = twin.at(inputs)
       for (const [name, expected] of [
         [`value${i}`, value],
         [`slope${i}`, slope],
       ]) {
-        const error = Math.abs(found[name] - expected)
+        const error = Math.abs(actual[name] - expected)
         assert.ok(
           error <= tolerance * Math.max(1, Math.abs(expected)),
-          `${name} of ${seed}: ${found[name]}, ${expected}\n${code}`,
+          `${name} of formula ${seed}: ${actual[name]}, not ${expected}\n${code}`,
         )
       }
     })
   }
   const value = /value0 = (.*);/.exec(code)[1]
-  assert.ok(has({ code, stats, value }), `formula ${seed}:\n${code}`)
+  assert.ok(isRewritten({ code, stats, value }), `formula ${seed}:\n${code}`)
 }
 
 describe('the value and the derivative:', () => {
-  for (const [name, { write, has }] of Object.entries(identities))
+  for (const [name, { write, isRewritten }] of Object.entries(identities))
     test(name, () => {
-      for (let seed = 0; seed < formulas; seed++) check(seed, (chance) => [write(chance)], has)
+      for (let seed = 0; seed < formulaCount; seed++)
+        check(seed, (generator) => [write(generator)], isRewritten)
     })
 
   test('a point that is rotated twice has the shortest code', () => {
-    for (let seed = 0; seed < 5 * formulas; seed++)
-      check(seed, (chance) => {
-        const point = [chance.formula(1), chance.formula()]
-        const once = rotate(chance, point, chance.formula())
-        return [...once, ...rotate(chance, once, chance.formula())]
+    for (let seed = 0; seed < 5 * formulaCount; seed++)
+      check(seed, (generator) => {
+        const point = [generator.formula(1), generator.formula()]
+        const once = rotate(generator, point, generator.formula())
+        return [...once, ...rotate(generator, once, generator.formula())]
       })
   })
 
   test('the derivative of a rotated constant point is the other component times the slope of the angle', () => {
-    for (let seed = 0; seed < formulas; seed++)
+    for (let seed = 0; seed < formulaCount; seed++)
       check(
         seed,
-        (chance) => {
-          const [x, y, z, w] = chance.inputs
-          return rotate(chance, [y.add(w), z], x.mult(w).add(chance.number()))
+        (generator) => {
+          const [x, y, z, w] = generator.inputs
+          return rotate(generator, [y.add(w), z], x.mult(w).add(generator.number()))
         },
         // y + w, the angle, its sine and cosine, four products and two sums; then two products and a minus sign.
         ({ stats }) => stats.operations <= 1 + 2 + 2 + 6 + 3,
@@ -233,19 +238,19 @@ describe('vectors:', () => {
       .sort(([a], [b]) => a - b)
       .map(([, item]) => item)
   const numbers = (size) => Array.from({ length: size }, () => random() * 4 - 2)
-  const parts = ['x', 'y', 'z', 'w']
+  const letters = ['x', 'y', 'z', 'w']
 
   /** Adds terms in the given order; each is a pair of factors in any order. */
   const sumOf = (terms) =>
     terms.map(([a, b]) => (below(2) ? a.mult(b) : b.mult(a))).reduce((sum, term) => sum.add(term))
 
   test('a sum of products of components is a dot product', () => {
-    for (let i = 0; i < formulas; i++) {
+    for (let i = 0; i < formulaCount; i++) {
       const size = 2 + below(3)
-      const order = shuffle(parts.slice(0, size))
+      const order = shuffle(letters.slice(0, size))
       const { code } = compile((glsl) => {
         const [a, b] = ['a', 'b'].map((name) => glsl[`vec${size}Param`](name))
-        return { y: sumOf(order.map((part) => [a[part](), b[part]()])) }
+        return { y: sumOf(order.map((letter) => [a[letter](), b[letter]()])) }
       })
       assert.match(code, /y = dot\(/)
       const [a, b] = [numbers(size), numbers(size)]
@@ -254,76 +259,76 @@ describe('vectors:', () => {
     }
   })
 
-  test('similar formulas are not rewritten', () => {
-    for (let i = 0; i < formulas; i++) {
+  test('a sum of products of different components is not a dot product', () => {
+    for (let i = 0; i < formulaCount; i++) {
       const [first, second] = [shuffle(['x', 'y', 'z']), shuffle(['x', 'y', 'z'])]
       const { code } = compile((glsl) => {
         const [a, b] = [glsl.vec3Param('a'), glsl.vec3Param('b')]
-        return { y: sumOf(first.map((part, k) => [a[part](), b[second[k]]()])) }
+        return { y: sumOf(first.map((letter, k) => [a[letter](), b[second[k]]()])) }
       })
       const [a, b] = [numbers(3), numbers(3)]
-      const at = (v, part) => v[parts.indexOf(part)]
-      const expected = first.reduce((sum, part, k) => sum + at(a, part) * at(b, second[k]), 0)
+      const at = (v, letter) => v[letters.indexOf(letter)]
+      const expected = first.reduce((sum, letter, k) => sum + at(a, letter) * at(b, second[k]), 0)
       assert.ok(Math.abs(runGlsl(code, { a, b }).y - expected) < tolerance, code)
       assert.equal(code.includes('dot('), String(first) === String(second), code)
     }
   })
 
   test('differences of products of components are a cross product, in either order', () => {
-    for (let i = 0; i < formulas; i++) {
+    for (let i = 0; i < formulaCount; i++) {
       const [u, v] = shuffle(['a', 'b'])
-      const wrong = below(3) ? -1 : below(3)
+      const swapped = below(3) ? -1 : below(3)
       const isReverse = below(2) === 1
       const product = (a, b) => (isReverse ? b.mult(a) : a.mult(b))
       const { code } = compile((glsl) => {
-        const of = { a: glsl.vec3Param('a'), b: glsl.vec3Param('b') }
+        const vectors = { a: glsl.vec3Param('a'), b: glsl.vec3Param('b') }
         const component = (_, k) => {
-          const [j, l] = [parts[(k + 1) % 3], parts[(k + 2) % 3]]
+          const [j, l] = [letters[(k + 1) % 3], letters[(k + 2) % 3]]
           const [plus, minus] = [
-            [of[u][j](), of[v][l]()],
-            [of[u][l](), of[v][j]()],
+            [vectors[u][j](), vectors[v][l]()],
+            [vectors[u][l](), vectors[v][j]()],
           ]
-          const [first, second] = k === wrong ? [minus, plus] : [plus, minus]
+          const [first, second] = k === swapped ? [minus, plus] : [plus, minus]
           return product(...first).sub(product(...second))
         }
         return { y: glsl.vec3(...[0, 1, 2].map(component)) }
       })
       const inputs = { a: numbers(3), b: numbers(3) }
       const [p, q] = [inputs[u], inputs[v]]
-      const found = runGlsl(code, inputs).y
-      found.forEach((value, k) => {
+      const actual = runGlsl(code, inputs).y
+      actual.forEach((value, k) => {
         const [j, l] = [(k + 1) % 3, (k + 2) % 3]
-        const expected = (p[j] * q[l] - p[l] * q[j]) * (k === wrong ? -1 : 1)
+        const expected = (p[j] * q[l] - p[l] * q[j]) * (k === swapped ? -1 : 1)
         assert.ok(Math.abs(value - expected) < tolerance, code)
       })
-      assert.equal(code.includes('cross('), wrong === -1, code)
+      assert.equal(code.includes('cross('), swapped === -1, code)
     }
   })
 
   test('the same operations on all components become vector operations, and different ones do not', () => {
-    for (let i = 0; i < formulas; i++) {
+    for (let i = 0; i < formulaCount; i++) {
       const [scale, shift] = numbers(2).map((number) => Math.round(number * 4) / 4 + 5)
-      const other = below(4)
+      const differing = below(4)
       const order = shuffle(['x', 'y', 'z'])
       const { code } = compile((glsl) => {
         const p = glsl.vec3Param('p')
-        const component = (part, k) => {
-          const inner = p[part]()
-            .mult(k === other ? shift : scale)
+        const component = (letter, k) => {
+          const inner = p[letter]()
+            .mult(k === differing ? shift : scale)
             .add(shift)
             .sin()
-          return inner.mult(inner).add(p[part]())
+          return inner.mult(inner).add(p[letter]())
         }
         return { y: glsl.vec3(...order.map(component)) }
       })
       const p = numbers(3)
-      const found = runGlsl(code, { p }).y
-      order.forEach((part, k) => {
-        const x = p[parts.indexOf(part)]
-        const inner = Math.sin(x * (k === other ? shift : scale) + shift)
-        assert.ok(Math.abs(found[k] - inner * inner - x) < tolerance, code)
+      const actual = runGlsl(code, { p }).y
+      order.forEach((letter, k) => {
+        const x = p[letters.indexOf(letter)]
+        const inner = Math.sin(x * (k === differing ? shift : scale) + shift)
+        assert.ok(Math.abs(actual[k] - inner * inner - x) < tolerance, code)
       })
-      if (other === 3) assert.equal(code.match(/sin\(/g).length, 1, code)
+      if (differing === 3) assert.equal(code.match(/sin\(/g).length, 1, code)
     }
   })
 })

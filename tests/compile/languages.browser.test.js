@@ -1,4 +1,4 @@
-// Every warp has the same positions and normals in every language, each on its own pipeline.
+// Tests that every warp has the same positions and normals in every language, each on its own pipeline.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { denseMesh, layout, stride } from '../support/browser/dense-mesh.js'
@@ -11,14 +11,14 @@ after(() => pipelines.close())
 
 const drawInputs = { millis: 1234, mouse: [120, 250], size: [640, 480], pixelDensity: 2 }
 const outputs = ['warpedPosition', 'warpedNormal'].map((name) => ({ name, shape: 3 }))
-const every = 7
+const vertexStep = 7
 
-/** Some vertices of the dense mesh, with their uniforms. */
+/** Returns every seventh vertex of the dense mesh, each followed by the uniforms. */
 function pointsOf(size, params) {
   const mesh = denseMesh(size)
   const rest = [...Object.values(drawInputs), ...Object.values(params)].flat()
-  return Array.from({ length: Math.floor(mesh.length / stride / every) }, (_, i) => [
-    ...mesh.subarray(i * every * stride, (i * every + 1) * stride),
+  return Array.from({ length: Math.floor(mesh.length / stride / vertexStep) }, (_, i) => [
+    ...mesh.subarray(i * vertexStep * stride, (i * vertexStep + 1) * stride),
     ...rest,
   ])
 }
@@ -36,15 +36,15 @@ for (const { name, text, compile, size, reach, params } of warps)
   if (text === undefined)
     test(`${name} is the same in ${targets.join(', ')}`, async () => {
       const points = pointsOf(size, params)
-      const [first, ...others] = await Promise.all(
+      const [reference, ...others] = await Promise.all(
         targets.map((target) =>
           pipelines.run(target, { ...compile(target), inputs: inputsOf(params), outputs }, points),
         ),
       )
-      assert.ok(first[0].length === 6 && points.length > 300)
+      assert.ok(reference[0].length === 6 && points.length > 300)
       for (const [i, results] of others.entries()) {
         const differing = results.filter((result, k) =>
-          result.some((x, c) => !(Math.abs(x - first[k][c]) <= 2e-3 * (c < 3 ? reach : 1))),
+          result.some((x, c) => !(Math.abs(x - reference[k][c]) <= 2e-3 * (c < 3 ? reach : 1))),
         )
         assert.ok(
           differing.length <= 0.01 * points.length,

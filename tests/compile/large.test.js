@@ -90,7 +90,8 @@ function gltfOf(count) {
 test('reading the JSON of a glTF takes linear time', async () => {
   const files = new Map([few, many].map((count) => [count, gltfOf(count)]))
   await assertLinear((count) => loadMesh(files.get(count)))
-  // Relative to the time that the engine takes to parse the JSON, whatever the computer: 18 times, and 45 times before.
+  // We compare with the time that the engine takes to parse the JSON, which makes it independent of the computer: 18 times as long,
+  // formerly 45.
   const bytes = files.get(many)
   const text = new TextDecoder().decode(bytes)
   const ours = await timeOf(() => loadMesh(bytes), 0, 5)

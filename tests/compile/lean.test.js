@@ -7,28 +7,28 @@ import { workloads } from '../../web/bench/workloads.js'
 import { warps } from '../warps/index.js'
 import { stackedSines } from '../warps/stress.js'
 
-const calls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?.length ?? 0
+const countCalls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?.length ?? 0
 
 /** Counts the numbers that a function is called with: three for a vec3, or two for two components of it. */
-const components = (text, name) => {
+const countComponents = (text, name) => {
   let count = 0
-  for (const [, variable, parts] of text.matchAll(
+  for (const [, variable, components] of text.matchAll(
     new RegExp(`\\b${name}\\((\\w+)?(?:\\.(\\w+)\\))?`, 'g'),
   ))
-    count += parts?.length ?? Number(text.match(`vec(\\d) ${variable} = `)?.[1] ?? 1)
+    count += components?.length ?? Number(text.match(`vec(\\d) ${variable} = `)?.[1] ?? 1)
   return count
 }
 
 test('a twist has one sine and one cosine', () => {
   const { code } = warps.find(({ name }) => name === 'twist').compile()
-  assert.deepEqual([calls(code, 'sin'), calls(code, 'cos')], [1, 1])
+  assert.deepEqual([countCalls(code, 'sin'), countCalls(code, 'cos')], [1, 1])
 })
 
 for (const count of [1, 30, 300])
   test(`${count} stacked sines have at most ${count} sines and ${count} cosines`, () => {
     const { code } = compileWarp(stackedSines(count).warp)
-    assert.ok(calls(code, 'sin') <= count)
-    assert.ok(calls(code, 'cos') <= count)
+    assert.ok(countCalls(code, 'sin') <= count)
+    assert.ok(countCalls(code, 'cos') <= count)
   })
 
 test('300 stacked sines, 1,500 operations, are at most 40,000 characters', () => {
@@ -100,14 +100,14 @@ test('stats count vector operations', () => {
 
 test('code for positions only has no derivatives', () => {
   const { code } = compileWarp(stackedSines(30).warp, { normals: false })
-  assert.equal(calls(code, 'cos'), 0)
+  assert.equal(countCalls(code, 'cos'), 0)
   assert.doesNotMatch(code, /normal/i)
 })
 
 test('the wobble warp has at most 9 sines and 6 cosines', () => {
   const { code } = warps.find(({ name }) => name === 'wobble').compile()
-  assert.ok(calls(code, 'sin') <= 9, `${calls(code, 'sin')} sines`)
-  assert.ok(calls(code, 'cos') <= 6, `${calls(code, 'cos')} cosines`)
+  assert.ok(countCalls(code, 'sin') <= 9, `${countCalls(code, 'sin')} sines`)
+  assert.ok(countCalls(code, 'cos') <= 6, `${countCalls(code, 'cos')} cosines`)
 })
 
 /** Returns nested sines in each component; `axes` names the coordinate for each. */
@@ -134,13 +134,16 @@ const nestedWarps =
 for (const [axes, chains] of Object.entries({ xxx: 1, xxy: 2, xyz: 3 }))
   test(`${chains} different chains of 24 nested sines have 24 sines and 24 cosines each`, () => {
     const { code } = compileWarp(nestedSines(24, axes))
-    assert.deepEqual([components(code, 'sin'), components(code, 'cos')], [24 * chains, 24 * chains])
+    assert.deepEqual(
+      [countComponents(code, 'sin'), countComponents(code, 'cos')],
+      [24 * chains, 24 * chains],
+    )
   })
 
 test('warps nested 24 deep have 24 sines and 24 cosines for each component', () => {
   const { code } = compileWarp(nestedWarps(24))
-  assert.deepEqual([components(code, 'sin'), components(code, 'cos')], [72, 72])
-  assert.deepEqual([calls(code, 'sin'), calls(code, 'cos')], [24, 24])
+  assert.deepEqual([countComponents(code, 'sin'), countComponents(code, 'cos')], [72, 72])
+  assert.deepEqual([countCalls(code, 'sin'), countCalls(code, 'cos')], [24, 24])
 })
 
 for (const [name, nested] of Object.entries({
@@ -167,7 +170,7 @@ test('a square is one multiplication', () => {
   }
   const { code, stats } = compile((glsl) => ({ y: glsl.param('x').sin().pow(2) }))
   assert.equal(stats.operations, 2)
-  assert.equal(calls(code, 'sin'), 1)
+  assert.equal(countCalls(code, 'sin'), 1)
 })
 
 test('a warp that does not depend on x has no column for x', () => {
@@ -185,7 +188,7 @@ test('a warp that does not depend on x has no column for x', () => {
     const { code } = compileWarp(({ glsl, position }) => sinesOf(axes)(glsl, position))
     const reads = (name) => code.split(name).length - 1
     const normal = ['x', 'y', 'z'].map((axis) => reads(`normal.${axis}`))
-    return { derivatives: components(code, 'cos'), x: reads('position.x') > 0, normal }
+    return { derivatives: countComponents(code, 'cos'), x: reads('position.x') > 0, normal }
   }
   assert.deepEqual(count(['x', 'y', 'z']), { derivatives: 9, x: true, normal: [1, 1, 1] })
   // The first column of I + J is (1, 0, 0), so that the new x of the normal does not depend on its y and z.
@@ -198,7 +201,7 @@ test('a warp that does not depend on x has no column for x', () => {
   assert.match(code, /^vec3 byX;\s*\{\s*byX = vec3\(0\.0\);\s*\}\s*$/)
 })
 
-/** The wobble's offset and its derivatives, as single numbers. */
+/** Returns each component of the wobble's offset and of its derivatives, by name. */
 function wobbleByComponent(glsl) {
   const { warp } = warps.find(({ name }) => name === 'wobble')
   const position = glsl.vec3Param('position')
@@ -212,7 +215,7 @@ function wobbleByComponent(glsl) {
   return results
 }
 
-/** Returns its assignments. Those to temporaries start with a type; results are declared before the code. */
+/** Returns the assignments of the wobble's code. Those to temporaries start with a type; results are declared before the code. */
 function wobbleLines(maxDepthPerVariable) {
   const write = (ad) => {
     for (const [name, result] of Object.entries(wobbleByComponent(ad))) result.output(name)
@@ -225,7 +228,7 @@ function wobbleLines(maxDepthPerVariable) {
 test('maxDepthPerVariable 1 writes one operation per line', () => {
   const operation = /\w\(| [-+*/?<>] |\|\||^-[a-z]/g
   const counts = wobbleLines(1).map(({ value }) => value.match(operation)?.length ?? 0)
-  // Constant results have no derivative.
+  // Results that are constant need no operation.
   assert.deepEqual([...new Set(counts)].sort(), [0, 1])
   assert.equal(counts.filter(Boolean).length, compile(wobbleByComponent).stats.operations)
 })
@@ -233,10 +236,10 @@ test('maxDepthPerVariable 1 writes one operation per line', () => {
 test('maxDepthPerVariable Infinity makes temporaries only for values that are read twice, or selected by a condition', () => {
   const lines = wobbleLines(Infinity)
   const words = lines.flatMap(({ value }) => value.match(/\w+/g))
-  const chosen = lines.flatMap(({ value }) => value.match(/(?<=[?:] )\w+/g) ?? [])
+  const selected = lines.flatMap(({ value }) => value.match(/(?<=[?:] )\w+/g) ?? [])
   for (const { name } of lines.filter(({ isTemporary }) => isTemporary))
     assert.ok(
-      chosen.includes(name) || words.filter((word) => word === name).length > 1,
+      selected.includes(name) || words.filter((word) => word === name).length > 1,
       `${name} is read only once`,
     )
 })

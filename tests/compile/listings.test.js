@@ -1,5 +1,5 @@
-// The formulas in the paper, the article and the documentation of p5.warp and glsl-autodiff, compiled by warpjet, against plain functions
-// of numbers and their differences. The article is "Deforming 3D shapes in real time" (2021), the paper
+// Compares the formulas in the paper, the article and the documentation of p5.warp and glsl-autodiff, compiled by warpjet, with plain
+// JavaScript functions and their finite differences. The article is "Deforming 3D shapes in real time" (2021), the paper
 // "Vertex Shader Domain Warping with Automatic Differentiation" (2024).
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
@@ -20,8 +20,8 @@ const anyPoint = (size) => [0, 1, 2].map(() => between(-size, size))
 
 function assertClose(actual, expected, tolerance) {
   for (const [i, value] of [actual].flat().entries()) {
-    const wanted = [expected].flat()[i]
-    assert.ok(Math.abs(value - wanted) <= tolerance, `${actual} is not ${expected}`)
+    const expectedValue = [expected].flat()[i]
+    assert.ok(Math.abs(value - expectedValue) <= tolerance, `${actual} is not ${expected}`)
   }
 }
 
@@ -130,7 +130,7 @@ describe('the article:', () => {
   })
 })
 
-/** Points and unit normals, some along an axis, at several times. */
+/** Returns random points with unit normals, some of which are along an axis, at several times. */
 function vertices(size) {
   const alongAxes = [
     [1, 0, 0],
@@ -143,7 +143,7 @@ function vertices(size) {
   return [0, 1234, 98765].flatMap((millis) => [...alongAxes, ...oblique].map(at(millis)))
 }
 
-/** Two perpendicular tangents of length 1 with u × v = n, as in the paper. */
+/** Returns two perpendicular tangents of length 1 with u × v = n, as in the paper. */
 function tangents(n) {
   const w = n[1] === 0 && n[2] === 0 ? [0, 1, 0] : [1, 0, 0]
   const v = normalize(cross(w, n))

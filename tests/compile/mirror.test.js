@@ -12,7 +12,7 @@ import { assertOutside, byUniform, cross, mirror, round, to } from '../support/m
 const mirrors = {
   'a mirror': mirror,
   'a point reflection': ({ position }) => position.mult(-2),
-  'two axes changed for each other': to(({ glsl, position }) =>
+  'two exchanged axes': to(({ glsl, position }) =>
     glsl.vec3(position.y(), position.x(), position.z()),
   ),
   'a mirror with a scale that grows to the side': to(({ glsl, position: p }) =>
@@ -87,12 +87,12 @@ describe('the outer side stays outside', () => {
 
 describe('uniforms decide whether a warp mirrors', () => {
   const uniforms = { scale: 1 }
-  const ofSize = {
+  const scaledOffsets = {
     'a width': byUniform,
     'a size': to(({ position, uniforms }) => position.mult(uniforms.scale)),
     'a width, twisted': chain(byUniform, twist({ angle: 0.8, length: 1 })),
     'a twist, then a width': chain(twist({ angle: 0.8, length: 1 }), byUniform),
-    'a width of something thicker here than there': to(({ glsl, position: p, uniforms }) =>
+    'a width that varies over the surface': to(({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(p.y().mult(p.y()).add(1)).mult(uniforms.scale), p.y(), p.z()),
     ),
     'a change that depends on a uniform': ({ glsl, position: p, uniforms }) =>
@@ -101,17 +101,17 @@ describe('uniforms decide whether a warp mirrors', () => {
       glsl.vec3(p.x().mult(uniforms.scale.neg()), p.y().neg(), p.z()),
     ),
   }
-  for (const [name, offset] of Object.entries(ofSize))
+  for (const [name, offset] of Object.entries(scaledOffsets))
     for (const perFrame of [false, true])
-      test(`${name}${perFrame ? ', once a frame' : ''}`, () => {
+      test(`${name}${perFrame ? ', with frame constants' : ''}`, () => {
         const warp = compileWarp(offset, { uniforms, perFrame })
         for (const size of [1, 0.8, -0.8, -1, -1.5])
           assertOutside(bakeWarp(round, warp, { uniforms: { scale: size } }), `${size}`)
-        // The current value of the option applies.
+        // Without a value in the call, the value of the option applies.
         assertOutside(bakeWarp(round, warp), 'as declared')
       })
 
-  test('the time can decide it, too', () => {
+  test('the time can decide whether a warp mirrors', () => {
     const warp = compileWarp(
       to(({ glsl, position: p, millis }) =>
         glsl.vec3(p.x().mult(millis.div(1000).cos()), p.y(), p.z()),
@@ -166,12 +166,12 @@ describe('uniforms decide whether a warp mirrors', () => {
   })
 })
 
-test('adjustNormal and its building blocks return normals on the outer side', () => {
+test('adjustNormal returns normals on the outer side', () => {
   const { evaluate } = compile((glsl) => {
     const position = glsl.vec3Param('position')
-    const of = (factor) =>
+    const adjust = (factor) =>
       glsl.vec3(position.x().mult(factor), 0, 0).adjustNormal(glsl.vec3Param('normal'), position)
-    return { known: of(-2), byUniform: of(glsl.param('by')) }
+    return { known: adjust(-2), byUniform: adjust(glsl.param('by')) }
   })
   const at = (by) => evaluate({ position: [1, 0, 0], normal: [1, 0, 0], by })
   assert.deepEqual(
@@ -202,7 +202,7 @@ describe('offsets that depend on the normal and on uv', () => {
     )
 
   for (const surfaceVariation of [true, false])
-    test(`a mirror inflated along the normal is right${surfaceVariation ? ', with surface variation' : ''}`, () => {
+    test(`the outer side of a mirror inflated along the normal stays outside${surfaceVariation ? ', with surface variation' : ''}`, () => {
       const warp = compileWarp(grown, { surfaceVariation })
       const baked = bakeWarp(round, warp)
       assertOutside(baked, 'baked')

@@ -25,7 +25,7 @@ describe("'auto' computes normals at pixels", () => {
     )
   })
 
-  test('a uniform with some zeros keeps them', () => {
+  test('but not for waves that the zeros of a uniform vector remove', () => {
     const offset = (inputs) => waves(inputs).mult(inputs.uniforms.only)
     assert.equal(stageOf(offset, { uniforms: { only: [0, 0, 1e-3] } }), 'vertex')
   })
@@ -35,7 +35,7 @@ describe("'auto' computes normals at pixels", () => {
     assert.equal(stageOf(offset, { uniforms: { strength: 0 } }), 'pixel')
   })
 
-  test('for an offset of uv or normal that bends', () => {
+  test('for an offset that reads uv or normal, and bends', () => {
     const flag = ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(30).sin().mult(0.05))
     assert.equal(stageOf(flag, { surfaceVariation: true }), 'pixel')
     const blob = ({ normal, position }) => normal.mult(position.x().mult(9).sin().mult(0.1))
@@ -54,7 +54,7 @@ describe("'auto' computes normals at vertices", () => {
     }
   })
 
-  test('for a twist of 1.5 radians per unit, and without a warp', () => {
+  test('for a twist of 1.5 radians per unit, and for a zero offset', () => {
     assert.equal(stageOf(deformers.twist({ angle: 1.5 })), 'vertex')
     assert.equal(
       stageOf(({ glsl }) => glsl.vec3(0)),
@@ -79,7 +79,7 @@ describe("'auto' computes normals at vertices", () => {
         source: 'float f(float x) { return sin(x * 99.0); }',
         derivatives: [(x) => x.mult(99).cos().mult(99)],
       })
-      // The normal of f(x) needs the derivative alone.
+      // f(x) alone would not do: its normal reads only the derivative, which the CPU can evaluate.
       return glsl.vec3(0, 0, f(f(position.x())))
     }
     assert.equal(stageOf(offset), 'vertex')
@@ -98,7 +98,7 @@ test('the option says where normals are computed', () => {
 })
 
 describe('the code for pixels', () => {
-  test('has the normal alone, and the code for vertices then lacks it', () => {
+  test('computes only the normal, which the code for vertices then omits', () => {
     const { code, emitFragment } = compileWarp(waves, { normals: 'pixel' })
     assert.doesNotMatch(code, /warpedNormal|cos/)
     const fragment = emitFragment()
@@ -126,7 +126,7 @@ describe('the code for pixels', () => {
     assert.deepEqual(frame(warp.emitFragment()), frame(warp))
   })
 
-  test('needs normals', () => {
+  test('throws if normals are left out', () => {
     throwsWarpError(
       () => compileWarp(waves, { normals: false }).emitFragment(),
       /^emitFragment: the warp was compiled with "normals: false", which leaves normals out; compile it without\.$/,
@@ -134,7 +134,7 @@ describe('the code for pixels', () => {
   })
 })
 
-test("'auto' calls a uniform's function once more than the warp itself", () => {
+test("'auto' calls the function of a uniform once more", () => {
   let calls = 0
   const strength = () => ++calls && 0.5
   const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)

@@ -3,13 +3,13 @@
 //
 // There are two bounds on normals, since SwiftShader, which replaces a GPU here, computes sin and cos only to 2e-4:
 // - with an accurate sine in GLSL instead of the built-in one, 0.02° wherever the warp is smooth, or the bound of the warp;
-// - with the built-in one, 0.02° at 99% of the vertices, and nowhere more than that times the sensitivity of the normal to errors of
-//   the derivatives (2e-4 is 0.0115°). There is no further condition if it is within 0.02° everywhere.
+// - with the built-in one, 0.02° at 99% of the vertices, and everywhere 0.02° times the sensitivity of the normal to errors of the
+//   derivatives (2e-4 is 0.0115°).
 // Excluded are vertices near a kink of the warp, and those where the surface has nearly collapsed, to 1/100,000 of its area, so that
 // float32 cannot represent its direction to 0.02°.
 //
-// Positions: 2e-5 and 1e-3 of the numbers in the formula. At `millis` 98,765 the angles of these warps reach 1,000, where the spacing of
-// float32 is 6e-5.
+// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to the numbers in the formula. At
+// `millis` 98,765 the angles of these warps reach 1,000, where the spacing of float32 is 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -60,7 +60,7 @@ vec3 warpedNormal = normal;`
   })
 })
 
-/** The square of a smaller number is subnormal, which GPUs flush to 0, unlike the CPU. */
+/** Returns whether the square of a number is subnormal: GPUs flush it to 0, unlike the CPU. */
 const isTiny = (x) => x !== 0 && Math.abs(x) <= 1e-15
 
 describe('positions and normals are correct:', () => {
@@ -82,7 +82,7 @@ describe('positions and normals are correct:', () => {
       const exact = best === compiled ? builtIn : await run(best)
       assertOnGpu(warp, ...[builtIn, exact].map((r) => compare(r, expected, reach, warp.degrees)))
 
-      // Two sketches insert code of `gen` into their own shaders, which is not a warp.
+      // Two sketches insert code of `gen` into their own shaders; it has no `evaluate`.
       if (!compiled.evaluate) return
       const baked = draws.map((uniforms) =>
         interleave(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
@@ -98,29 +98,32 @@ function assertOnGpu({ name, degrees, collapses }, builtIn, exact) {
 
   assert.equal(builtIn.notFinite + exact.notFinite, 0, 'NaN or infinite')
   if (collapses) assert.equal(exact.notZero, 0, 'normals that should be zero')
-  assert.ok(exact.kinks + exact.collapsing < 0.05 * exact.count, 'too much is left out')
+  assert.ok(exact.kinks + exact.collapsing < 0.05 * exact.count, 'too many vertices are excluded')
   assert.ok(exact.length < 1e-6, `normals are ${exact.length} off length 1`)
 
   assert.ok(exact.angle <= degrees, `normals are ${exact.angle}° off`)
   assert.ok(builtIn.relativeAngle <= degrees, `normals are ${builtIn.relativeAngle}° off`)
-  assert.ok(builtIn.beyond <= 0.01 * builtIn.count, `${builtIn.beyond} normals are beyond`)
+  assert.ok(
+    builtIn.beyond <= 0.01 * builtIn.count,
+    `${builtIn.beyond} normals are more than ${degrees}° off`,
+  )
   assert.ok(exact.position <= positionBound.exact, `positions are ${exact.position} off`)
   assert.ok(builtIn.position <= positionBound.builtIn, `positions are ${builtIn.position} off`)
 }
 
 function assertOnCpu({ degrees, reach, collapses }, baked, expected, points) {
   const isCompared = points.map(({ normal }) => !normal.some(isTiny))
-  const found = compare(
+  const actual = compare(
     baked.map((results) => results.filter((_, i) => isCompared[Math.floor(i / 6)])),
     expected.map((moment) => moment.filter((_, i) => isCompared[i])),
     reach,
     degrees,
   )
-  assert.equal(found.notFinite, 0, 'on the CPU, NaN or infinite')
-  if (collapses) assert.equal(found.notZero, 0, 'on the CPU, normals that should be zero')
-  assert.ok(found.length < 1e-6, `on the CPU normals are ${found.length} off length 1`)
-  assert.ok(found.angle <= degrees, `on the CPU normals are ${found.angle}° off`)
-  assert.ok(found.position <= 2e-5, `on the CPU positions are ${found.position} off`)
+  assert.equal(actual.notFinite, 0, 'on the CPU, NaN or infinite')
+  if (collapses) assert.equal(actual.notZero, 0, 'on the CPU, normals that should be zero')
+  assert.ok(actual.length < 1e-6, `on the CPU normals are ${actual.length} off length 1`)
+  assert.ok(actual.angle <= degrees, `on the CPU normals are ${actual.angle}° off`)
+  assert.ok(actual.position <= 2e-5, `on the CPU positions are ${actual.position} off`)
 }
 
 function row(name, builtIn, exact) {

@@ -49,14 +49,15 @@ for (const [version, p5] of Object.entries(p5Versions)) {
           differingPixels(images.first, images[name], 12) < 40,
           `${name}: ${differingPixels(images.first, images[name], 12)}`,
         )
-      const outline = ({ width, height, data }) => ({
+      // Makes all pixels but black ones white.
+      const silhouette = ({ width, height, data }) => ({
         width,
         height,
         data: data.map((value, i) =>
           i % 4 < 3 && data.subarray(i - (i % 4), i - (i % 4) + 3).some(Boolean) ? 255 : 0,
         ),
       })
-      assert.ok(differingPixels(outline(images.first), outline(images.normals), 0) < 40)
+      assert.ok(differingPixels(silhouette(images.first), silhouette(images.normals), 0) < 40)
     })
   })
 }

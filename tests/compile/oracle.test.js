@@ -62,7 +62,7 @@ test('the oracle returns no partial derivatives at or near a kink or a jump', ()
 })
 
 test('the normals of a sphere that becomes an ellipsoid are correct', () => {
-  // x²/4 + y² + z²/9 = 1 has the gradient (x/2, 2y, 2z/9).
+  // x²/4 + y² + z²/9 = 1 has a normal along its gradient, (x/2, 2y, 2z/9).
   const stretch = ([x, , z]) => [x, 0, 2 * z]
   for (const p of [
     [1, 0, 0],

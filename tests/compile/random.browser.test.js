@@ -21,37 +21,39 @@ after(() => pipelines.close())
 
 const expectedOf = (test) => test.points.map((point) => gpuExpected(test, point))
 
-/** Evaluates cases in one shader; returns { given } or { error }. Another compiler can replace warpjet. */
+/** Evaluates cases in one shader; returns { results } or { error }. Another compiler can replace warpjet. */
 async function runCases(target, cases, compiler = compile) {
   try {
     const program = programOf(cases, target, compiler)
-    return { given: await pipelines.run(target, program, cases[0].points.map(toFloats)) }
+    return { results: await pipelines.run(target, program, cases[0].points.map(toFloats)) }
   } catch (error) {
     return { error }
   }
 }
 
 /** Judges results of `runCases`; returns { failures, counts }. Shaders that do not compile are split into smaller ones. */
-async function judge(target, cases, expected, { given, error }) {
-  if (given) return compareGpu(cases, given, expected)
+async function judge(target, cases, expected, { results, error }) {
+  if (results) return compareGpu(cases, results, expected)
   if (cases.length === 1) {
     const failure = { kind: 'error', message: error.message }
     return { failures: [{ test: cases[0], failure }], counts: none() }
   }
   const half = cases.length >> 1
-  const parts = []
+  const judgements = []
   for (const range of [
     [0, half],
     [half, cases.length],
   ]) {
     const part = cases.slice(...range)
-    parts.push(await judge(target, part, expected.slice(...range), await runCases(target, part)))
+    judgements.push(
+      await judge(target, part, expected.slice(...range), await runCases(target, part)),
+    )
   }
   // Each case passes alone, but not together with others: names collide, or the shader is too large.
-  if (!parts.some(({ failures }) => failures.length)) throw error
+  if (!judgements.some(({ failures }) => failures.length)) throw error
   return {
-    failures: parts.flatMap(({ failures }) => failures),
-    counts: parts.map(({ counts }) => counts).reduce(addCounts, none()),
+    failures: judgements.flatMap(({ failures }) => failures),
+    counts: judgements.map(({ counts }) => counts).reduce(addCounts, none()),
   }
 }
 
@@ -68,7 +70,7 @@ async function failureOf(target, test) {
 async function report([{ target, test, failure }, ...others]) {
   const small = await shrink(test, failure, (smaller) => failureOf(target, smaller))
   const source = callbackText(small.test.root, gpuResults(small.test))
-  const names = [target, ...others.map((each) => each.target)].join(', ')
+  const names = [target, ...others.map((other) => other.target)].join(', ')
   return `${names}, ${describe({ ...small, failure: { ...small.failure, source } })}`
 }
 
@@ -87,9 +89,9 @@ test(`${count} random expressions compile and agree in every language`, async (t
     for (const [i, target] of targets.entries()) {
       const { failures, counts } = await judge(target, cases, expected, await running[i])
       sums[target] = addCounts(sums[target], counts)
-      for (const each of failures) {
-        const { seed } = each.test
-        failed.set(seed, [...(failed.get(seed) ?? []), { target, ...each }])
+      for (const caseFailure of failures) {
+        const { seed } = caseFailure.test
+        failed.set(seed, [...(failed.get(seed) ?? []), { target, ...caseFailure }])
       }
     }
   }

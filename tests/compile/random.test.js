@@ -1,5 +1,6 @@
-// 2,000 random expressions of all operations, 500 of them in the everyday run, on the CPU in double precision: values against plain
-// numbers, first and second derivatives against differences. A failure prints its seed and a minimized case that fails in the same way.
+// Evaluates random expressions of all operations (2,000, or 500 in the default test run) on the CPU in double precision: compares values
+// with plain JavaScript, and first and second derivatives with finite differences. A failure prints its seed and a minimized case that
+// fails in the same way.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -16,7 +17,7 @@ const count = 2000
 const compared = isRun('every random expression') ? count : 500
 const cases = Array.from({ length: count }, (_, seed) => randomCase(seed))
 
-/** The results of warpjet at a point. */
+/** Compiles a case; returns a function from a point to the results of warpjet. */
 function evaluateCase(source) {
   const compiled = compile(callbackOf(source))
   return (point) =>
@@ -63,11 +64,14 @@ test(`${compared} random expressions have correct values and derivatives`, async
   const failures = await failuresOf(check, 5, cases.slice(0, compared))
   assert.equal(failures.map(describe).join('\n\n'), '')
 
-  // The others are near kinks and jumps, or small errors grow.
+  // The other numbers are near kinks or jumps, or sensitive to small errors.
   for (const kind of kinds) {
-    const { compared: sure, total } = counts[kind]
-    t.diagnostic(`${kind}: ${sure} of ${total} numbers compared`)
-    assert(sure >= 0.95 * total, `too few numbers of ${kind} compared: ${sure} of ${total}`)
+    const { compared: comparedNumbers, total } = counts[kind]
+    t.diagnostic(`${kind}: ${comparedNumbers} of ${total} numbers compared`)
+    assert(
+      comparedNumbers >= 0.95 * total,
+      `too few numbers of ${kind} compared: ${comparedNumbers} of ${total}`,
+    )
   }
   const share = compared / count
   assert(counts.value.total > 35000 * share && counts.derivative.total > 150000 * share)
@@ -91,7 +95,7 @@ test('a wrong value is detected, and minimized to the wrong operation', async ()
 })
 
 test('a wrong derivative is detected, and minimized to the wrong operation', async () => {
-  // The value of one expression, and the derivatives of another.
+  // Takes the value from one expression, and the derivatives from another.
   const evaluateWrong = (source) => {
     const wrong = source.replace(/^ *const value = (.*)$/m, (line, text) =>
       [line, `  const other = ${text.replaceAll('tanh(', 'atan(')}`].join('\n'),

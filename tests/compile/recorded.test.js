@@ -1,4 +1,4 @@
-// The offset function is called once; its recording can be written in any language, for any host.
+// The offset function is called once; shader code for any language and any host can be emitted from the recording.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp, targets } from 'warpjet'
@@ -13,9 +13,9 @@ describe('emit', () => {
     test(`equals the result of compileWarp: ${JSON.stringify(options)}`, () => {
       const warp = compileWarp(bumpy, { surfaceVariation: false, ...options })
       for (const target of targets) {
-        const whole = compileWarp(bumpy, { surfaceVariation: false, ...options, target })
+        const compiled = compileWarp(bumpy, { surfaceVariation: false, ...options, target })
         for (const key of ['code', 'declarations', 'uniforms', 'attributes', 'stats'])
-          assert.deepEqual(warp.emit(target)[key], whole[key], `${key} ${target}`)
+          assert.deepEqual(warp.emit(target)[key], compiled[key], `${key} ${target}`)
       }
     })
 
@@ -41,9 +41,9 @@ describe('emit', () => {
     })
     const { code, attributes } = warp.emit('wgsl', {
       names: { position: 'in.place', millis: 'u.time' },
-      outputs: { normal: 'turned' },
+      outputs: { normal: 'bent' },
     })
-    assert.match(code, /var moved: vec3f;\nvar turned: vec3f;/)
+    assert.match(code, /var moved: vec3f;\nvar bent: vec3f;/)
     assert.match(code, /moved = in\.place \+ offset;/)
     assert.match(code, /u\.time/)
     assert.doesNotMatch(code, /aPosition|millis/)
@@ -122,8 +122,8 @@ test('the sources of a function in both languages are recorded', () => {
 })
 
 describe('labels in different spellings are one variable', () => {
-  /** Expects 2 p.x, since both are the same number. */
-  const slope = (make, by) => {
+  /** Returns the code of the derivative of a product: 2 p.x if both factors are the same variable. */
+  const derivativeCode = (make, by) => {
     const { code } = compile((glsl) => {
       const [first, second] = make(glsl)
       return { d: glsl.derivative(first.mult(second), by?.(glsl) ?? first) }
@@ -133,52 +133,53 @@ describe('labels in different spellings are one variable', () => {
 
   test('with spaces after a vector', () => {
     assert.equal(
-      slope((glsl) => [glsl.vec3Param('p').x(), glsl.param('p .x')]),
+      derivativeCode((glsl) => [glsl.vec3Param('p').x(), glsl.param('p .x')]),
       'p.x * 2.0',
     )
   })
   test('with spaces around a number', () => {
     assert.equal(
-      slope((glsl) => [glsl.param(' p'), glsl.param('p')]),
+      derivativeCode((glsl) => [glsl.param(' p'), glsl.param('p')]),
       'p * 2.0',
     )
   })
   test('with parentheses', () => {
     assert.equal(
-      slope((glsl) => [glsl.vec3Param('p').x(), glsl.param('(p).x')]),
+      derivativeCode((glsl) => [glsl.vec3Param('p').x(), glsl.param('(p).x')]),
       'p.x * 2.0',
     )
     assert.equal(
-      slope((glsl) => [glsl.param('p.x'), glsl.param('(p).x')]),
+      derivativeCode((glsl) => [glsl.param('p.x'), glsl.param('(p).x')]),
       'p.x * 2.0',
     )
   })
   test('for parts of a matrix', () => {
     for (const part of ['m[0].x', 'm[0][0]', '( m ) [0].r'])
       assert.equal(
-        slope((glsl) => [glsl.mat3Param('m').column(0).x(), glsl.param(part)]),
+        derivativeCode((glsl) => [glsl.mat3Param('m').column(0).x(), glsl.param(part)]),
         'm[0].x * 2.0',
       )
     assert.equal(
-      slope((glsl) => [glsl.mat3Param('m').column(1).y(), glsl.vec3Param('m[1]').y()]),
+      derivativeCode((glsl) => [glsl.mat3Param('m').column(1).y(), glsl.vec3Param('m[1]').y()]),
       'm[1].y * 2.0',
     )
   })
   test('unless they are ambiguous, which throws', () => {
-    const both = (first, second) => () => compile((glsl) => ({ a: first(glsl), b: second(glsl) }))
+    const compileBoth = (first, second) => () =>
+      compile((glsl) => ({ a: first(glsl), b: second(glsl) }))
     throwsWarpError(
-      both(
+      compileBoth(
         (glsl) => glsl.vec2Param('p.xy'),
         (glsl) => glsl.vec2Param('p.yz'),
       ),
       /vec2Param: "p\.xy" was read before "p\.yz" and may be a part of it; read the vector of both first/,
     )
     throwsWarpError(
-      both(
+      compileBoth(
         (glsl) => glsl.param('m[0].x'),
         (glsl) => glsl.mat3Param('m'),
       ),
-      /"m\[0\]\.x" was read before "m", whose part it is; read the matrix first/,
+      /"m\[0\]\.x" was read before "m", of which it is a part; read the matrix first/,
     )
   })
 })

@@ -8,11 +8,11 @@ import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 const origin = [0, 0, 0]
 
 /** Returns the position to which a warp moves the origin. */
-const movedTo = (offset, uniforms, given) =>
-  compileWarp(offset, { uniforms }).evaluateAt(origin, { uniforms: given }).position
+const movedTo = (offset, uniforms, callUniforms) =>
+  compileWarp(offset, { uniforms }).evaluateAt(origin, { uniforms: callUniforms }).position
 
-const read = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
-const declare = (value) => compileWarp(read, { uniforms: { value } })
+const readValue = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
+const declare = (value) => compileWarp(readValue, { uniforms: { value } })
 
 describe('types follow from the values:', () => {
   test('a number, true and false are floats', () => {
@@ -43,8 +43,8 @@ describe('types follow from the values:', () => {
     const offset = ({ uniforms: { v, c } }) => v.add(c.xyz().mult(c.w()))
     assert.deepEqual(movedTo(offset, { v: vector, c: color }), [1.5, 2.25, 3])
     const flat = ({ glsl, uniforms: { a, b } }) => b.add(glsl.vec3(a, 0))
-    const given = { a: vector, b: color }
-    assert.deepEqual(movedTo(flat, { a: [0, 0], b: [0, 0, 0] }, given), [1.5, 2.25, 0])
+    const callUniforms = { a: vector, b: color }
+    assert.deepEqual(movedTo(flat, { a: [0, 0], b: [0, 0, 0] }, callUniforms), [1.5, 2.25, 0])
   })
 
   test('uniforms that the code reads are listed, and each is read by its own name', () => {
@@ -104,8 +104,8 @@ describe('uniforms named like properties of Object:', () => {
       () => compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms['__proto__']), { uniforms }),
       /"__proto__" cannot be read in a shader: .* two consecutive underscores/,
     )
-    const still = compileWarp(({ position }) => position, { uniforms })
-    assert.deepEqual(still.evaluateAt([1, 2, 3], { uniforms }).position, [2, 4, 6])
+    const warp = compileWarp(({ position }) => position, { uniforms })
+    assert.deepEqual(warp.evaluateAt([1, 2, 3], { uniforms }).position, [2, 4, 6])
     throwsWarpError(
       () => compileWarp(({ position }) => position).evaluateAt(origin, { uniforms }),
       /the warp has no uniform "__proto__"/,
@@ -162,9 +162,9 @@ describe('on the CPU', () => {
     const value = [1, 2, 3]
     const warp = compileWarp(({ uniforms }) => uniforms.value, { uniforms: { value } })
     value[0] = 100
-    const given = Object.freeze({ value: Object.freeze([4, 5, 6]) })
+    const constants = Object.freeze({ value: Object.freeze([4, 5, 6]) })
     assert.deepEqual(warp.evaluateAt(origin).position, [1, 2, 3])
-    assert.deepEqual(warp.evaluateAt(origin, { uniforms: given }).position, [4, 5, 6])
+    assert.deepEqual(warp.evaluateAt(origin, { uniforms: constants }).position, [4, 5, 6])
     assert.deepEqual(value, [100, 2, 3])
   })
 
@@ -177,10 +177,10 @@ describe('on the CPU', () => {
     const fine = subdivide(plane, { warp: compileWarp(offset, options), tolerance: 0.01 })
     assert.ok(fine.positions.length > 30)
     assert.equal(calls, 2)
-    const given = { value: 2 }
+    const constants = { value: 2 }
     const same = subdivide(plane, {
       warp: compileWarp(offset, options),
-      uniforms: given,
+      uniforms: constants,
       tolerance: 0.01,
     })
     assert.deepEqual(same.positions, fine.positions)
@@ -241,7 +241,7 @@ describe('throws for', () => {
     assert.deepEqual(compileNamed('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
-  test('reading an undeclared uniform, and for writing one', () => {
+  test('reading an undeclared uniform, and writing a uniform', () => {
     const readUndeclared = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
     throwWarpErrors([

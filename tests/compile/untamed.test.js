@@ -8,10 +8,10 @@ import { callbackOf } from '../random/check.js'
 import { randomCase, randomOf } from '../random/generate.js'
 
 const count = 2000
-const pointsOfEach = 32
-// The compiler assumes that inputs are no larger than the last of these (`assumedMagnitude` in src/graph/graph.hpp).
-const usual = [0, 1e-30, 1e-19, 1, 1e4]
-const huge = [1e19, 1e20, 2.5e20, 1e30]
+const pointsPerCase = 32
+// The compiler assumes that inputs are no larger than the last of `assumedSizes` (`assumedMagnitude` in src/graph/graph.hpp).
+const assumedSizes = [0, 1e-30, 1e-19, 1, 1e4]
+const hugeSizes = [1e19, 1e20, 2.5e20, 1e30]
 
 /** The inputs of the expressions, computed from the position. */
 const inputs = `
@@ -33,7 +33,7 @@ const offsets = {
   bool: 'glsl.vec3(0, value.ifElse(1, 0), 0)',
 }
 
-/** The compiler rejects some expressions that are not finite for any input. */
+/** Compiles an expression as an offset; returns `undefined` if the compiler rejects it, since it is not finite for any input. */
 function warpOf(root) {
   const body = `${inputs}const value = ${textOf(root)}\nreturn ${offsets[root.shape]}`
   try {
@@ -43,7 +43,7 @@ function warpOf(root) {
   }
 }
 
-/** Each coordinate has one of the sizes; all have the same one at every fourth point. */
+/** Returns random vertices. Each coordinate has one of the sizes; at every fourth vertex, all coordinates are the same. */
 function verticesOf(seed, sizes) {
   const random = randomOf(3e6 + seed)
   const pick = (list) => list[Math.floor(list.length * random())]
@@ -55,7 +55,7 @@ function verticesOf(seed, sizes) {
     [0.48, 0.6, 0.64],
   ]
   const [positions, normals] = [[], []]
-  for (let i = 0; i < pointsOfEach; i++) {
+  for (let i = 0; i < pointsPerCase; i++) {
     positions.push(
       ...(i % 4 ? [coordinate(), coordinate(), coordinate()] : Array(3).fill(coordinate())),
     )
@@ -71,38 +71,41 @@ const cases = Array.from({ length: count }, (_, seed) => {
   return { seed, root, warp: warpOf(root) }
 }).filter(({ warp }) => warp)
 
-/** The first vertex of each expression with a finite position, and a normal of neither length 1 nor 0. */
-function failuresOf(sizes, t, zeros = 0.1) {
+/** Describes, for each expression, the first vertex that has a finite position and a normal whose length is neither 1 nor 0. */
+function failuresOf(sizes, t, maxZeroShare = 0.1) {
   const failures = []
-  let [seen, zero] = [0, 0]
+  let [normalCount, zeroCount] = [0, 0]
   for (const { seed, root, warp } of cases) {
     const vertices = verticesOf(seed, sizes)
     const warped = warp.evaluate(vertices)
-    for (let i = 0; i < pointsOfEach; i++) {
+    for (let i = 0; i < pointsPerCase; i++) {
       if (!tripleOf(warped.positions, i).every(Number.isFinite)) continue
       const length = Math.hypot(...tripleOf(warped.normals, i))
-      seen++
-      if (length === 0) zero++
+      normalCount++
+      if (length === 0) zeroCount++
       if (length === 0 || Math.abs(length - 1) < 1e-5) continue
       const position = tripleOf(vertices.positions, i)
       failures.push(`${seed} at ${position}: ${tripleOf(warped.normals, i)} of ${textOf(root)}`)
       break
     }
   }
-  t.diagnostic(`${seen} normals, ${zero} of them zero; ${failures.length} failures`)
-  assert.ok(seen > 0.4 * count * pointsOfEach && zero < zeros * seen, 'there is something to see')
+  t.diagnostic(`${normalCount} normals, ${zeroCount} of them zero; ${failures.length} failures`)
+  assert.ok(
+    normalCount > 0.4 * count * pointsPerCase && zeroCount < maxZeroShare * normalCount,
+    'too few normals, or too many zero normals',
+  )
   return failures
 }
 
 test('few expressions are rejected', () => assert.ok(cases.length > 0.9 * count, `${cases.length}`))
 
 test('normals have length 1, or are zero', (t) => {
-  assert.deepEqual(failuresOf(usual, t), [])
+  assert.deepEqual(failuresOf(assumedSizes, t), [])
 })
 
 // Normals are zero where products of slopes overflow float32: scaling each product would cost every warp a dozen operations per vertex.
 for (const sizes of [
-  [...usual, ...huge],
+  [...assumedSizes, ...hugeSizes],
   [1e20, 1.5e20, 1],
 ])
   test(`at positions of the sizes ${sizes} too`, (t) => {

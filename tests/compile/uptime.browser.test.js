@@ -15,13 +15,14 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
   before(async () => (gpu = await openPipeline(browsers.WEBGL)))
 
   const everyday = ['sine-sphere', 'deformer-noise', 'airplane-twist']
-  const shown = warps
+  const measured = warps
     .filter(isMeasured)
     .filter(({ name }) => everyday.includes(name) || isRun('every warp after a week of uptime'))
-  for (const warp of shown)
+  for (const warp of measured)
     test(warp.name, async () => {
       const { start, then, step } = await measureAfterAWeek(gpu, warp, { perFrame: true })
-      // About as accurate as at the start. The largest errors are now at other vertices, up to 1.8 and 2.5 times as large.
+      // Errors are about as large as at the start; the largest, now at other vertices, are up to 1.8 (positions) and 2.5 times (angles) as
+      // large.
       const [positions, angles] = [then.position / start.position, then.angle / start.angle]
       assert.ok(!(positions > 2), `positions are ${positions} times as far off as at the start`)
       assert.ok(!(angles > 3), `normals are ${angles} times as far off as at the start`)
@@ -30,7 +31,7 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
         assert.ok(position <= 2e-5, `positions are ${position} off`)
         assert.ok(angle <= warp.degrees, `normals are ${angle}° off`)
       }
-      assert.ok(step < 0.001, `a frame's way is ${step} off`)
+      assert.ok(step < 0.001, `the motion between frames is ${step} off`)
     })
 
   test('float32 is not accurate after a week without them', async () => {
@@ -93,7 +94,7 @@ describe('createWarp after a week', () => {
       for (const kind of ['', ' of noise'])
         assert.ok(
           differingPixels(images[`late${kind}`], images[`next${kind}`], 2) > 300,
-          `a frame moves it${kind}`,
+          `nothing moves from frame to frame${kind}`,
         )
     })
 })

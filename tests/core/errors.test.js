@@ -1,5 +1,5 @@
-// Each mistake throws one clear message, and does not affect the next warp. Messages that the C++ writes are in
-// tests/cpp/builder_errors_test.cpp; here is one for each way into JavaScript.
+// Each mistake throws one clear message, and does not affect the next warp. tests/cpp/builder_errors_test.cpp tests the messages of the C++
+// code; here is one of them for each way by which they reach JavaScript.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'
@@ -7,9 +7,9 @@ import { chain, inSpace, twist } from '../../dist/deformers.js'
 import { compile, compileWarp, gen } from '../../dist/warpjet.js'
 import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
-const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+const zeroOffset = ({ glsl }) => glsl.vec3(0, 0, 0)
 
-afterEach(() => assert.match(compileWarp(still).code, /warpedPosition/))
+afterEach(() => assert.match(compileWarp(zeroOffset).code, /warpedPosition/))
 
 const offset = (callback) => () => compileWarp(callback)
 
@@ -36,11 +36,11 @@ test("rejects JavaScript's operators on expressions", () => {
 })
 
 test('reports expressions that are converted to strings', () => {
-  // The string is for messages of other libraries; a shader rejects it.
+  // Messages of other libraries may contain the string; in shader code, it is rejected.
   compile((glsl) => {
     const x = glsl.param('x')
     assert.equal(`${x}`, 'an expression of warpjet')
-    // Node's console calls it.
+    // Node's console converts to a string with `inspect`.
     assert.equal(inspect(x), 'an expression of warpjet')
     assert.equal(inspect([glsl.vec2Param('v').y]), '[ an expression of warpjet ]')
     throwsWarpError(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
@@ -68,7 +68,10 @@ test('rejects values that are not offset functions', () => {
   throwWarpErrors([
     [() => compileWarp(), /expected a function, got undefined/],
     [() => compileWarp('x'), /expected a function, got the text "x"\.$/],
-    [() => compileWarp('vec3 offset(vec3 p) { return p; }'), /got the text .*; glslOffset\(text\)/],
+    [
+      () => compileWarp('vec3 offset(vec3 p) { return p; }'),
+      /got the text ".*"; to pass source in GLSL, convert it to a function by glslOffset\(text\)/,
+    ],
     [() => compile(7), /compile: expected a function, got the number 7/],
     [() => gen({}), /gen: expected a function, got an empty object/],
     [() => gen(async () => {}), /gen: the function must be neither async nor a generator/],
@@ -77,15 +80,15 @@ test('rejects values that are not offset functions', () => {
 })
 
 test('rejects invalid operands', () => {
-  const with_ = (operand) => offset(({ position }) => position.add(operand))
+  const add = (operand) => offset(({ position }) => position.add(operand))
   throwWarpErrors([
-    [with_(undefined), /add: expected a number or an expression for argument 1, got undefined/],
-    [with_('1'), /add: expected .* for argument 1, got the text "1"/],
-    [with_({ x: 1 }), /add: expected .* for argument 1, got an object/],
-    [with_([1, 2]), /add: expected .* for argument 1, got an array of 2/],
-    [with_(NaN), /add: argument 1 is NaN/],
-    [with_(1e-60), /add: argument 1 is 1e-60, too close to zero/],
-    [with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/],
+    [add(undefined), /add: expected a number or an expression for argument 1, got undefined/],
+    [add('1'), /add: expected .* for argument 1, got the text "1"/],
+    [add({ x: 1 }), /add: expected .* for argument 1, got an object/],
+    [add([1, 2]), /add: expected .* for argument 1, got an array of 2/],
+    [add(NaN), /add: argument 1 is NaN/],
+    [add(1e-60), /add: argument 1 is 1e-60, too close to zero/],
+    [add(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/],
     [offset(({ millis }) => millis.add()), /add: expected 1 argument, got 0/],
     [offset(({ glsl }) => glsl.sum()), /sum: expected 2 arguments, got 0/],
     [
@@ -123,18 +126,18 @@ test('rejects expressions of another warp', () => {
 test('rejects invalid options', () => {
   throwWarpErrors([
     [
-      () => compileWarp(still, { target: 'hlsl' }),
+      () => compileWarp(zeroOffset, { target: 'hlsl' }),
       /expected 'glsl300', 'glsl100' or 'wgsl' for the option "target", got the text "hlsl"/,
     ],
-    [() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/],
-    [() => compileWarp(still, 5), /expected an object of options, got/],
+    [() => compileWarp(zeroOffset, { traget: 'glsl300' }), /no option "traget"/],
+    [() => compileWarp(zeroOffset, 5), /expected an object of options, got/],
     [
-      () => compileWarp(still, { normals: 'no' }),
+      () => compileWarp(zeroOffset, { normals: 'no' }),
       /expected true, false, 'vertex', 'pixel' or 'auto' for the option "normals", got the text "no"/,
     ],
-    [() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/],
+    [() => compileWarp(zeroOffset, { names: { pos: 'p' } }), /no option "pos"/],
     [
-      () => compileWarp(still, { names: { position: 5 } }),
+      () => compileWarp(zeroOffset, { names: { position: 5 } }),
       /for the option "names\.position", got the number 5/,
     ],
     [
@@ -145,7 +148,7 @@ test('rejects invalid options', () => {
 })
 
 test('rejects results requested by .output(…) outside of gen', () => {
-  const asks = (warp) =>
+  const withSlope = (write) =>
     offset(({ glsl, millis, position }) => {
       const slope = glsl.fn({
         name: 'slope',
@@ -153,25 +156,25 @@ test('rejects results requested by .output(…) outside of gen', () => {
         source: 'float slope(float x) { return x; }',
         derivatives: [(x) => void x.output('hack')],
       })
-      return warp({ glsl, millis, position, slope })
+      return write({ glsl, millis, position, slope })
     })
-  const only = /^output(Deriv)?: only gen takes results this way; return the expression/
+  const message = /^output(Deriv)?: only gen takes results this way; return the expression/
   throwWarpErrors([
     [
-      asks(({ millis, position }) => {
+      withSlope(({ millis, position }) => {
         millis.sin().output('hack')
         return position
       }),
-      only,
+      message,
     ],
     [
-      asks(({ millis, position }) => {
+      withSlope(({ millis, position }) => {
         millis.sin().outputDeriv('hack', millis)
         return position
       }),
-      only,
+      message,
     ],
-    [asks(({ glsl, position, slope }) => glsl.vec3(slope(position.x()), 0, 0)), only],
+    [withSlope(({ glsl, position, slope }) => glsl.vec3(slope(position.x()), 0, 0)), message],
     [
       () =>
         compile((glsl) => {
@@ -179,19 +182,19 @@ test('rejects results requested by .output(…) outside of gen', () => {
           x.sin().output('hack')
           return { r: x.cos(), s: glsl.val(0) }
         }),
-      only,
+      message,
     ],
   ])
 })
 
 test('rejects a class instead of a function', () => {
   class Offset {}
-  const isClass = /expected a function, got a class\./
-  for (const run of [compileWarp, compile, gen]) throwsWarpError(() => run(Offset), isClass)
+  const classMessage = /expected a function, got a class\./
+  for (const run of [compileWarp, compile, gen]) throwsWarpError(() => run(Offset), classMessage)
   throwWarpErrors([
-    [() => compileWarp(Map), isClass],
+    [() => compileWarp(Map), classMessage],
     [
-      () => compileWarp(still, { uniforms: { reach: Offset } }),
+      () => compileWarp(zeroOffset, { uniforms: { reach: Offset } }),
       /^compileWarp: expected a number, .*, for the uniform "reach", got a class\./,
     ],
   ])
@@ -212,12 +215,12 @@ test('rejects a class instead of a function', () => {
       /expected an offset function, .* for argument 2, got a class/,
     ],
     [() => twist({ angle: Offset }), /expected .* for the option "angle", got a class/],
-    [() => inSpace(Offset, still), /for the matrix, got a class/],
+    [() => inSpace(Offset, zeroOffset), /for the matrix, got a class/],
   ])
 })
 
 test('rejects invalid names of results', () => {
-  const withOutputs = (outputs) => () => compileWarp(still, { outputs })
+  const withOutputs = (outputs) => () => compileWarp(zeroOffset, { outputs })
   throwWarpErrors([
     [withOutputs({ position: '2x' }), /"2x" cannot name a result/],
     [withOutputs({ position: 'vec3' }), /"vec3" cannot name a result/],
@@ -252,13 +255,13 @@ test('rejects invalid names of parameters', () => {
 })
 
 test('rejects derivatives with respect to anything but an input', () => {
-  const by = (choose) => () =>
+  const differentiateBy = (choose) => () =>
     compile((glsl) => {
       const v = glsl.vec3Param('v')
       return { d: glsl.derivative(v.x().sin(), choose(v)) }
     })
   throwsWarpError(
-    by((v) => v),
+    differentiateBy((v) => v),
     /derivative: expected a single input \(such as position\.x\(\)\) as argument 2, got a vec3/,
   )
 })
@@ -276,23 +279,27 @@ test('treats two spellings of one variable as the same, or rejects them', () => 
   assert.match(code, /a = p\.z \* 2\.0;\s+b = a;\s+c = p\.zx;/)
   throwsWarpError(
     () => compile((glsl) => ({ r: glsl.param('p.x').mult(glsl.vec3Param('p')) })),
-    /vec3Param: "p\.x" was read before "p", whose part it is; read the vector first/,
+    /vec3Param: "p\.x" was read before "p", of which it is a part; read the vector first/,
   )
 })
 
 test('rejects invalid uses of vector inputs', () => {
-  const of = (callback) => () =>
+  const compileWith = (callback) => () =>
     compile((glsl) => ({ d: callback(glsl, glsl.vec3Param('v'), glsl.vec2Param('u')) }))
   throwsWarpError(
-    of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
+    compileWith((glsl, v, u) => glsl.adjustNormal(v, v, u)),
     /adjustNormal: expected a vec3 of inputs \(such as position\) as argument 3, got a vec2/,
   )
 })
 
 test('rejects invalid uses of matrices', () => {
-  const of = (callback) => () => compile((glsl) => ({ r: callback(glsl, glsl.mat3Param('m')) }))
+  const compileWith = (callback) => () =>
+    compile((glsl) => ({ r: callback(glsl, glsl.mat3Param('m')) }))
   throwWarpErrors([
-    [of((glsl, m) => m.mult(glsl.vec2(1, 2))), /mult: a mat3 and a vec2 do not fit together/],
+    [
+      compileWith((glsl, m) => m.mult(glsl.vec2(1, 2))),
+      /mult: a mat3 and a vec2 do not fit together/,
+    ],
     [
       () =>
         compile((glsl) => ({ j: glsl.jacobian(glsl.vec2Param('u'), glsl.vec3Param('v')) }), {
@@ -305,31 +312,37 @@ test('rejects invalid uses of matrices', () => {
 
 test('rejects invalid shader functions', () => {
   const a = { name: 'a', source: 'float a(float x) { return x; }', arity: 1 }
-  const of =
+  const compileCall =
     (options, use = (f, x) => f(x), target) =>
     () =>
       compile((glsl) => ({ r: use(glsl.fn(options), glsl.param('x'), glsl) }), { target })
   const differentiated = (f, x, glsl) => glsl.derivative(f(x), x)
   throwWarpErrors([
-    [of(undefined), /fn: expected an object \{ name, source, arity, derivatives \}, got undefined/],
-    [of({ nam: 'a' }), /fn: there is no option "nam"/],
-    [of({ ...a, name: 5 }), /expected a text for the option "name", got the number 5/],
-    [of({ ...a, arity: 0 }), /expected a whole number from 1 to 16 for the option "arity" of a/],
     [
-      of({ ...a, source: { wgsl: '' } }),
+      compileCall(undefined),
+      /fn: expected an object \{ name, source, arity, derivatives \}, got undefined/,
+    ],
+    [compileCall({ nam: 'a' }), /fn: there is no option "nam"/],
+    [compileCall({ ...a, name: 5 }), /expected a text for the option "name", got the number 5/],
+    [
+      compileCall({ ...a, arity: 0 }),
+      /expected a whole number from 1 to 16 for the option "arity" of a/,
+    ],
+    [
+      compileCall({ ...a, source: { wgsl: '' } }),
       /expected GLSL source for the target glsl300, or an object \{ glsl: … \} with it, for the option "source" of a/,
     ],
     [
-      of({ ...a, derivatives: [] }),
+      compileCall({ ...a, derivatives: [] }),
       /expected an array of 1, one for each argument, for the option "derivatives" of a/,
     ],
-    [of(a, differentiated), /a: its derivatives are needed here/],
+    [compileCall(a, differentiated), /a: its derivatives are needed here/],
     [
-      of({ ...a, derivatives: [() => undefined] }, differentiated),
+      compileCall({ ...a, derivatives: [() => undefined] }, differentiated),
       /a: expected a number or an expression for derivative 1, got undefined/,
     ],
     [
-      of(
+      compileCall(
         { ...a, derivatives: [(x) => x.add(1).mult(0.5).sin().neg().add(x).gt(0)] },
         (f, x, glsl) => glsl.derivative(f(glsl.vec2(x, 1)), x).dot(glsl.vec3(1, 1, 1)),
       ),
@@ -355,7 +368,7 @@ test('rejects invalid numbers passed to evaluate', () => {
   ])
 })
 
-test('reports constants that only a derivative combines to an infinite result', () => {
+test('reports constants whose product, which only the derivative computes, is infinite', () => {
   throwsWarpError(
     () =>
       compile((glsl) => {

@@ -7,7 +7,7 @@ import { compile } from '../../dist/warpjet.js'
 import { evaluateFormula, operandsOf } from '../support/number-formulas.js'
 
 /** The points at which each formula is evaluated. */
-const places = {
+const pointsByName = {
   pow: [[0.4, 2.5], [1.7, -1.3]], // prettier-ignore
   asin: [[-0.6], [0.3]],
   acos: [[-0.6], [0.3]],
@@ -23,11 +23,13 @@ const places = {
   ifElse: [[1, 2, 3], [0, 2, 3]], // prettier-ignore
 }
 const step = 1e-6
-const positive = /^(?:sqrt|inversesqrt|log2?)$/
-const pairs = [[1.3, 0.7, 0.2], [-1.6, 2.3, 0.6], [0.4, -0.9, 1.2]] // prettier-ignore
-const placesOf = (name, count) =>
-  places[name] ??
-  pairs.map((pair) => pair.slice(0, count).map(positive.test(name) ? Math.abs : Number))
+const needsPositive = /^(?:sqrt|inversesqrt|log2?)$/
+const defaultPoints = [[1.3, 0.7, 0.2], [-1.6, 2.3, 0.6], [0.4, -0.9, 1.2]] // prettier-ignore
+const pointsOf = (name, count) =>
+  pointsByName[name] ??
+  defaultPoints.map((point) =>
+    point.slice(0, count).map(needsPositive.test(name) ? Math.abs : Number),
+  )
 
 for (const [name, { value, by, where }] of Object.entries(formulas))
   test(`${name} is ${value}, and its derivative ${by.join(', ')}`, () => {
@@ -38,7 +40,7 @@ for (const [name, { value, by, where }] of Object.entries(formulas))
       const derivatives = params.map((param, i) => [`by${i}`, glsl.derivative(result, param)])
       return { value: result, ...Object.fromEntries(derivatives) }
     })
-    for (const place of placesOf(name, by.length)) {
+    for (const place of pointsOf(name, by.length)) {
       const values = Object.fromEntries(names.map((operand, i) => [operand, place[i]]))
       const computed = program.evaluate(values)
       for (const [key, text] of [['value', value], ...by.map((text, i) => [`by${i}`, text])]) {
@@ -47,7 +49,7 @@ for (const [name, { value, by, where }] of Object.entries(formulas))
         const message = `${key} of ${name} at ${place}: ${computed[key]}, not ${expected}`
         assert.ok(Math.abs(computed[key] - expected) <= bound, message)
       }
-      // No difference crosses a jump, so that the derivatives of the docs are those of the value in the docs.
+      // The derivatives in the docs are those of the value in the docs. No finite difference here crosses a jump.
       for (const [i, text] of by.entries()) {
         const [after, before] = [step, -step].map((change) =>
           evaluateFormula(value, { ...values, [names[i]]: place[i] + change }, where),
@@ -56,7 +58,7 @@ for (const [name, { value, by, where }] of Object.entries(formulas))
           (after - before) / (2 * step),
           evaluateFormula(text, values, where),
         ]
-        const message = `${names[i]} of ${name} at ${place}: ${slope} by differences, not ${expected}`
+        const message = `${names[i]} of ${name} at ${place}: ${slope} by finite differences, not ${expected}`
         assert.ok(Math.abs(slope - expected) <= 1e-7 * Math.max(1, Math.abs(expected)), message)
       }
     }

@@ -1,15 +1,15 @@
-// Notation that users of other libraries may try: components without parentheses, and the names of operations there.
+// Tests notation that users of other libraries may try: components without parentheses, and the names that operations have in those
+// libraries.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
-import { madeOf, sameAs } from '../operations/aliases.js'
+import { compositions, operationOfAlias } from '../operations/aliases.js'
 
 const textOf = (make) =>
   compile((glsl) => ({ result: make(glsl, glsl.vec3Param('a'), glsl.param('x')) })).code
 
 test('a component is a value that can also be called', () => {
-  for (const name of ['x', 'yz', 'bgr', 'xyxy', 'length', 'st']) {
-    if (name === 'length') continue
+  for (const name of ['x', 'yz', 'bgr', 'xyxy', 'st']) {
     const called = textOf((_, a) => a[name]().mult(2))
     assert.equal(
       textOf((_, a) => a[name].mult(2)),
@@ -22,7 +22,7 @@ test('a component is a value that can also be called', () => {
       name,
     )
   }
-  // These methods have the names of properties that every JavaScript function has.
+  // The method length has the name of a property of every JavaScript function.
   assert.equal(
     textOf((_, a) => a.xy.length()),
     textOf((_, a) => a.xy().length()),
@@ -40,7 +40,7 @@ test('a component is a value that can also be called', () => {
   })
 })
 
-test('a swizzle that was never read is found by the operator in, and cannot be assigned', () => {
+test('the operator `in` finds swizzles that were not read before, and a swizzle cannot be assigned', () => {
   compile((glsl) => {
     const v = glsl.vec3Param('v')
     assert.ok('zxxz' in v)
@@ -53,7 +53,7 @@ test('a swizzle that was never read is found by the operator in, and cannot be a
   })
 })
 
-test('a component can be a derivative, a result and an option', () => {
+test('a component without parentheses can be the derivative of a function', () => {
   const bump = (glsl) =>
     glsl.fn({
       name: 'bump',
@@ -75,18 +75,18 @@ const operands = {
 const withoutOperands = ['neg', 'inversesqrt', 'length', 'normalize', 'fract', 'noise']
 
 test('aliases are the same operation, as methods and as functions', () => {
-  for (const [alias, name] of Object.entries(sameAs)) {
+  for (const [alias, name] of Object.entries(operationOfAlias)) {
     const others = withoutOperands.includes(name) ? [] : (operands[name] ?? [2])
     const isOfVectors = ['length', 'normalize'].includes(name)
-    const on = (a, x) => (isOfVectors ? a : x)
-    const expected = textOf((_, a, x) => on(a, x)[name](...others))
+    const operandOf = (a, x) => (isOfVectors ? a : x)
+    const expected = textOf((_, a, x) => operandOf(a, x)[name](...others))
     assert.equal(
-      textOf((_, a, x) => on(a, x)[alias](...others)),
+      textOf((_, a, x) => operandOf(a, x)[alias](...others)),
       expected,
       alias,
     )
     assert.equal(
-      textOf((glsl, a, x) => glsl[alias](on(a, x), ...others)),
+      textOf((glsl, a, x) => glsl[alias](operandOf(a, x), ...others)),
       expected,
       `glsl.${alias}`,
     )
@@ -94,30 +94,30 @@ test('aliases are the same operation, as methods and as functions', () => {
 })
 
 test('compositions have the values of their operations', () => {
-  for (const [name, expected] of Object.entries(madeOf)) {
+  for (const [name, expected] of Object.entries(compositions)) {
     const isOfVectors = expected.length === 3
     const program = compile((glsl) => {
       const x = isOfVectors ? glsl.vec3Param('a') : glsl.param('x')
       return { method: x[name](), called: glsl[name](x) }
     })
-    for (const given of [
+    for (const numbers of [
       [0.25, 2, -3],
       [-1.5, 0.5, 4],
       [3, 1, 1],
     ]) {
-      const { method, called } = program.evaluate(isOfVectors ? { a: given } : { x: given[0] })
-      const wanted = expected(...given)
+      const { method, called } = program.evaluate(isOfVectors ? { a: numbers } : { x: numbers[0] })
+      const wanted = expected(...numbers)
       assert.ok(
         Math.abs(method - wanted) <= 1e-6 * Math.abs(wanted),
-        `${name}: ${method} for ${wanted}`,
+        `${name}: ${method}, not ${wanted}`,
       )
       assert.equal(called, method)
     }
   }
 })
 
-test('unknown names suggest near ones, and properties that consoles and promises probe do not exist', async () => {
-  const said = (make) => {
+test('unknown names suggest similar ones, and properties that consoles and promises probe do not exist', async () => {
+  const messageOf = (make) => {
     try {
       compileWarp(make)
     } catch (error) {
@@ -125,11 +125,11 @@ test('unknown names suggest near ones, and properties that consoles and promises
     }
   }
   assert.equal(
-    said(({ postion }) => postion),
+    messageOf(({ postion }) => postion),
     'An offset function gets no "postion"; did you mean position?',
   )
   assert.match(
-    said(({ position }) => position.sine()),
+    messageOf(({ position }) => position.sine()),
     /did you mean sin\?/,
   )
   compileWarp((inputs) => {

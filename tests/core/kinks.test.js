@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { plotOf } from '../../web/site/plot.js'
 
-/** Returns the points that a plot marks. */
+/** Returns the x of the kinks that a plot marks. */
 const kinksOf = (call, from = -3, to = 3) =>
   [...plotOf(call, from, to).matchAll(/data-kink="([^"]+)"/g)].map(([, x]) => Number(x))
 
@@ -18,9 +18,9 @@ for (const [call, expected, ...range] of [
   ['glsl.div(1, x)', [0]],
 ])
   test(`${call} has ${expected.length === 1 ? 'a kink' : 'kinks'} at ${expected.map((x) => Number(x.toFixed(3))).join(', ')}`, () => {
-    const found = kinksOf(call, ...range)
-    assert.equal(found.length, expected.length, `${found}`)
-    for (const [i, x] of expected.entries()) assert.ok(Math.abs(found[i] - x) < 1e-5, `${found}`)
+    const actual = kinksOf(call, ...range)
+    assert.equal(actual.length, expected.length, `${actual}`)
+    for (const [i, x] of expected.entries()) assert.ok(Math.abs(actual[i] - x) < 1e-5, `${actual}`)
   })
 
 for (const call of ['x.sin()', 'x.exp()', 'x.pow(3)', 'glsl.smoothstep(-1, 1, x)', 'x.tanh()'])

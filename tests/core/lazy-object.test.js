@@ -3,55 +3,55 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
 
-/** Calls `look` in an offset function, with its inputs. */
-function inside(look, options) {
+/** Calls `inspect` in an offset function, with the function's inputs. */
+function inOffset(inspect, options) {
   compileWarp((inputs) => {
-    look(inputs)
+    inspect(inputs)
     return inputs.glsl.vec3(0, 0, 0)
   }, options)
 }
 
 describe('glsl', () => {
   test('has every function as an own property, though it is made later', () =>
-    inside(({ glsl }) => {
+    inOffset(({ glsl }) => {
       const names = Object.keys(glsl)
       for (const name of ['val', 'param', 'sin', 'vec3', 'mul', 'oneMinus', 'fbm'])
         assert.ok(names.includes(name), name)
-      assert.ok(!names.includes('of'), 'what only front ends call is in no list')
+      assert.ok(!names.includes('of'), '`of`, which only front ends call, must not be enumerable')
       assert.ok('of' in glsl && Object.hasOwn(glsl, 'of'))
       assert.equal(new Set(names).size, names.length)
       assert.deepEqual(Object.keys({ ...glsl }), names)
     }))
 
   test('makes each function once, also for an alias', () =>
-    inside(({ glsl }) => {
+    inOffset(({ glsl }) => {
       assert.equal(glsl.sin, glsl.sin)
       assert.equal(glsl.mul, glsl.mult)
       assert.equal({ ...glsl }.sin, glsl.sin)
     }))
 
   test('lists the same names before and after some were read', () =>
-    inside(({ glsl }) => {
+    inOffset(({ glsl }) => {
       const before = Reflect.ownKeys(glsl)
       assert.ok(glsl.vec3 && glsl.cos)
       assert.deepEqual(Reflect.ownKeys(glsl), before)
     }))
 
-  test('remembers assigned, defined and deleted properties', () =>
-    inside(({ glsl }) => {
-      const mine = () => 1
-      glsl.sin = mine
-      assert.equal(glsl.sin, mine)
-      Object.defineProperty(glsl, 'cos', { value: mine })
-      assert.equal(glsl.cos, mine)
+  test('keeps assigned, defined and deleted properties as they are', () =>
+    inOffset(({ glsl }) => {
+      const replacement = () => 1
+      glsl.sin = replacement
+      assert.equal(glsl.sin, replacement)
+      Object.defineProperty(glsl, 'cos', { value: replacement })
+      assert.equal(glsl.cos, replacement)
       delete glsl.tan
       assert.ok(!Object.keys(glsl).includes('tan'))
       assert.throws(() => glsl.tan, WarpError)
-      inside(({ glsl }) => assert.notEqual(glsl.sin, mine))
+      inOffset(({ glsl }) => assert.notEqual(glsl.sin, replacement))
     }))
 
   test('throws for an unknown name', () =>
-    inside(({ glsl }) => {
+    inOffset(({ glsl }) => {
       assert.throws(() => glsl.sine, /glsl\.sine: there is no such function; did you mean/)
       assert.equal('sine' in glsl, false)
     }))
@@ -59,7 +59,7 @@ describe('glsl', () => {
 
 describe('the inputs of an offset function', () => {
   test('are the same expression each time they are read, in a fixed order', () =>
-    inside((inputs) => {
+    inOffset((inputs) => {
       assert.equal(inputs.position, inputs.position)
       assert.equal(inputs.mouseX, { ...inputs }.mouseX)
       const names = Object.keys(inputs)
@@ -69,8 +69,8 @@ describe('the inputs of an offset function', () => {
       assert.throws(() => inputs.time, /An offset function gets no "time"/)
     }))
 
-  test('include the uniforms of the option', () =>
-    inside(
+  test('include the uniforms of the option `uniforms`', () =>
+    inOffset(
       ({ uniforms, ...others }) => {
         assert.deepEqual(Object.keys(uniforms), ['amount'])
         assert.ok(!('uniforms' in others) && 'position' in others)

@@ -9,12 +9,12 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-// The pipelines use this name themselves.
+// The variables of the shader, whose names are not among the candidates.
 const inputs = [{ name: 'given', shape: 2 }]
 const outputs = [{ name: 'total', shape: 1 }]
 
-/** The sum of calls of functions with these names and of noise, which calls functions of warpjet. */
-const callsOf = (names, target) =>
+/** Compiles a sum of calls: of functions with these names, and of noise, which calls functions of warpjet. */
+const compileCalls = (names, target) =>
   compile(
     (glsl) => {
       const given = glsl.vec2Param('given')
@@ -32,7 +32,7 @@ const callsOf = (names, target) =>
 
 const isAccepted = (name, target) => {
   try {
-    return !!callsOf([name], target)
+    return !!compileCalls([name], target)
   } catch (error) {
     assert.ok(error instanceof WarpError, error.stack)
     return false
@@ -43,20 +43,23 @@ for (const target of targets)
   test(`every accepted name compiles in ${target}`, async () => {
     const names = candidates.filter((name) => isAccepted(name, target))
     assert.ok(names.length > 100, `${names.length}`)
-    const run = async (some) => {
-      const program = { ...callsOf(some, target), inputs, outputs }
+    const run = async (subset) => {
+      const program = { ...compileCalls(subset, target), inputs, outputs }
       return (await pipelines.run(target, program, [[0.5, 0]]))[0][0]
     }
-    /** Finds the names that do not compile. */
-    async function failures(some) {
+    /** Returns the names that do not compile, with the message. */
+    async function findFailures(subset) {
       try {
-        assert.equal(await run(some), 0.5 * some.length)
+        assert.equal(await run(subset), 0.5 * subset.length)
         return []
       } catch (error) {
-        if (some.length === 1) return [`${some[0]}: ${error.message.split('\n')[0]}`]
-        const middle = some.length >> 1
-        return [...(await failures(some.slice(0, middle))), ...(await failures(some.slice(middle)))]
+        if (subset.length === 1) return [`${subset[0]}: ${error.message.split('\n')[0]}`]
+        const middle = subset.length >> 1
+        return [
+          ...(await findFailures(subset.slice(0, middle))),
+          ...(await findFailures(subset.slice(middle))),
+        ]
       }
     }
-    assert.deepEqual(await failures(names), [])
+    assert.deepEqual(await findFailures(names), [])
   })

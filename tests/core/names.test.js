@@ -40,9 +40,9 @@ for (const target of targets) {
         { target },
       )
     const { declarations } = compileNamed('height', 'shift')()
-    const ours = [...new Set(declarations.match(/\bwarpjet\w+(?=\()/g))]
-    assert.ok(ours.includes('warpjetHash'), ours.join())
-    for (const name of ours) {
+    const generatedNames = [...new Set(declarations.match(/\bwarpjet\w+(?=\()/g))]
+    assert.ok(generatedNames.includes('warpjetHash'), generatedNames.join())
+    for (const name of generatedNames) {
       throwsWarpError(
         compileNamed(name, 'shift'),
         /cannot name a result|has the name of a variable or function/,

@@ -1,5 +1,6 @@
-// Tests the formulas of noise in the docs. Their text is evaluated in double precision, with the corners, feature points and octaves of the
-// plain noise of tests/support. Values must equal those of the plain noise, derivatives its central differences, and both those of warpjet.
+// Tests the formulas of noise in the docs. Evaluates their text in double precision, with the corners, feature points and octaves of the
+// plain noise of tests/support. The values must equal those of the plain noise and of warpjet, the derivatives must equal the central
+// differences of the plain noise and the derivatives of warpjet.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { noiseFormulas } from '../../.scripts/reference/noise-formulas.mjs'
@@ -13,14 +14,14 @@ const { bases, direction, hash } = plain
 const seed = hash(0, 0)
 const fade = (t) => t ** 3 * (6 * t ** 2 - 15 * t + 10)
 const step = 1e-5
-/** The directional derivative along dp. */
+/** Returns the directional derivative of `f` along dp, from a central difference. */
 const slope = (f, p, dp) =>
   times(0.5 / step, subtract(f(add(p, times(step, dp))), f(add(p, times(-step, dp)))))
 
-/** The corners around a point of the plane, with the names of the docs. */
+/** Returns the variables of the corners of the cell around a point, with the names of the docs. */
 function corners(p, dp) {
   const cell = p.map(Math.floor)
-  const all = [[0, 0], [0, 1], [1, 0], [1, 1]].map((by) => add(cell, by)) // prettier-ignore
+  const all = [[0, 0], [0, 1], [1, 0], [1, 1]].map((corner) => add(cell, corner)) // prettier-ignore
   const hashes = all.map((corner) => corner.reduce(hash, seed))
   const weightAt = (corner) => (q) =>
     q.reduce((product, x, i) => product * fade(1 - Math.abs(x - corner[i])), 1)
@@ -35,19 +36,25 @@ function corners(p, dp) {
   }
 }
 
-/** The corners of the triangle, by the skew of Gustavson 2005. */
+/** Returns the variables of the corners of the triangle around a point, found by the skew of Gustavson 2005. */
 function triangle(p) {
   const [skew, unskew] = [(Math.sqrt(3) - 1) / 2, (3 - Math.sqrt(3)) / 6]
   const cell = p.map((x) => Math.floor(x + skew * (p[0] + p[1])))
   const from = (corner) => corner.map((c, i) => p[i] - c + unskew * (corner[0] + corner[1]))
   const [x, y] = from(cell)
-  const all = [[0, 0], x >= y ? [1, 0] : [0, 1], [1, 1]].map((by) => add(cell, by)) // prettier-ignore
+  const all = [[0, 0], x >= y ? [1, 0] : [0, 1], [1, 1]].map((corner) => add(cell, corner)) // prettier-ignore
   const o = all.map(from)
   const g = all.map((corner) => direction(corner.reduce(hash, seed), 2))
-  return { count: 3, s: 99.2043, o, g, r: o.map((away) => Math.max(0.5 - dot(away, away), 0)) }
+  return {
+    count: 3,
+    s: 99.2043,
+    o,
+    g,
+    r: o.map((fromCorner) => Math.max(0.5 - dot(fromCorner, fromCorner), 0)),
+  }
 }
 
-/** Locates the nearest feature point, from the distances to it at three places. */
+/** Locates the nearest feature point, from the distances to it at three close points. */
 function nearest(p) {
   const places = [0, 1, 2].map((i) =>
     p.map(
@@ -79,21 +86,21 @@ function octaves(p, dp) {
   }
 }
 
-/** The gradients of the three noises, and their derivatives, which the docs write as quotients, `∂N₃/∂y`. */
+/** Returns the gradients of the three noises and the derivatives of these, which the docs write as quotients, `∂N₃/∂y`. */
 function threeNoises(p, dp) {
   const gradients = [1, 2, 3].map((i) => (q) => bases.noise(q, hash(seed, i)).gradient)
-  const parts = (i) => gradients.map((gradient) => gradient(p)[i])
-  const changes = (i) => gradients.map((gradient) => slope(gradient, p, dp)[i])
+  const gradientComponents = (i) => gradients.map((gradient) => gradient(p)[i])
+  const derivatives = (i) => gradients.map((gradient) => slope(gradient, p, dp)[i])
   return Object.fromEntries(
     ['x', 'y', 'z'].flatMap((axis, i) => [
-      [`N${axis}`, parts(i)],
-      [`dN${axis}`, changes(i)],
+      [`N${axis}`, gradientComponents(i)],
+      [`dN${axis}`, derivatives(i)],
     ]),
   )
 }
 const withoutQuotients = (text) => text.replaceAll(/∂(d?N)([₁₂₃])\/∂([xyz])/g, '$1$3$2')
 
-const partsOf = {
+const variablesOf = {
   noise: corners,
   valueNoise: corners,
   simplex: triangle,
@@ -116,13 +123,13 @@ for (const [name, { value, derivative }] of Object.entries(noiseFormulas))
     for (let i = 0; i < 12; i++) {
       const p = [7.3, 2.9, -4.1].slice(0, n).map((x) => x * Math.sin(3.3 * i + x))
       const dp = [0.8, -0.5, 0.3].slice(0, n)
-      const known = { p, dp, ...partsOf[name](p, dp) }
-      const found = program.evaluate({ time: 0, p, dp })
+      const variables = { p, dp, ...variablesOf[name](p, dp) }
+      const actual = program.evaluate({ time: 0, p, dp })
       const expected = [value, derivative].map((text) =>
-        evaluateFormula(withoutQuotients(text), known),
+        evaluateFormula(withoutQuotients(text), variables),
       )
       const field = (q) => first(name, plain[name](q))
-      const numbers = [field(p), slope(field, p, dp), found.value, found.derivative]
+      const numbers = [field(p), slope(field, p, dp), actual.value, actual.derivative]
       for (const [k, result] of numbers.entries())
         for (const [j, x] of [result].flat().entries()) {
           const other = [expected[k % 2]].flat()[j]

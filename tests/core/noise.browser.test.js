@@ -1,5 +1,5 @@
-// Every kind of noise in every language on a real GPU pipeline: values and first and second derivatives, against the CPU in double
-// precision, which tests/core/noise.test.js checks. Values within 1e-4 make a baked mesh equal the one on the screen.
+// Evaluates every kind of noise in every language on a real GPU pipeline, and compares values and first and second derivatives with the CPU
+// in double precision, which tests/core/noise.test.js checks. If values agree to 1e-4, a baked mesh looks like the one on the screen.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -19,7 +19,7 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-/** The values, the derivatives of the first value, and the derivatives of one of these. */
+/** Makes a program for the values, the derivatives of the first value, and the derivatives of the first of these. */
 function programOf(kind, dimensions, options, target) {
   const { size } = propertiesOf[kind]
   const program = compile(
@@ -54,7 +54,7 @@ for (const target of targets) {
       test(`${kind} of ${dimensions} dimensions`, async () => {
         const options = settingsOf(kind)
         const program = programOf(kind, dimensions, options, target)
-        // Far from the origin, float32 rounds the coordinates that an octave multiplies.
+        // Fractals are compared near the origin: further away, float32 rounds the coordinates, which octaves multiply.
         const points = noisePoints(dimensions, 60, isFractal(kind) ? 12 : undefined)
         const got = await pipelines.run(target, program, points)
         const { size } = propertiesOf[kind]

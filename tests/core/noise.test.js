@@ -16,7 +16,7 @@ import { randomOf } from '../random/generate.js'
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']
 const range = (n) => Array.from({ length: n }, (_, i) => i)
 
-/** Compiles a kind of noise to a function point → array of numbers; `derive` makes more expressions from one of its values. */
+/** Compiles a kind of noise to a function point → array of numbers. `derive` makes further expressions from each value of the noise. */
 function evaluatorOf({ kind, dimensions }, options, derive = () => []) {
   const { evaluate } = compile((glsl) => {
     const p = glsl[makers[dimensions - 1]]('p')
@@ -48,18 +48,18 @@ describe('derivatives up to order 3 equal differences:', () => {
       const axes = [noise.dimensions - 1, 0, noise.dimensions - 1]
       const h = 1e-5
       for (const point of noisePoints(noise.dimensions, 12)) {
-        const here = all(point)
+        const center = all(point)
         axes.forEach((axis, order) => {
           const before = all(moveBy(point, axis, -h)),
             after = all(moveBy(point, axis, h))
           for (const value of range(size)) {
             const indexOf = (i) => (i === 0 ? value : size + 3 * value + i - 1)
             const difference = (after[indexOf(order)] - before[indexOf(order)]) / (2 * h)
-            const error = Math.abs(difference - here[indexOf(order + 1)])
+            const error = Math.abs(difference - center[indexOf(order + 1)])
             const bound = 1e-4 * (1 + Math.abs(difference)) * (isFractal(noise.kind) ? 10 : 1)
             assert.ok(
               error <= bound,
-              `order ${order + 1} at ${point}: ${here[indexOf(order + 1)]}, not ${difference}`,
+              `order ${order + 1} at ${point}: ${center[indexOf(order + 1)]}, not ${difference}`,
             )
           }
         })
@@ -116,9 +116,9 @@ describe('range, mean and spread:', () => {
       const points = range(3000).map(() =>
         range(noise.dimensions).map(() => 4091 * random() - 2045),
       )
-      const found = statisticsOf(points.map((point) => at(point)[0]))
+      const actual = statisticsOf(points.map((point) => at(point)[0]))
       const [low, high] = propertiesOf[noise.kind].range
-      const { min, max, mean } = found
+      const { min, max, mean } = actual
       assert.ok(
         min >= low && max <= high,
         `values from ${min} to ${max}, not within the range of tests/operations/noise.js, ${low} to ${high}`,
@@ -128,11 +128,14 @@ describe('range, mean and spread:', () => {
           Math.abs(mean) < 0.03,
           `the mean is ${mean}; a noise that is not around 0 needs a range in tests/operations/noise.js`,
         )
-      assert.ok(found.deviation > 0.05 && found.deviation < 0.6, `the spread is ${found.deviation}`)
+      assert.ok(
+        actual.deviation > 0.05 && actual.deviation < 0.6,
+        `the spread is ${actual.deviation}`,
+      )
     })
 })
 
-/** The correlation, from -1 to 1, between the values at points and at the same points shifted by `by`. */
+/** Returns the correlation, from -1 to 1, between the values at points and at the same points shifted by `by`. */
 function correlation(at, by, random) {
   const pairs = range(4000).map(() => {
     const point = by.map(() => 400 * random())
@@ -144,7 +147,7 @@ function correlation(at, by, random) {
   return product / (a.deviation * b.deviation)
 }
 
-describe('there is no repetition in any direction:', () => {
+describe('there is no visible repetition in any direction:', () => {
   const offsets = [
     [1, 0],
     [0, 1],
@@ -165,8 +168,8 @@ describe('there is no repetition in any direction:', () => {
       for (const by of offsets) {
         // Neighbouring cells share corners, so that noise is anticorrelated there; cells further away are uncorrelated.
         const sharesCorners = Math.max(...by.map(Math.abs)) < 2
-        const found = correlation(at, by, randomOf(5))
-        assert.ok(Math.abs(found) < (sharesCorners ? 0.45 : 0.06), `${by}: ${found}`)
+        const actual = correlation(at, by, randomOf(5))
+        assert.ok(Math.abs(actual) < (sharesCorners ? 0.45 : 0.06), `${by}: ${actual}`)
       }
     })
 
@@ -204,7 +207,7 @@ describe('the code of a noise', () => {
   const targets = ['glsl300', 'glsl100', 'wgsl']
   const count = (text, part) => text.split(part).length - 1
 
-  test('is one function, which a value and its derivatives call once', () => {
+  test('is one function, which is called once for a value and its derivatives', () => {
     for (const target of targets) {
       const { code, declarations } = compile(
         (glsl) => {
@@ -220,7 +223,7 @@ describe('the code of a noise', () => {
     }
   })
 
-  test('is defined once for calls at several places and with several seeds', () => {
+  test('is defined once for calls at several points and with several seeds', () => {
     const { code, declarations } = compile((glsl) => {
       const p = glsl.vec2Param('p')
       return { sum: p.fbm().add(p.mult(3).fbm({ seed: 4 }), p.noise({ seed: 2 })) }
@@ -231,7 +234,7 @@ describe('the code of a noise', () => {
     assert.equal(count(declarations, 'float warpjetHash('), 1)
   })
 
-  test('uses whole numbers for its hash where the language has them', () => {
+  test('uses unsigned integers for its hash if the language has them', () => {
     const text = (target) =>
       compile((glsl) => ({ n: glsl.param('x').noise() }), { target }).declarations
     assert.match(text('glsl300'), /uint/)
@@ -295,7 +298,7 @@ describe('a warp of noise on the CPU', () => {
 })
 
 describe('noise throws for wrong arguments:', () => {
-  const rejected = [
+  const rejectedCalls = [
     [
       (glsl, p) => p.noise({ sed: 1 }),
       /^noise: there is no option "sed"; did you mean seed\? The only option is seed\.$/,
@@ -362,7 +365,7 @@ describe('noise throws for wrong arguments:', () => {
       /^fn: "warpjetNoise3" cannot name a function: such names are reserved for warpjet; rename it\.$/,
     ],
   ]
-  for (const [build, message] of rejected)
+  for (const [build, message] of rejectedCalls)
     test(String(message), () => {
       assert.throws(
         () => compile((glsl) => ({ x: build(glsl, glsl.vec3Param('p')) })),

@@ -16,18 +16,18 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-/** Evaluates a case in a language. */
+/** Returns a function that evaluates a case in a language, at points. */
 function runnerOf(operation, target) {
   const program = programOf(operation, target)
-  return (given) => pipelines.run(target, program, given)
+  return (points) => pipelines.run(target, program, points)
 }
 
 for (const target of targets) {
   describe(`value and every derivative in ${target}:`, () => {
     for (const group of groups)
       test(group, async () => {
-        const chosen = cases.filter((candidate) => candidate.group === group)
-        const problems = chosen.map((operation) =>
+        const casesOfGroup = cases.filter((candidate) => candidate.group === group)
+        const problems = casesOfGroup.map((operation) =>
           problemsOf(operation, runnerOf(operation, target)),
         )
         assert.deepEqual((await Promise.all(problems)).flat(), [])

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
+import { compositions, operationOfAlias, vectorMethods } from '../operations/aliases.js'
 import { brokenConventions, inDouble, problemsOf } from '../operations/check.js'
 import { conventions } from '../operations/conventions.js'
 import { noises } from '../operations/noise.js'
@@ -14,30 +14,32 @@ const targets = ['glsl300', 'glsl100', 'wgsl']
 const groups = [...new Set(cases.map(({ group }) => group))]
 const casesOf = (group) => cases.filter((operation) => operation.group === group)
 
-/** Other test files cover these. */
-const functions = ['source', 'repeat', 'texture', ...noises]
+/** Functions that other test files cover. */
+const coveredElsewhere = ['source', 'repeat', 'texture', ...noises]
 
-/** Methods that request results, and operations of a warp, which tests/compile/compile.test.js and tests/cpp/warp_test.cpp cover. */
-const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
+/**
+ * Methods that request results or transform normals and tangents, which tests/compile/compile.test.js and tests/cpp/warp_test.cpp cover.
+ */
+const warpMethods = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
 
 /** Aliases and compositions, which tests/core/front-door.test.js and vectors.test.js cover. */
-const aliases = [...Object.keys(sameAs), ...Object.keys(madeOf), ...ofVectors]
+const aliases = [...Object.keys(operationOfAlias), ...Object.keys(compositions), ...vectorMethods]
 
-/** The names that users can call, as { builder, method }. */
-function surface() {
+/** Returns the names of the operations that users can call: functions of the builder, and methods of expressions. */
+function callableNames() {
   const names = {}
   compile((glsl) => {
     names.builder = Object.keys(glsl)
     const x = glsl.param('x')
     names.method = []
-    for (let at = Object.getPrototypeOf(x); at !== Object.prototype; at = Object.getPrototypeOf(at))
-      names.method.push(...Object.getOwnPropertyNames(at))
+    for (let p = Object.getPrototypeOf(x); p !== Object.prototype; p = Object.getPrototypeOf(p))
+      names.method.push(...Object.getOwnPropertyNames(p))
     // Swizzles of several letters become properties when they are first looked up.
     names.method.push(...swizzles.filter((name) => name.length > 1 && name in x))
     return { y: x }
   })
   const isOperation = (name) =>
-    !['constructor', ...results, ...functions, ...aliases].includes(name)
+    !['constructor', ...warpMethods, ...coveredElsewhere, ...aliases].includes(name)
   return {
     builder: names.builder.filter(isOperation),
     method: names.method.filter(isOperation),
@@ -45,18 +47,18 @@ function surface() {
 }
 
 describe('the reference covers', () => {
-  const { builder, method } = surface()
-  const proved = new Set([...cases.map(({ name }) => name), ...inputMakers, ...swizzles])
+  const { builder, method } = callableNames()
+  const coveredNames = new Set([...cases.map(({ name }) => name), ...inputMakers, ...swizzles])
 
   test('every function of the builder', () =>
     assert.deepEqual(
-      builder.filter((name) => !proved.has(name)),
+      builder.filter((name) => !coveredNames.has(name)),
       [],
     ))
 
   test('every method of expressions', () =>
     assert.deepEqual(
-      method.filter((name) => !proved.has(name)),
+      method.filter((name) => !coveredNames.has(name)),
       [],
     ))
 
@@ -64,14 +66,14 @@ describe('the reference covers', () => {
     const called = cases.flatMap((operation) =>
       forms(operation).map((form) => [form, operation.name]),
     )
-    const there = { builder, method }
+    const existing = { builder, method }
     assert.deepEqual(
-      called.filter(([form, name]) => !there[form].includes(name)),
+      called.filter(([form, name]) => !existing[form].includes(name)),
       [],
     )
   })
 
-  test('as many components as an operand can have', () => {
+  test('every size that an operand can have', () => {
     const shapes = new Set(cases.flatMap(({ inputs }) => inputs.map(({ shape }) => shape)))
     assert.deepEqual([...shapes], [1, 2, 3, 4, 'mat2', 'mat3', 'mat4'])
   })
@@ -93,7 +95,7 @@ describe('value and every derivative on the CPU:', () => {
       const problems = []
       for (const operation of casesOf(group).filter(({ inShaders }) => !inShaders)) {
         const program = programOf(operation, 'glsl300')
-        const run = (given) => runOnCpu(program, given)
+        const run = (points) => runOnCpu(program, points)
         problems.push(...(await problemsOf(operation, run, inDouble)))
       }
       assert.deepEqual(problems, [])
@@ -104,7 +106,7 @@ describe('kinks, jumps and boundaries of domains on the CPU:', () => {
   for (const convention of conventions)
     test(convention.operation.title, async () => {
       const program = programOf(convention.operation, 'glsl300')
-      const run = (given) => runOnCpu(program, given)
+      const run = (points) => runOnCpu(program, points)
       assert.deepEqual(await brokenConventions(convention, run, inDouble), [])
     })
 })

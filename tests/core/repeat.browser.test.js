@@ -14,23 +14,23 @@ before(async () => (pipelines = await openPipelines()))
 after(() => pipelines.close())
 
 /** The tolerance of values: a sine on a GPU is off by 2e-4, and each step passes its error to the next. */
-const waves = 2e-3
-/** The shift of each input that measures how errors grow: results are no more accurate than their change. */
+const sineTolerance = 2e-3
+/** Each input is shifted by this much to measure how errors grow: the tolerance includes the change of a result. */
 const step = 2e-3
 const maxUncertainty = 0.1
 
 /** Returns [{ value, tolerance }] for the value and the slopes at a point, with `null` where errors grow or a kink is near. */
 function expectedOf(fold, point) {
-  const at = (where) => [{ value: foldNumber(fold, where), isFirm: true }, ...slopes(fold, where)]
+  const resultsAt = (p) => [{ value: foldNumber(fold, p), isFirm: true }, ...slopes(fold, p)]
   const near = point.flatMap((_, i) =>
-    [-step, step].map((by) => at(point.map((x, k) => (k === i ? x + by : x)))),
+    [-step, step].map((shift) => resultsAt(point.map((x, k) => (k === i ? x + shift : x)))),
   )
-  return at(point).map(({ value, isFirm }, i) => {
+  return resultsAt(point).map(({ value, isFirm }, i) => {
     const scale = Math.max(1, Math.abs(value))
-    const spread = Math.max(...near.map((each) => Math.abs(each[i].value - value)))
-    const tolerance = waves * scale + 2 * spread
-    const isSure = isFirm && near.every((each) => each[i].isFirm)
-    return isSure && tolerance <= maxUncertainty * scale ? { value, tolerance } : null
+    const spread = Math.max(...near.map((results) => Math.abs(results[i].value - value)))
+    const tolerance = sineTolerance * scale + 2 * spread
+    const isComparable = isFirm && near.every((results) => results[i].isFirm)
+    return isComparable && tolerance <= maxUncertainty * scale ? { value, tolerance } : null
   })
 }
 
@@ -58,22 +58,23 @@ async function run(target, folds, points, change = (code) => code) {
   return pipelines.run(target, program, points)
 }
 
-/** Returns { wrong, compared, total }, with `wrong` as strings. */
-function judge(folds, points, given) {
-  const found = { wrong: [], compared: 0, total: 0 }
+/** Returns descriptions of the wrong results, and how many numbers were compared, of how many. */
+function judge(folds, points, results) {
+  const judgement = { wrong: [], compared: 0, total: 0 }
   for (const [p, point] of points.entries())
     for (const [f, fold] of folds.entries()) {
-      const got = Array.from(given[p].slice(4 * f, 4 * f + 4))
+      const actual = Array.from(results[p].slice(4 * f, 4 * f + 4))
       const expected = expectedOf(fold, point)
-      found.total += 4
-      found.compared += expected.filter(Boolean).length
-      const isWrong = (each, i) => each && !(Math.abs(got[i] - each.value) <= each.tolerance)
+      judgement.total += 4
+      judgement.compared += expected.filter(Boolean).length
+      const isWrong = (number, i) =>
+        number && !(Math.abs(actual[i] - number.value) <= number.tolerance)
       if (expected.some(isWrong))
-        found.wrong.push(
-          `seed ${fold.seed} at ${point}: ${got}, not ${expected.map((each) => each?.value)}`,
+        judgement.wrong.push(
+          `seed ${fold.seed} at ${point}: ${actual}, not ${expected.map((number) => number?.value)}`,
         )
     }
-  return found
+  return judgement
 }
 
 const blocks = Array.from({ length: count / blockSize }, (_, block) =>

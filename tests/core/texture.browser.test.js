@@ -15,7 +15,7 @@ after(() => pipelines?.close())
 const image = randomImage(7, 5)
 const inputs = [{ name: 'uv', shape: 2 }]
 
-/** Evaluates the results that `build` makes at points. `shapes` maps name → shape; returns name → results. */
+/** Evaluates the results of `build` at points. `shapes` maps the name of a result → its shape. Returns, for each point, name → numbers. */
 async function run(target, shapes, build, points, images = { heights: image }) {
   const { code, declarations } = compile((glsl) => build(glsl, glsl.vec2Param('uv')), { target })
   const outputs = Object.entries(shapes).map(([name, shape]) => ({ name, shape }))
@@ -35,7 +35,7 @@ async function run(target, shapes, build, points, images = { heights: image }) {
   })
 }
 
-/** Float32 points in the image and two images around it, at least 1/64 texel from the borders of the polynomial pieces. */
+/** Returns random float32 points in the image and two images around it, at least 1/64 texel from the borders of the polynomial pieces. */
 function smoothPoints(count) {
   const random = randomOf(11)
   const along = (size) => {
@@ -46,27 +46,33 @@ function smoothPoints(count) {
 }
 
 const points = smoothPoints(150)
-/** A small fraction of a texel, in u and in v. */
+/** The steps of finite differences in u and in v, a small fraction of a texel. */
 const steps = [image.width, image.height].map((size) => 1 / (128 * size))
 
 /** Computes derivatives of red from finite differences that are exact for polynomials of third degree in u and in v. */
 function derivatives([u, v], options) {
   const at = (i, j) => sample(image, u + i * steps[0], v + j * steps[1], options)[0]
   const slope = (f, step) => (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * step)
-  const bend = (f, step) => (f(1) - 2 * f(0) + f(-1)) / step ** 2
+  const secondDerivative = (f, step) => (f(1) - 2 * f(0) + f(-1)) / step ** 2
   const mixed = slope((j) => slope((i) => at(i, j), steps[0]), steps[1])
   return {
     gradient: [slope((i) => at(i, 0), steps[0]), slope((j) => at(0, j), steps[1])],
-    hessian: [bend((i) => at(i, 0), steps[0]), mixed, mixed, bend((j) => at(0, j), steps[1])],
+    hessian: [
+      secondDerivative((i) => at(i, 0), steps[0]),
+      mixed,
+      mixed,
+      secondDerivative((j) => at(0, j), steps[1]),
+    ],
   }
 }
 
-const worst = (got, wanted) => Math.max(...got.map((x, i) => Math.abs(x - wanted[i])))
+const maxDifference = (actual, expected) =>
+  Math.max(...actual.map((x, i) => Math.abs(x - expected[i])))
 
-function assertClose(got, wanted, tolerance, what) {
-  assert.equal(got.length, wanted.length)
-  const error = worst(got, wanted)
-  assert.ok(error <= tolerance, `${what}: ${got} for ${wanted}, ${error} away`)
+function assertClose(actual, expected, tolerance, what) {
+  assert.equal(actual.length, expected.length)
+  const error = maxDifference(actual, expected)
+  assert.ok(error <= tolerance, `${what}: ${actual}, not ${expected}, off by ${error}`)
 }
 
 for (const target of targets)
@@ -88,9 +94,9 @@ for (const target of targets)
           results.forEach(({ color, gradient, hessian }, i) => {
             const where = `at ${points[i]}`
             assertClose(color, sample(image, ...points[i], options), 1e-5, `value ${where}`)
-            const wanted = derivatives(points[i], options)
-            assertClose(gradient, wanted.gradient, 2e-4, `gradient ${where}`)
-            assertClose(hessian, wanted.hessian, 5e-3, `second derivatives ${where}`)
+            const expected = derivatives(points[i], options)
+            assertClose(gradient, expected.gradient, 2e-4, `gradient ${where}`)
+            assertClose(hessian, expected.hessian, 5e-3, `second derivatives ${where}`)
           })
         })
 
@@ -119,9 +125,9 @@ for (const target of targets)
         inside,
       )
       results.forEach(({ nearest, fetched, slope }, i) => {
-        const wanted = sample(image, ...inside[i], { filter: 'nearest' })
-        assertClose(nearest, wanted, 1e-6, `nearest at ${inside[i]}`)
-        assertClose(fetched, wanted, 1e-6, `fetched at ${inside[i]}`)
+        const expected = sample(image, ...inside[i], { filter: 'nearest' })
+        assertClose(nearest, expected, 1e-6, `nearest at ${inside[i]}`)
+        assertClose(fetched, expected, 1e-6, `fetched at ${inside[i]}`)
         assertClose(slope, [0, 0], 0, 'slope')
       })
     })
@@ -143,9 +149,9 @@ for (const target of targets)
       )
       results.forEach(({ color, gradient, hessian }, i) => {
         assertClose(color, sample(image, ...points[i]), 1e-5, `value at ${points[i]}`)
-        const wanted = derivatives(points[i], {})
-        assertClose(gradient, wanted.gradient, 2e-4, `gradient at ${points[i]}`)
-        assertClose(hessian, wanted.hessian, 5e-3, `second derivatives at ${points[i]}`)
+        const expected = derivatives(points[i], {})
+        assertClose(gradient, expected.gradient, 2e-4, `gradient at ${points[i]}`)
+        assertClose(hessian, expected.hessian, 5e-3, `second derivatives at ${points[i]}`)
       })
     })
 
@@ -183,28 +189,28 @@ for (const target of targets)
         for (const wrap of wraps) {
           const results = await run(
             target,
-            { red: 1, slope: 1, bend: 1 },
+            { red: 1, slope: 1, second: 1 },
             (glsl, uv) => {
               const red = glsl.texture('heights', uv, { filter, wrap }).r()
               const slope = glsl.derivative(red, uv.x())
-              return { red, slope, bend: glsl.derivative(slope, uv.x()) }
+              return { red, slope, second: glsl.derivative(slope, uv.x()) }
             },
             pairs,
           )
           for (let i = 0; i < results.length; i += 2) {
-            const [before, behind] = results.slice(i, i + 2)
-            const jump = (name) => Math.abs(before[name] - behind[name])
+            const [before, after] = results.slice(i, i + 2)
+            const jump = (name) => Math.abs(before[name] - after[name])
             const where = `${filter}, ${wrap}, at ${pairs[i]}`
             assert.ok(jump('red') < 1e-4, `${where}: the value jumps by ${jump('red')}`)
             if (filter === 'bilinear') continue
             assert.ok(jump('slope') < 2e-3, `${where}: the slope jumps by ${jump('slope')}`)
             if (filter === 'bicubic') continue
-            assert.ok(jump('bend') < 2e-2, `${where}: the second derivative by ${jump('bend')}`)
+            assert.ok(jump('second') < 2e-2, `${where}: the second derivative by ${jump('second')}`)
           }
         }
     })
 
-    test('the bicubic and the bilinear filter pass through the texels', async () => {
+    test('the bicubic and the bilinear filter return the color of a texel at its center', async () => {
       const centres = Array.from({ length: image.width * image.height }, (_, i) => [
         ((i % image.width) + 0.5) / image.width,
         (Math.floor(i / image.width) + 0.5) / image.height,
@@ -236,23 +242,23 @@ for (const target of targets)
       )
       const at = ([u, v]) => {
         const [red, green] = sample(images.a, u, v, { filter: 'bspline' })
-        const parts = [
+        const samples = [
           sample(images.B, u + red, v + green, { filter: 'bicubic', wrap: 'repeat' }),
           sample(images.b, u, v),
           sample(images.B, u, v, { wrap: 'mirror' }),
         ]
-        return [0, 1, 2, 3].map((i) => parts[0][i] + parts[1][i] + parts[2][i])
+        return [0, 1, 2, 3].map((i) => samples[0][i] + samples[1][i] + samples[2][i])
       }
       let compared = 0
       results.forEach(({ color, slope }, i) => {
         const [u, v] = points[i]
         assertClose(color, at([u, v]), 3e-5, `at ${points[i]}`)
         const along = [-2, -1, 1, 2].map((k) => at([u, v + k * 1e-5])[1])
-        const wanted = (8 * (along[2] - along[1]) - (along[3] - along[0])) / 12e-5
+        const expected = (8 * (along[2] - along[1]) - (along[3] - along[0])) / 12e-5
         const coarse = (along[2] - along[1]) / 2e-5
-        // A difference across a line of texels does not approximate a derivative.
-        if (Math.abs(coarse - wanted) > 1e-4) return
-        assertClose([slope], [wanted], 1e-3, `slope at ${points[i]}`)
+        // The difference does not approximate the derivative if it crosses a line through centers of texels.
+        if (Math.abs(coarse - expected) > 1e-4) return
+        assertClose([slope], [expected], 1e-3, `slope at ${points[i]}`)
         compared++
       })
       assert.ok(compared > 0.9 * points.length, `${compared} slopes compared`)

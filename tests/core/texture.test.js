@@ -7,14 +7,14 @@ import { warp } from '../../dist/three.js'
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
-const inverted = ({ glsl, position }) =>
+const displace = ({ glsl, position }) =>
   glsl.vec3(0, 0, glsl.texture('heightMap', position.xy().add(0.5)).r())
 
 const count = (text, word) => text.split(word).length - 1
 
 test('the image is listed as a uniform, and so is its size if the language cannot query it', () => {
   for (const target of targets) {
-    const { uniforms, attributes } = compileWarp(inverted, { target })
+    const { uniforms, attributes } = compileWarp(displace, { target })
     const image = { name: 'heightMap', type: 'sampler2D' }
     const size = { name: 'heightMapSize', type: 'vec2' }
     assert.deepEqual(uniforms, target === 'glsl100' ? [image, size] : [image], target)
@@ -56,14 +56,14 @@ test('value and gradient are one call, and a value alone computes no gradient', 
       const all = { red, slope: glsl.gradient(red, uv) }
       return Object.fromEntries(results.map((name) => [name, all[name]]))
     })
-  const both = textOf('red', 'slope')
-  assert.equal(count(both.code, 'warpjetBsplineRepeatGradient('), 1)
-  assert.equal(count(both.declarations, 'warpjetTexel('), 17)
+  const valueAndSlope = textOf('red', 'slope')
+  assert.equal(count(valueAndSlope.code, 'warpjetBsplineRepeatGradient('), 1)
+  assert.equal(count(valueAndSlope.declarations, 'warpjetTexel('), 17)
   assert.doesNotMatch(textOf('red').declarations, /Gradient/)
 })
 
 test('rejects invalid arguments', () => {
-  const of =
+  const compileTexture =
     (...args) =>
     () =>
       compile((glsl) => ({
@@ -72,36 +72,48 @@ test('rejects invalid arguments', () => {
   const uv = (glsl) => glsl.vec2Param('uv')
   throwWarpErrors([
     [
-      of(),
+      compileTexture(),
       /texture: expected the name of a sampler2D, such as "heightMap", for argument 1, got undefined/,
     ],
-    [of(5, uv), /texture: expected the name of .* for argument 1, got the number 5/],
-    [of('a b', uv), /texture: expected the name of .* for argument 1, got the text "a b"/],
-    [of('maps[0]', uv), /texture: expected the name of .* for argument 1/],
-    [of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/],
-    [of('map'), /texture: expected a number or an expression for argument 2, got undefined/],
-    [of('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/],
-    [of('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/],
+    [compileTexture(5, uv), /texture: expected the name of .* for argument 1, got the number 5/],
     [
-      of('map', (glsl) => glsl.vec3Param('p')),
+      compileTexture('a b', uv),
+      /texture: expected the name of .* for argument 1, got the text "a b"/,
+    ],
+    [compileTexture('maps[0]', uv), /texture: expected the name of .* for argument 1/],
+    [compileTexture('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/],
+    [
+      compileTexture('map'),
+      /texture: expected a number or an expression for argument 2, got undefined/,
+    ],
+    [compileTexture('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/],
+    [compileTexture('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/],
+    [
+      compileTexture('map', (glsl) => glsl.vec3Param('p')),
       /texture: expected a vec2 for argument 2, got a vec3/,
     ],
-    [of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/],
-    [of('map', uv, 'bicubic'), /texture: expected an object of options, got the text "bicubic"/],
+    [compileTexture('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/],
     [
-      of('map', uv, { filter: 'linear' }),
+      compileTexture('map', uv, 'bicubic'),
+      /texture: expected an object of options, got the text "bicubic"/,
+    ],
+    [
+      compileTexture('map', uv, { filter: 'linear' }),
       /texture: expected one of bilinear, bicubic, bspline, nearest for the option "filter", got the text "linear"/,
     ],
     [
-      of('map', uv, { wrap: 3 }),
+      compileTexture('map', uv, { wrap: 3 }),
       /texture: expected one of clamp, repeat, mirror, sampler for the option "wrap", got the number 3/,
     ],
-    [of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/],
+    [
+      compileTexture('map', uv, {}, 1),
+      /texture: it takes a name, a vec2 and options; the number 1/,
+    ],
   ])
 })
 
 test('a name cannot be an image and a number', () => {
-  const both = (first, second) => () =>
+  const readAs = (first, second) => () =>
     compile((glsl) => {
       const reads = {
         image: () => glsl.texture('map', glsl.vec2(0, 0)).r(),
@@ -110,8 +122,8 @@ test('a name cannot be an image and a number', () => {
       return { r: reads[first]().add(reads[second]()) }
     })
   throwWarpErrors([
-    [both('image', 'number'), /"map" was read as an image before, and now as a single number/],
-    [both('number', 'image'), /"map" was read as a single number before, and now as an image/],
+    [readAs('image', 'number'), /"map" was read as an image before, and now as a single number/],
+    [readAs('number', 'image'), /"map" was read as a single number before, and now as an image/],
     [
       () => compile((glsl) => ({ map: glsl.texture('map', glsl.vec2(0, 0)).r() })),
       /The result "map" has the name of a variable/,
@@ -124,7 +136,7 @@ test('the CPU cannot read images yet', () => {
     () => compile((glsl) => ({ r: glsl.texture('map', glsl.vec2(0, 0)).r() })).evaluate({ map: 1 }),
     /evaluate: only the GPU can .* read an image by glsl\.texture/,
   )
-  const warp = compileWarp(inverted)
+  const warp = compileWarp(displace)
   throwsWarpError(() => warp.evaluate({ positions: [0, 0, 0] }), /reads an image by glsl\.texture/)
   throwsWarpError(
     () => warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),
@@ -136,10 +148,10 @@ test('texture() in GLSL uses the wrapping of the shader’s own sampler, except 
   const source =
     'uniform sampler2D map; vec3 offset(vec3 position, vec2 uv) { return texture(map, uv).rgb; }'
   const offset = glslOffset(`#version 300 es\n${source}`)
-  const read = (target) => compileWarp(offset, { target }).declarations
-  assert.match(read('glsl300'), /textureLod\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
-  assert.match(read('glsl100'), /texture2D\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
-  assert.match(read('wgsl'), /textureLoad\(image, vec2i\(clamp\(/)
+  const declarationsFor = (target) => compileWarp(offset, { target }).declarations
+  assert.match(declarationsFor('glsl300'), /textureLod\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
+  assert.match(declarationsFor('glsl100'), /texture2D\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
+  assert.match(declarationsFor('wgsl'), /textureLoad\(image, vec2i\(clamp\(/)
 })
 
 const fetched = `uniform sampler2D map;

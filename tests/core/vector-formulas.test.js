@@ -1,5 +1,5 @@
-// The formulas of operations on vectors and matrices in the docs. The test evaluates their text in double precision, and compares
-// derivatives with differences of values, and both with results of warpjet.
+// Tests the formulas of operations on vectors and matrices in the docs: evaluates their text in double precision, checks each derivative
+// against finite differences of the value, and checks warpjet's values and derivatives against both.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { vectorFormulas } from '../../.scripts/reference/vector-formulas.mjs'
@@ -13,7 +13,7 @@ const isMatrix = (letter) => /^[A-Z]$/.test(letter)
 const isTurn = (form) => form.endsWith(') v')
 const isAdjusted = (form) => form.startsWith('adjust')
 
-/** The inputs of a formula. Of an offset and a position, only F matters. */
+/** Returns the letters of the inputs of a formula. F replaces the offset and the position, since nothing else of them matters. */
 function lettersIn(form) {
   const letters = lettersOf(form)
   if (isTurn(form)) return [...letters, 'v']
@@ -23,18 +23,18 @@ function lettersIn(form) {
 
 const sizesOf = (form) => (/cross|rotate|adjust/.test(form) ? [3] : [2, 3, 4])
 
-/** Unordered numbers from -1.5 to 1.5. */
-let turn = 0
-const number = () => 1.5 * Math.sin(0.7 * ++turn * turn + 12.9 * turn)
+/** Returns pseudorandom numbers from -1.5 to 1.5. */
+let counter = 0
+const number = () => 1.5 * Math.sin(0.7 * ++counter * counter + 12.9 * counter)
 const list = (n, make) => Array.from({ length: n }, make)
-const some = (letter, n) => {
+const randomOperand = (letter, n) => {
   if (isScalar(letter)) return number()
   if (!isMatrix(letter)) return list(n, number)
-  // Far from singular matrices, on either side.
+  // Matrices that are far from singular, with a diagonal of either sign.
   const sign = Math.sign(number())
   return list(n, (_, i) => list(n, (_, j) => number() + (i === j ? 3 * sign : 0)))
 }
-const along = (place, changes, t) =>
+const moveAlong = (place, changes, t) =>
   Object.fromEntries(
     Object.entries(place).map(([letter, x]) => [letter, add(x, times(t, changes[letter]))]),
   )
@@ -44,9 +44,9 @@ const valueOf = ({ value, where }, place, n) => evaluateFormula(value, withTurns
 
 function derivativeOf(formula, place, changes, n) {
   const named = Object.entries(changes).map(([letter, x]) => [`d${letter}`, x])
-  const known = withTurns({ ...place, ...Object.fromEntries(named) }, n)
+  const variables = withTurns({ ...place, ...Object.fromEntries(named) }, n)
   const w = formula.where?.w ? {} : { w: valueOf(formula, place, n) }
-  return evaluateFormula(formula.derivative, { ...known, ...w }, formula.where)
+  return evaluateFormula(formula.derivative, { ...variables, ...w }, formula.where)
 }
 
 const parameter = (glsl, letter, name, n) => {
@@ -54,7 +54,7 @@ const parameter = (glsl, letter, name, n) => {
   return isMatrix(letter) ? glsl[`mat${n}Param`](name) : glsl[`vec${n}Param`](name)
 }
 
-function result(glsl, title, form, operands) {
+function buildResult(glsl, title, form, operands) {
   const name = title.replace(/\(.*/, '')
   if (isTurn(form)) return glsl[name](...operands.slice(0, -1)).mult(operands.at(-1))
   if (!isAdjusted(form)) return glsl[name](...operands)
@@ -63,7 +63,7 @@ function result(glsl, title, form, operands) {
   return glsl[name](offset, ...operands.slice(1), position)
 }
 
-/** The result of warpjet, with the derivative along the changes. */
+/** Compiles an operation; its program returns the value and the derivative along the changes. */
 function programOf(title, n) {
   const { form } = vectorFormulas[title]
   return compile((glsl) => {
@@ -71,7 +71,7 @@ function programOf(title, n) {
     const operands = lettersIn(form).map((letter, i) =>
       parameter(glsl, letter, `at${i}`, n).add(parameter(glsl, letter, `by${i}`, n).mult(t)),
     )
-    const value = result(glsl, title, form, operands)
+    const value = buildResult(glsl, title, form, operands)
     return { value, derivative: glsl.derivative(value, t) }
   })
 }
@@ -89,13 +89,13 @@ const inputsOf = (place, changes) => ({
   ),
 })
 
-function assertNear(found, expected, bound, what) {
+function assertNear(actual, expected, bound, what) {
   // The docs write `0` for a zero vector too.
-  const numbers = expected === 0 ? flat(found).map(() => 0) : flat(expected)
-  assert.equal(flat(found).length, numbers.length, what)
-  const most = Math.max(1, ...numbers.map(Math.abs))
-  for (const [i, x] of flat(found).entries())
-    assert.ok(Math.abs(x - numbers[i]) <= bound * most, `${what}: ${flat(found)}, not ${numbers}`)
+  const numbers = expected === 0 ? flat(actual).map(() => 0) : flat(expected)
+  assert.equal(flat(actual).length, numbers.length, what)
+  const scale = Math.max(1, ...numbers.map(Math.abs))
+  for (const [i, x] of flat(actual).entries())
+    assert.ok(Math.abs(x - numbers[i]) <= bound * scale, `${what}: ${flat(actual)}, not ${numbers}`)
 }
 
 for (const [title, formula] of Object.entries(vectorFormulas))
@@ -105,26 +105,30 @@ for (const [title, formula] of Object.entries(vectorFormulas))
         const program = programOf(title, n)
         for (let i = 0; i < 12; i++) {
           const letters = lettersIn(formula.form)
-          const place = Object.fromEntries(letters.map((letter) => [letter, some(letter, n)]))
-          const changes = Object.fromEntries(letters.map((letter) => [letter, some(letter, n)]))
+          const place = Object.fromEntries(
+            letters.map((letter) => [letter, randomOperand(letter, n)]),
+          )
+          const changes = Object.fromEntries(
+            letters.map((letter) => [letter, randomOperand(letter, n)]),
+          )
           const [value, derivative] = [
             valueOf(formula, place, n),
             derivativeOf(formula, place, changes, n),
           ]
           const [after, before] = [1e-6, -1e-6].map((t) =>
-            valueOf(formula, along(place, changes, t), n),
+            valueOf(formula, moveAlong(place, changes, t), n),
           )
           if (value !== 0)
             assertNear(derivative, times(5e5, add(after, times(-1, before))), 1e-6, 'differences')
-          const found = program.evaluate(inputsOf(place, changes))
-          assertNear(found.value, value, 1e-9, 'value of warpjet')
-          assertNear(found.derivative, derivative, 1e-8, 'derivative of warpjet')
+          const actual = program.evaluate(inputsOf(place, changes))
+          assertNear(actual.value, value, 1e-9, 'value of warpjet')
+          assertNear(actual.derivative, derivative, 1e-8, 'derivative of warpjet')
         }
       })
   })
 
-/** The value and the derivative at a point, along changes in order. */
-function at(title, place, changes) {
+/** Returns warpjet's value of an operation at a place, and the derivative along the changes. */
+function evaluateAt(title, place, changes) {
   const n = Object.values(place).find(Array.isArray).length
   return programOf(title, n).evaluate(inputsOf(place, changes))
 }
@@ -133,38 +137,42 @@ describe('where there is no derivative', () => {
   const [zero, one, up, some3] = [[0, 0], [1, 0], [0, 1], [0.3, -0.7]] // prettier-ignore
 
   test('length, dist and distance of a zero vector have the derivative 0', () => {
-    assert.equal(at('length', { v: zero }, { v: some3 }).derivative, 0)
+    assert.equal(evaluateAt('length', { v: zero }, { v: some3 }).derivative, 0)
     for (const name of ['dist', 'distance'])
-      assert.equal(at(name, { a: one, b: one }, { a: some3, b: up }).derivative, 0)
+      assert.equal(evaluateAt(name, { a: one, b: one }, { a: some3, b: up }).derivative, 0)
   })
 
   test('normalize of a zero vector is 0 and has the derivative 0', () => {
-    const { value, derivative } = at('normalize', { a: zero }, { a: some3 })
+    const { value, derivative } = evaluateAt('normalize', { a: zero }, { a: some3 })
     assert.deepEqual([...value, ...derivative].map(Math.abs), [0, 0, 0, 0])
   })
 
   test('refract has the derivative of its other terms at grazing incidence', () => {
-    const found = at('refract', { i: one, n: up, η: 1 }, { i: zero, n: some3, η: 0.5 })
+    const actual = evaluateAt('refract', { i: one, n: up, η: 1 }, { i: zero, n: some3, η: 0.5 })
     // η = 1, c = 0, k = 0: dη i + η di − (dη c + η dc + 0) n − 0, of dc = dn · i.
-    assertNear(found.derivative, [0.5, -0.3], 1e-12, 'refract')
+    assertNear(actual.derivative, [0.5, -0.3], 1e-12, 'refract')
   })
 
   test('faceforward flips where the vectors are exactly perpendicular', () => {
-    const found = at('faceforward', { n: up, i: one, r: up }, { n: some3, i: zero, r: zero })
-    assertNear(found.value, [0, -1], 0, 'value')
-    assertNear(found.derivative, [-0.3, 0.7], 0, 'derivative')
+    const actual = evaluateAt(
+      'faceforward',
+      { n: up, i: one, r: up },
+      { n: some3, i: zero, r: zero },
+    )
+    assertNear(actual.value, [0, -1], 0, 'value')
+    assertNear(actual.derivative, [-0.3, 0.7], 0, 'derivative')
   })
 
   test('a determinant of 0 has the limit of the formula as its derivative', () => {
     const [A, dA] = [[[1, 2], [2, 4]], [[0.3, 0.1], [-0.4, 0.2]]] // prettier-ignore
-    const { value, derivative } = at('determinant', { A }, { A: dA })
+    const { value, derivative } = evaluateAt('determinant', { A }, { A: dA })
     // A₁₁ A₂₂ − A₁₂ A₂₁ by the product rule.
     assert.equal(value, 0)
     assert.ok(Math.abs(derivative - (0.3 * 4 + 1 * 0.2 - 0.1 * 2 - 2 * -0.4)) < 1e-12)
   })
 
   test('an inverse is not finite if the determinant is 0', () => {
-    const { value, derivative } = at(
+    const { value, derivative } = evaluateAt(
       'inverse',
       { A: [[1, 2], [2, 4]] }, // prettier-ignore
       { A: [[0.3, 0.1], [-0.4, 0.2]] }, // prettier-ignore
@@ -174,29 +182,33 @@ describe('where there is no derivative', () => {
 
   test('a rotation about a zero axis scales by cos(φ)', () => {
     const place = { a: [0, 0, 0], φ: 0.5, v: [1, 2, 3] }
-    const found = at('rotate', place, { a: [0.1, 0.2, 0.3], φ: 1, v: [0, 0, 0] })
-    assertNear(found.value, times(Math.cos(0.5), place.v), 1e-12, 'value')
-    assertNear(found.derivative, times(-Math.sin(0.5), place.v), 1e-12, 'derivative')
+    const actual = evaluateAt('rotate', place, { a: [0.1, 0.2, 0.3], φ: 1, v: [0, 0, 0] })
+    assertNear(actual.value, times(Math.cos(0.5), place.v), 1e-12, 'value')
+    assertNear(actual.derivative, times(-Math.sin(0.5), place.v), 1e-12, 'derivative')
   })
 
   test('a collapsed normal or tangent is 0 and has the derivative 0', () => {
     const [flat, dF] = [[[0, 0, 0], [0, 0, 0], [0, 0, 0]], [[1, 2, 3], [0, 1, 2], [2, 2, 1]]] // prettier-ignore
-    const [t, n, still] = [[1, 0, 0], [0, 0, 1], [0, 0, 0]] // prettier-ignore
-    const normal = at('adjustNormal', { F: flat, n }, { F: dF, n: still })
-    const tangent = at('adjustTangent', { F: flat, t, n }, { F: dF, t: still, n: still })
+    const [t, n, unchanged] = [[1, 0, 0], [0, 0, 1], [0, 0, 0]] // prettier-ignore
+    const normal = evaluateAt('adjustNormal', { F: flat, n }, { F: dF, n: unchanged })
+    const tangent = evaluateAt(
+      'adjustTangent',
+      { F: flat, t, n },
+      { F: dF, t: unchanged, n: unchanged },
+    )
     for (const { value, derivative } of [normal, tangent])
       assert.deepEqual([...value, ...derivative].map(Math.abs), [0, 0, 0, 0, 0, 0])
   })
 })
 
 test('second derivatives exist and are symmetric', () => {
-  // f = sin(p₁) p₂² and (f, p₁ p₂), by hand.
+  // The expected derivatives of f = sin(p₁) p₂² and of (f, p₁ p₂) were derived by hand.
   const program = compile((glsl) => {
     const p = glsl.vec2Param('p')
     const f = p.x().sin().mult(p.y().pow(2))
-    const along = (value) => [p.x(), p.y()].map((input) => glsl.derivative(value, input))
-    const [hx, hy] = along(f.gradient(p))
-    const [jx, jy] = along(glsl.vec2(f, p.x().mult(p.y())).jacobian(p))
+    const moveAlong = (value) => [p.x(), p.y()].map((input) => glsl.derivative(value, input))
+    const [hx, hy] = moveAlong(f.gradient(p))
+    const [jx, jy] = moveAlong(glsl.vec2(f, p.x().mult(p.y())).jacobian(p))
     return { twice: f.derivative(p.x()).derivative(p.x()), hx, hy, jx, jy }
   })
   const [x, y] = [0.7, -1.3]

@@ -7,11 +7,11 @@ import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
 const { Vector } = await import('../../node_modules/p5/dist/math/p5.Vector.js')
 // p5 wraps these methods in a sketch, so that they take numbers, a vector, or an array of numbers.
 for (const name of ['add', 'sub', 'mult', 'div', 'rem']) {
-  const own = Vector.prototype[name]
-  Vector.prototype[name] = function (...given) {
-    const [first] = given
-    if (first instanceof Vector) return own.call(this, first.values)
-    return own.call(this, given.length > 1 || /add|sub/.test(name) ? given : first)
+  const original = Vector.prototype[name]
+  Vector.prototype[name] = function (...args) {
+    const [first] = args
+    if (first instanceof Vector) return original.call(this, first.values)
+    return original.call(this, args.length > 1 || /add|sub/.test(name) ? args : first)
   }
 }
 
@@ -22,14 +22,14 @@ const samples = [
   [5.5, -7.25, 2],
 ]
 
-/** Returns the results of `write(v, other)` for expressions and for p5's vectors. */
+/** Compares the results of `write(v, w)` for expressions with those for p5's vectors. */
 function compare(size, write, name = write.toString()) {
   const run = compile((glsl) => {
     const v = glsl[`vec${size}Param`]('v')
     return { result: write(v, glsl[`vec${size}Param`]('w')) }
   })
-  for (const [i, all] of samples.entries()) {
-    const [v, w] = [all, samples[(i + 1) % 4]].map((each) => each.slice(0, size))
+  for (const [i, sample] of samples.entries()) {
+    const [v, w] = [sample, samples[(i + 1) % 4]].map((numbers) => numbers.slice(0, size))
     const { result } = run.evaluate({ v, w })
     const expected = write(new Vector(...v), new Vector(...w))
     const numbers = expected instanceof Vector ? expected.values : [expected]
@@ -37,7 +37,7 @@ function compare(size, write, name = write.toString()) {
     for (const [k, value] of [...[result].flat()].entries())
       assert.ok(
         Math.abs(value - numbers[k]) <= 1e-5 * Math.max(1, Math.abs(numbers[k])),
-        `${name} of ${v}: ${result} for ${numbers}`,
+        `${name} of ${v}: ${result}, not ${numbers}`,
       )
   }
 }
@@ -72,7 +72,7 @@ test('these numbers can be expressions, also for functions of the builder and fo
     [(glsl, v, a) => v.cross(a, 2, 3), (glsl, v, a) => v.cross(glsl.vec3(a, 2, 3))],
     [(glsl, v, a) => v.lerp(a, 2, 3, 0.5), (glsl, v, a) => v.mix(glsl.vec3(a, 2, 3), 0.5)],
     [(glsl, v) => glsl.vec3(...v.array()), (glsl, v) => glsl.vec3(v.x, v.y, v.z)],
-    // Other operands next to a vector, and the operands of methods of numbers, stay as they are.
+    // Other operands are not combined to a vector: those that include a vector, and those of a method of a number.
     [(glsl, v, a) => v.add(v, a, 2), (glsl, v, a) => v.add(v).add(a).add(2)],
     [(glsl, v, a) => a.mult(2, 3, 4), (glsl, v, a) => a.mult(2).mult(3).mult(4)],
     [(glsl, v, a) => v.mult(2).add(a), (glsl, v, a) => v.mult(2).add(glsl.vec3(a, a, a))],
@@ -100,27 +100,27 @@ test('compositions have the values of the methods of p5.Vector', () => {
 })
 
 test('compositions have the right derivatives', () => {
-  const near = (size, write) => {
+  const checkSlopes = (size, write) => {
     const run = compile((glsl) => {
       const v = glsl[`vec${size}Param`]('v')
       const value = glsl.dot(write(v, glsl), glsl[`vec${size}`](...[1, 2, 3].slice(0, size)))
       return { value, slope: glsl.gradient(value, v) }
     })
     const h = 1e-4
-    for (const all of samples) {
-      const v = all.slice(0, size)
+    for (const sample of samples) {
+      const v = sample.slice(0, size)
       const at = (i, by) => run.evaluate({ v: v.map((x, k) => x + (k === i ? by : 0)) }).value
       const { slope } = run.evaluate({ v })
       v.forEach((_, i) => {
-        const expected = (at(i, h) - at(i, -h)) / (2 * h)
-        assert.ok(Math.abs(slope[i] - expected) < 0.02 * Math.max(1, Math.abs(expected)), write)
+        const difference = (at(i, h) - at(i, -h)) / (2 * h)
+        assert.ok(Math.abs(slope[i] - difference) < 0.02 * Math.max(1, Math.abs(difference)), write)
       })
     }
   }
-  near(3, (v) => v.limit(2))
-  near(3, (v) => v.setMag(2))
-  near(2, (v) => v.rotate(v.x.mult(0.5)))
-  near(3, (v) => v.mult(v.y, 2, v.x.sin()))
+  checkSlopes(3, (v) => v.limit(2))
+  checkSlopes(3, (v) => v.setMag(2))
+  checkSlopes(2, (v) => v.rotate(v.x.mult(0.5)))
+  checkSlopes(3, (v) => v.mult(v.y, 2, v.x.sin()))
 })
 
 const compileWith = (write) => () =>
@@ -159,15 +159,15 @@ test('unsupported uses throw, and say what to write', () => {
 
 test('warns once per line about copy(), which the user may want to modify', (t) => {
   const warn = t.mock.method(console, 'warn', () => {})
-  const said = () => warn.mock.calls.map(({ arguments: [text] }) => text)
+  const warnings = () => warn.mock.calls.map(({ arguments: [text] }) => text)
   compileWith((v) => {
     const p = v.copy()
     p.add(1, 2, 3)
     return p
   })()
-  assert.equal(said().length, 1)
+  assert.equal(warnings().length, 1)
   assert.match(
-    said()[0],
+    warnings()[0],
     /^add: an expression of a warp never changes, and the new one is not used \(vectors\.test\.js, line \d+\); write v = v\.add\(…\)\.$/,
   )
   warn.mock.resetCalls()
@@ -176,7 +176,7 @@ test('warns once per line about copy(), which the user may want to modify', (t) 
     p.normalize().mult(2)
     return p
   })()
-  assert.match(said().join(), /^mult: /)
+  assert.match(warnings().join(), /^mult: /)
   warn.mock.resetCalls()
   compileWith((v) => v.copy().add(1, 2, 3).setMag(2).limit(1))()
   compileWith((v, glsl) => glsl.vec3(v.copy().mult(2).x, 0, 0))()
@@ -184,7 +184,7 @@ test('warns once per line about copy(), which the user may want to modify', (t) 
     v.add(1)
     return v
   })()
-  assert.deepEqual(said(), [])
+  assert.deepEqual(warnings(), [])
 })
 
 test('limit(0) is 0, for a zero vector too', () => {

@@ -1,4 +1,4 @@
-// Plain vectors and matrices of doubles, and a fixture that compares nodes with them.
+// Vectors and matrices of doubles, and a fixture that compares the values of nodes with them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace warpjet {
 
 using Doubles = std::vector<double>;
 
-// A plain matrix: m[column][row], as in GLSL.
+// A matrix of doubles: m[column][row], as in GLSL.
 using Matrix = std::vector<Doubles>;
 
 inline Matrix toMatrix(const Doubles& components, Shape shape) {
@@ -54,7 +54,7 @@ class AlgebraTest : public testing::Test {
   Inputs inputs;
   std::mt19937 random{1};
 
-  // A variable with a value per component.
+  // Returns a variable and sets the values of its components.
   Value makeVariable(const std::string& name, Shape shape, const Doubles& components) {
     const Value value = variable(graph, name, shape);
     for (int i = 0; i < shape.size(); ++i) inputs[value[i].id] = components[i];

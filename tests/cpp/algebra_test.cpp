@@ -30,20 +30,21 @@ TEST_F(AlgebraTest, ComputesLengthAndNormalize) {
 TEST_F(AlgebraTest, ReflectMirrorsAtTheSurface) {
   expectNear(reflect(makeVariable("i", {1, -1}), makeVariable("n", {0, 1})), Doubles{1, 1});
   const Doubles incident{0.3, -0.7, 0.2}, normal = unit({1, 2, -2});
-  const double along = dotOf(incident, normal);
+  const double normalComponent = dotOf(incident, normal);
   expectNear(reflect(makeVariable("i3", incident), makeVariable("n3", normal)),
-             sumOf(incident, scaleBy(normal, -2 * along)));
+             sumOf(incident, scaleBy(normal, -2 * normalComponent)));
 }
 
-// Snell's law: the part along the surface is eta times as long, and the direction has unit length.
+// Snell's law makes the component along the surface eta times as long; the direction keeps unit
+// length.
 TEST_F(AlgebraTest, RefractFollowsSnell) {
   for (const double eta : {0.6, 1.0, 1.3}) {
     const Doubles normal = unit({1, 2, -2}), tangent = unit({2, 1, 2});
     const double sine = 0.5, cosine = std::sqrt(0.75);
     const Doubles incident = sumOf(scaleBy(tangent, sine), scaleBy(normal, -cosine));
-    const double behind = eta * sine;
-    const Doubles expected =
-        sumOf(scaleBy(tangent, behind), scaleBy(normal, -std::sqrt(1 - behind * behind)));
+    const double refractedSine = eta * sine;
+    const Doubles expected = sumOf(scaleBy(tangent, refractedSine),
+                                   scaleBy(normal, -std::sqrt(1 - refractedSine * refractedSine)));
     expectNear(
         refract(makeVariable("i", incident), makeVariable("n", normal), makeVariable("eta", eta)),
         expected);
@@ -89,23 +90,23 @@ TEST_F(AlgebraTest, OperationsApplyPerComponentAndANumberAppliesToEach) {
   expectNear(two - two, Doubles{0});
 }
 
-// A function of two points with terms of all kinds, as plain numbers.
+// Returns the values of a nonlinear function of one point, in doubles.
 Doubles sample(const Doubles& p) {
   return {std::sin(p[0]) * p[1], p[0] * p[0] * p[2], std::exp(p[1] - p[2]), p[0] + p[1] * p[2]};
 }
 
 TEST_F(AlgebraTest, JacobiansHaveAColumnForEachInput) {
-  const Doubles at{0.4, -0.7, 1.2};
-  const Value p = makeVariable("p", at);
+  const Doubles point{0.4, -0.7, 1.2};
+  const Value p = makeVariable("p", point);
   const Expression components[] = {sin(p[0]) * p[1], p[0] * p[0] * p[2], exp(p[1] - p[2]),
                                    p[0] + p[1] * p[2]};
   const Value f = fill(graph, vectorOf(4), [&](int i) { return components[i]; });
-  expectNear(f, sample(at));
+  expectNear(f, sample(point));
 
   Matrix expected;
   constexpr double step = 1e-6;
   for (std::size_t column = 0; column < 3; ++column) {
-    Doubles above = at, below = at;
+    Doubles above = point, below = point;
     above[column] += step;
     below[column] -= step;
     expected.push_back(scaleBy(sumOf(sample(above), scaleBy(sample(below), -1)), 1 / (2 * step)));
@@ -119,14 +120,14 @@ TEST_F(AlgebraTest, JacobiansHaveAColumnForEachInput) {
   EXPECT_EQ(gradient(differentiator, f[2], p).shape(), vectorOf(3));
 }
 
-// The root of a negative number remains in the branch that is not taken.
+// The branch that is not taken contains the root of a negative number.
 TEST_F(AlgebraTest, TheDerivativeOfRefractIsZeroUnderTotalReflection) {
   const Value incident = makeVariable("i", {0.9, -std::sqrt(1 - 0.81)});
-  const Value turned = refract(incident, makeVariable("n", {0, 1}), makeVariable("eta", 1.5));
-  expectNear(derivative(differentiator, turned, incident[0]), Doubles{0, 0});
+  const Value refracted = refract(incident, makeVariable("n", {0, 1}), makeVariable("eta", 1.5));
+  expectNear(derivative(differentiator, refracted, incident[0]), Doubles{0, 0});
 }
 
-// d(M^-1) = -M^-1 dM M^-1, with dM the unit matrix.
+// d(M^-1) = -M^-1 dM M^-1, where dM is the unit matrix.
 TEST_F(AlgebraTest, DifferentiatesAnInverse) {
   const Expression t = makeVariable("t", 0.3);
   const Doubles entries = {2, 0.5, -1, 0.3, 3, 0.7, 1, -0.4, 4};

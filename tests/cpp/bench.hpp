@@ -37,31 +37,31 @@ struct Bench {
     for (const int operand : operands) builder.push(operand);
     return builder.callFunction(function);
   }
-  bool givePartials(NodeId ofCall, const std::vector<int>& partials) {
+  bool givePartials(NodeId call, const std::vector<int>& partials) {
     for (const int partial : partials) builder.push(partial);
-    return builder.setPartials(ofCall);
+    return builder.setPartials(call);
   }
 
-  // The code of this value if it is the only result.
+  // Returns the code of this value if it is the only result.
   std::string text(int value) {
     const std::string name = "result" + std::to_string(++texts_);
     if (value < 0) return builder.problem();
     builder.output("gen", name, value);
-    const std::vector only{builder.module().outputs.back()};
-    const std::string code = emit(builder.graph(), dialect_, only).code;
+    const std::vector onlyResult{builder.module().outputs.back()};
+    const std::string code = emit(builder.graph(), dialect_, onlyResult).code;
     const std::size_t start = code.find(name + " = ") + name.size() + 3;
     return code.substr(start, code.find(";\n", start) - start);
   }
 
-  // All results, with temporaries chosen by depth only.
+  // Writes all results, with temporaries chosen only by the depth of expressions.
   ShaderTextResult writeResults() const {
     return write(builder.module(), dialect_, {.emit = {8, EmitOptions::maxTrackedReads}});
   }
   std::string code() const {
-    const ShaderTextResult made = writeResults();
-    return made.text ? made.text->emitted.code : made.problem;
+    const ShaderTextResult written = writeResults();
+    return written.text ? written.text->emitted.code : written.problem;
   }
-  // The message if there is no shader code.
+  // Returns the message if there is no shader code.
   std::string problemOfText() const { return writeResults().problem; }
 
   int hostFunction(std::string_view name, std::string_view source, int arity) {

@@ -1,5 +1,5 @@
-// Compares evaluation in blocks of vertices with the evaluation of each single vertex in double,
-// which program_test.cpp checks, and registers with lifetimes determined by hand.
+// Compares evaluation in blocks of vertices with the evaluation of single vertices in double, which
+// program_test.cpp checks; and the allocation of registers with lifetimes determined by hand.
 #include "eval/blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -20,19 +20,19 @@ class BlocksTest : public testing::Test {
   Value p = vector3(graph, "position");
   Expression time = scalar(graph, "time");
 
-  std::optional<Program> made;
+  std::optional<Program> compiled;
 
   RegisterProgram registers(const std::vector<NodeId>& roots, bool timeIsUniform = true) {
-    made = program(graph, roots);
+    compiled = program(graph, roots);
     std::vector<std::uint32_t> wanted(roots.size());
     std::iota(wanted.begin(), wanted.end(), 0u);
-    return allocateRegisters(made->words, made->instructions, wanted,
+    return allocateRegisters(compiled->words, compiled->instructions, wanted,
                              {false, false, false, timeIsUniform});
   }
 
   std::vector<float> run(const std::vector<NodeId>& roots, const std::vector<float>& positions,
-                         float now) {
-    const Stream inputs[] = {{positions.data(), 3, false}, {&now, 1, true}};
+                         float timeValue) {
+    const Stream inputs[] = {{positions.data(), 3, false}, {&timeValue, 1, true}};
     const std::size_t vertices = positions.size() / 3;
     std::vector<float> results(vertices * roots.size());
     BlockEvaluator evaluator(registers(roots), inputs);
@@ -69,19 +69,19 @@ TEST_F(BlocksTest, EveryRowHasTheValueOfTheTable) {
               const NodeId number = graph.apply(rowNamed("add"), {result, graph.constant(0.25)});
               const std::vector<float> found = run({number}, positions, 0);
               for (std::size_t vertex = 0; vertex < found.size(); ++vertex) {
-                const float* at = &positions[3 * vertex];
+                const float* point = &positions[3 * vertex];
                 Operands<double> x{};
                 for (std::size_t k = 0; k < 3; ++k) {
                   const ops::Type type = ops::declaration(op).signature.operands[k];
-                  x[k] = type == ops::Type::Bool  ? double(at[k] != 0)
-                         : type == ops::Type::Int ? std::trunc(double{at[k]})
-                                                  : double{at[k]};
+                  x[k] = type == ops::Type::Bool  ? double(point[k] != 0)
+                         : type == ops::Type::Int ? std::trunc(double{point[k]})
+                                                  : double{point[k]};
                 }
                 const double expected = ops::valueOf(op, x) + 0.25;
-                // Few bit patterns of integers are valid floats.
+                // The bits of some integers are those of NaN.
                 if (std::isnan(expected) && std::isnan(found[vertex])) continue;
                 ASSERT_NEAR(found[vertex], expected, 2e-6 * std::max(1.0, std::abs(expected)))
-                    << row.name << "(" << at[0] << ", " << at[1] << ", " << at[2] << ")";
+                    << row.name << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";
               }
             }(),
             ...);
@@ -97,13 +97,13 @@ TEST_F(BlocksTest, IntegersHave32Bits) {
   const auto integer = [&](int value) {
     return graph.apply(rowNamed("int"), {graph.constant(value)});
   };
-  // Split as in shader source: a float can't represent all of its bits.
+  // Combines two halves, as lowered shader source does: a float can't represent all 32 bits.
   const auto constantBits = [&](int value) {
     return apply("bitOr", apply("shiftLeft", integer(value >> 16), integer(16)),
                  integer(value & 65535));
   };
-  const NodeId bits = apply("floatBitsToInt", p[0].id), now = apply("floatBitsToInt", time.id);
-  const NodeId mixed = apply("intMult", apply("bitXor", bits, now), constantBits(2146121005));
+  const NodeId bits = apply("floatBitsToInt", p[0].id), timeBits = apply("floatBitsToInt", time.id);
+  const NodeId mixed = apply("intMult", apply("bitXor", bits, timeBits), constantBits(2146121005));
   const NodeId low = apply("intToFloat", apply("bitAnd", mixed, constantBits(65535)));
   const NodeId high = apply("bitsToFloat", apply("bitsShiftRight", mixed, constantBits(16)));
   const NodeId same = apply("intBitsToFloat", bits);
@@ -120,7 +120,7 @@ TEST_F(BlocksTest, IntegersHave32Bits) {
   }
 }
 
-// All numbers of vertices around the width of a SIMD register, and around parts of a block.
+// The numbers of vertices are near the width of a SIMD register, and near parts of a block.
 TEST_F(BlocksTest, EvaluatesAnyNumberOfVertices) {
   const std::vector<NodeId> roots{(p[0] * 2.0 + time).id, (p[1] - p[2]).id};
   for (const std::size_t vertices : {0, 1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 255, 257, 1000}) {
@@ -134,7 +134,7 @@ TEST_F(BlocksTest, EvaluatesAnyNumberOfVertices) {
   }
 }
 
-// Long-lived values next to short-lived ones, in more registers than fit into a block.
+// Some values are long-lived, some short-lived; they take more registers than fit into a block.
 TEST_F(BlocksTest, RegistersPreserveValuesThatAreStillRead) {
   std::vector<Expression> early;
   for (int i = 0; i < 400; ++i) early.push_back(sin(p[i % 3] * (0.1 * i)));
@@ -178,10 +178,10 @@ TEST_F(BlocksTest, ComputesValuesSharedByAllVerticesOnce) {
 
 TEST_F(BlocksTest, ComputesOnlyTheRequestedResults) {
   const std::vector<NodeId> roots{sin(p[0]).id, cos(p[1]).id};
-  made = program(graph, roots);
-  const std::vector<bool> perVertex(4, false);
+  compiled = program(graph, roots);
+  const std::vector<bool> isUniform(4, false);
   const RegisterProgram second =
-      allocateRegisters(made->words, made->instructions, std::array{1u}, perVertex);
+      allocateRegisters(compiled->words, compiled->instructions, std::array{1u}, isUniform);
   ASSERT_EQ(second.body.size(), 2u);
   EXPECT_EQ(second.body[0].input, 1u);
   EXPECT_EQ(second.body[1].op, rowNamed("cos"));

@@ -1,5 +1,5 @@
-// Bounds of programs, against dense samples of warps and of random expressions, in double and in
-// float32.
+// Bounds of programs, compared with dense samples of warps and of random expressions, in double and
+// in float32.
 #include "eval/bounds.hpp"
 
 #include <gtest/gtest.h>
@@ -118,16 +118,16 @@ void extend(Range& range, double value) {
 
 double extent(const Range& range) { return range.high - range.low; }
 
-// The results of a program on a grid over the first three inputs.
+// Returns the ranges of a program's results on a grid over the first three inputs.
 std::array<Range, 3> sampleRange(const Program& program, double size, double time, int n) {
   std::array<Range, 3> found{nothing, nothing, nothing};
-  const auto at = [&](int i) { return size * (2.0 * i / n - 1); };
+  const auto coordinate = [&](int i) { return size * (2.0 * i / n - 1); };
   std::array<double, 3> results;
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n; ++j) {
       for (int k = 0; k <= n; ++k) {
-        evaluate(program.words, program.instructions, std::array{at(i), at(j), at(k), time},
-                 results);
+        evaluate(program.words, program.instructions,
+                 std::array{coordinate(i), coordinate(j), coordinate(k), time}, results);
         for (std::size_t axis = 0; axis < 3; ++axis) extend(found[axis], results[axis]);
       }
     }
@@ -143,11 +143,12 @@ TEST_P(BoundsOfWarp, ContainTheSamplesAndAreClose) {
     Graph graph;
     const Value p = vector3(graph, "position");
     const Value warped = p + warp(p, scalar(graph, "time"));
-    const auto made = program(graph, warped.nodes());
-    ASSERT_TRUE(made);
+    const auto compiled = program(graph, warped.nodes());
+    ASSERT_TRUE(compiled);
     const Range inputs[] = {{-size, size}, {-size, size}, {-size, size}, {time, time}};
-    const auto outer = bounds(made->words, made->instructions, inputs, std::array{0u, 1u, 2u});
-    const auto inner = sampleRange(*made, size, time, 32);
+    const auto outer =
+        bounds(compiled->words, compiled->instructions, inputs, std::array{0u, 1u, 2u});
+    const auto inner = sampleRange(*compiled, size, time, 32);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_LE(outer[axis].low, inner[axis].low);
       EXPECT_GE(outer[axis].high, inner[axis].high);
@@ -170,14 +171,15 @@ class BoundsTest : public testing::Test {
   Value p = vector3(graph, "position");
   Expression time = scalar(graph, "time");
 
-  Range of(Expression f, const std::vector<Range>& inputs, const BoundsOptions& options = {}) {
-    const auto made = program(graph, std::array{f.id});
-    EXPECT_TRUE(made);
-    return bounds(made->words, made->instructions, inputs, std::array{0u}, options)[0];
+  Range boundsOf(Expression f, const std::vector<Range>& inputs,
+                 const BoundsOptions& options = {}) {
+    const auto compiled = program(graph, std::array{f.id});
+    EXPECT_TRUE(compiled);
+    return bounds(compiled->words, compiled->instructions, inputs, std::array{0u}, options)[0];
   }
-  // The bounds for positions from -2 to 2 at time 0.
-  Range ofBox(Expression f, const BoundsOptions& options = {}) {
-    return of(f, {{-2, 2}, {-2, 2}, {-2, 2}, {0, 0}}, options);
+  // Returns the bounds for positions from -2 to 2 at time 0.
+  Range boundsInBox(Expression f, const BoundsOptions& options = {}) {
+    return boundsOf(f, {{-2, 2}, {-2, 2}, {-2, 2}, {0, 0}}, options);
   }
   static void expectNear(const Range& range, double low, double high, double error) {
     EXPECT_LE(range.low, low);
@@ -188,93 +190,93 @@ class BoundsTest : public testing::Test {
 };
 
 TEST_F(BoundsTest, AreExactForLinearExpressions) {
-  expectNear(ofBox(p[0] + p[1] * 3.0), -8, 8, 1e-3);
-  expectNear(ofBox({&graph, graph.constant(7)}), 7, 7, 1e-3);
-  expectNear(ofBox(time), 0, 0, 1e-3);
+  expectNear(boundsInBox(p[0] + p[1] * 3.0), -8, 8, 1e-3);
+  expectNear(boundsInBox({&graph, graph.constant(7)}), 7, 7, 1e-3);
+  expectNear(boundsInBox(time), 0, 0, 1e-3);
 }
 
 TEST_F(BoundsTest, AreTightenedBySplittingTheBox) {
-  expectNear(ofBox(p[0] * p[0] * p[0] * (1.0 - p[0])), -24, 27.0 / 256, 0.6);
-  expectNear(ofBox(p[0] * (p[1] - p[0])), -8, 1, 0.25);
+  expectNear(boundsInBox(p[0] * p[0] * p[0] * (1.0 - p[0])), -24, 27.0 / 256, 0.6);
+  expectNear(boundsInBox(p[0] * (p[1] - p[0])), -8, 1, 0.25);
 }
 
 TEST_F(BoundsTest, AreThoseOfIntervalArithmeticWithoutBudget) {
-  expectNear(ofBox(p[0] * (1.0 - p[0]), {.tolerance = 0, .budget = 0}), -6, 6, 1e-3);
+  expectNear(boundsInBox(p[0] * (1.0 - p[0]), {.tolerance = 0, .budget = 0}), -6, 6, 1e-3);
 }
 
-// A run costs 3: the difference, the product and the result. The whole box and its two corners take
-// 9, and each side of the bounds needs some more to split.
+// Running the program once costs 3: the difference, the product and the result. Running it for the
+// whole box and two of its corners takes 9; splitting the box for either bound takes more.
 TEST_F(BoundsTest, SpendTheBudgetOnRangesAndOnSamples) {
   const Expression f = p[0] * (1.0 - p[0]);
-  expectNear(ofBox(f, {.tolerance = 0, .budget = 9}), -6, 6, 1e-3);
-  EXPECT_LT(extent(ofBox(f, {.tolerance = 0, .budget = 11})), 11.9);
+  expectNear(boundsInBox(f, {.tolerance = 0, .budget = 9}), -6, 6, 1e-3);
+  EXPECT_LT(extent(boundsInBox(f, {.tolerance = 0, .budget = 11})), 11.9);
 }
 
 TEST_F(BoundsTest, AreNeverWiderWithMoreBudget) {
   const Expression f = sin(p[0] * p[1]) * (p[2] - p[0] * cos(p[2] * p[1]));
   double last = infinity;
   for (const std::uint64_t budget : {0u, 1000u, 10'000u, 100'000u, 1'000'000u}) {
-    const double now = extent(ofBox(f, {.tolerance = 0, .budget = budget}));
-    EXPECT_LE(now, last * (1 + 1e-12));
-    last = now;
+    const double current = extent(boundsInBox(f, {.tolerance = 0, .budget = budget}));
+    EXPECT_LE(current, last * (1 + 1e-12));
+    last = current;
   }
 }
 
 TEST_F(BoundsTest, IgnoreTermsThatCancel) {
-  expectNear(ofBox(p[0] + (sin(p[1]) - p[0]), {.tolerance = 0, .budget = 0}), -1, 1, 1e-3);
-  expectNear(ofBox(p[0] * 5.0 - (p[0] * 4.0 + p[1])), -4, 4, 1e-3);
+  expectNear(boundsInBox(p[0] + (sin(p[1]) - p[0]), {.tolerance = 0, .budget = 0}), -1, 1, 1e-3);
+  expectNear(boundsInBox(p[0] * 5.0 - (p[0] * 4.0 + p[1])), -4, 4, 1e-3);
 }
 
 TEST_F(BoundsTest, ComponentsOfAUnitVectorAreAtMostOne) {
   for (const int axis : {0, 1, 2}) {
-    expectNear(ofBox(normalize(p)[axis]), -1, 1, 0.05);
-    expectNear(ofBox(p[axis] / length(p)), -1, 1, 0.05);
+    expectNear(boundsInBox(normalize(p)[axis]), -1, 1, 0.05);
+    expectNear(boundsInBox(p[axis] / length(p)), -1, 1, 0.05);
   }
-  expectNear(ofBox((normalize(p) * p)[1]), 0, 2, 0.1);
+  expectNear(boundsInBox((normalize(p) * p)[1]), 0, 2, 0.1);
 }
 
 TEST_F(BoundsTest, AreExactForSmoothstep) {
   const Expression s = clamp(p[0], 0, 1);
   for (const Expression smooth : {s * s * (3.0 - 2.0 * s), s * s * (s * -2.0 + 3.0)})
-    expectNear(ofBox(smooth, {.tolerance = 0, .budget = 0}), 0, 1, 1e-3);
+    expectNear(boundsInBox(smooth, {.tolerance = 0, .budget = 0}), 0, 1, 1e-3);
 }
 
 TEST_F(BoundsTest, AreInfiniteAtAPole) {
-  const Range range = ofBox(1.0 / (p[0] - 0.3));
+  const Range range = boundsInBox(1.0 / (p[0] - 0.3));
   EXPECT_EQ(range.low, -infinity);
   EXPECT_EQ(range.high, infinity);
 }
 
 TEST_F(BoundsTest, FollowFloat32ToOverflowAndUnderflow) {
   const Expression x = p[0] * 100.0;
-  EXPECT_EQ(ofBox(cosh(x)).high, infinity);
-  EXPECT_GE(ofBox(ifElse(gt(exp(x), 0.0), 0.0, 100.0) - x).high, 300);
-  EXPECT_LE(ofBox(sign(1.0 / cosh(x)) * 50.0 - x).low, -200);
-  EXPECT_EQ(ofBox(p[0] * 1e30 * p[1] * 1e30).high, infinity);
-  EXPECT_EQ(ofBox(p[0] * 2e38 + p[1] * 2e38).high, infinity);
-  EXPECT_LE(ofBox((p[0] + 3.0) * 1e-30 * (p[1] + 3.0) * 1e-20).low, 0);
+  EXPECT_EQ(boundsInBox(cosh(x)).high, infinity);
+  EXPECT_GE(boundsInBox(ifElse(gt(exp(x), 0.0), 0.0, 100.0) - x).high, 300);
+  EXPECT_LE(boundsInBox(sign(1.0 / cosh(x)) * 50.0 - x).low, -200);
+  EXPECT_EQ(boundsInBox(p[0] * 1e30 * p[1] * 1e30).high, infinity);
+  EXPECT_EQ(boundsInBox(p[0] * 2e38 + p[1] * 2e38).high, infinity);
+  EXPECT_LE(boundsInBox((p[0] + 3.0) * 1e-30 * (p[1] + 3.0) * 1e-20).low, 0);
 }
 
 TEST_F(BoundsTest, AreEmptyIfEveryValueIsNaN) {
-  const Range range = ofBox(sqrt(p[0] - 5.0));
+  const Range range = boundsInBox(sqrt(p[0] - 5.0));
   EXPECT_GT(range.low, range.high);
 }
 
 TEST_F(BoundsTest, IgnorePointsWhereTheValueIsNaN) {
-  expectNear(ofBox(sqrt(p[0] - 1.0)), 0, 1, 0.05);
+  expectNear(boundsInBox(sqrt(p[0] - 1.0)), 0, 1, 0.05);
 }
 
 TEST_F(BoundsTest, AcceptInfiniteAndNaNInputs) {
   const Range all{-infinity, infinity}, none{NAN, NAN};
-  expectNear(of(sin(p[0]) + p[1], {all, {-2, 2}, {0, 0}, {0, 0}}), -3, 3, 0.05);
-  expectNear(of(clamp(p[0], 0, 1), {none, {0, 0}, {0, 0}, {0, 0}}), 0, 1, 0.05);
-  EXPECT_EQ(of(p[0] + p[1], {none, {0, 1}, {0, 0}, {0, 0}}).high, infinity);
-  expectNear(of(p[1] * 2.0, {none, {0, 1}, {0, 0}, {0, 0}}), 0, 2, 0.05);
+  expectNear(boundsOf(sin(p[0]) + p[1], {all, {-2, 2}, {0, 0}, {0, 0}}), -3, 3, 0.05);
+  expectNear(boundsOf(clamp(p[0], 0, 1), {none, {0, 0}, {0, 0}, {0, 0}}), 0, 1, 0.05);
+  EXPECT_EQ(boundsOf(p[0] + p[1], {none, {0, 1}, {0, 0}, {0, 0}}).high, infinity);
+  expectNear(boundsOf(p[1] * 2.0, {none, {0, 1}, {0, 0}, {0, 0}}), 0, 2, 0.05);
 }
 
 TEST_F(BoundsTest, AreDeterministic) {
   const Expression f = sin(p[0] * p[1]) * (p[2] - p[0] * cos(p[2] * p[1]));
-  const Range first = ofBox(f), second = ofBox(f);
+  const Range first = boundsInBox(f), second = boundsInBox(f);
   EXPECT_EQ(first.low, second.low);
   EXPECT_EQ(first.high, second.high);
 }
@@ -282,12 +284,12 @@ TEST_F(BoundsTest, AreDeterministic) {
 TEST_F(BoundsTest, StopAtTheBudgetInALongProgram) {
   Expression f = p[0];
   for (int i = 0; i < 30'000; ++i) f = sin(f * 1.5 + p[1]);
-  const Range range = ofBox(f);
+  const Range range = boundsInBox(f);
   EXPECT_LE(range.low, -0.9);
   EXPECT_GE(range.high, 0.9);
 }
 
-// All values of a program; if `Number` is float, each operation is rounded to float32.
+// Returns the result of a program. If `Number` is float, each operation is rounded to float32.
 template <class Number>
 double evaluateRounded(const Program& program, std::span<const double> inputs) {
   const Words words(program.words, program.instructions);
@@ -312,7 +314,7 @@ double evaluateRounded(const Program& program, std::span<const double> inputs) {
   return values[words.result(0)];
 }
 
-// Random rows applied to random earlier nodes; the graph converts conditions and numbers.
+// Applies random rows to random earlier nodes; the graph converts conditions and numbers.
 NodeId randomExpression(Graph& graph, const Value& p, std::mt19937& random) {
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
@@ -334,29 +336,30 @@ TEST(Bounds, ContainTheSamplesOfRandomExpressions) {
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
   };
-  int finite = 0;
+  int finiteCount = 0;
   for (int expression = 0; expression < 3000; ++expression) {
     Graph graph;
     const Value p = vector3(graph, "position");
-    const auto made = program(graph, std::array{randomExpression(graph, p, random)});
-    ASSERT_TRUE(made);
+    const auto compiled = program(graph, std::array{randomExpression(graph, p, random)});
+    ASSERT_TRUE(compiled);
     std::vector<Range> inputs(3);
     for (Range& range : inputs) {
       range.low = static_cast<float>(between(-3, 3));
       range.high = range.low + (random() % 4 ? static_cast<float>(between(0, 4)) : 0);
     }
     const BoundsOptions options{.tolerance = 0.02, .budget = 20'000};
-    const Range range = bounds(made->words, made->instructions, inputs, std::array{0u}, options)[0];
-    finite += std::isfinite(range.low) && std::isfinite(range.high);
+    const Range range =
+        bounds(compiled->words, compiled->instructions, inputs, std::array{0u}, options)[0];
+    finiteCount += std::isfinite(range.low) && std::isfinite(range.high);
     for (int sample = 0; sample < 300; ++sample) {
-      std::array<double, 3> at;
+      std::array<double, 3> point;
       for (std::size_t i = 0; i < 3; ++i) {
         const double t = std::array{0.0, 1.0, between(0, 1), between(0, 1)}[random() % 4];
-        at[i] = static_cast<float>(inputs[i].low * (1 - t) + inputs[i].high * t);
-        at[i] = std::clamp(at[i], inputs[i].low, inputs[i].high);
+        point[i] = static_cast<float>(inputs[i].low * (1 - t) + inputs[i].high * t);
+        point[i] = std::clamp(point[i], inputs[i].low, inputs[i].high);
       }
       for (const double value :
-           {evaluateRounded<double>(*made, at), evaluateRounded<float>(*made, at)}) {
+           {evaluateRounded<double>(*compiled, point), evaluateRounded<float>(*compiled, point)}) {
         if (!std::isfinite(value)) continue;
         ASSERT_TRUE(range.low <= value && value <= range.high)
             << "expression " << expression << " is " << value << ", not from " << range.low
@@ -364,7 +367,7 @@ TEST(Bounds, ContainTheSamplesOfRandomExpressions) {
       }
     }
   }
-  EXPECT_GT(finite, 1500) << "most have bounds";
+  EXPECT_GT(finiteCount, 1500) << "most bounds must be finite";
 }
 
 }  // namespace

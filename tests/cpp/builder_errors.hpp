@@ -1,4 +1,5 @@
-// A fixture that checks what the builder rejects, and that it continues to work afterwards.
+// A fixture that checks what the builder rejects, and that the builder continues to work
+// afterwards.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,18 +15,18 @@ class BuilderErrors : public testing::Test, protected Bench {
     EXPECT_EQ(text(call("sin", {x})), "sin(x)");
   }
 
-  // An invalid handle; the builder continues to work afterwards.
+  // Expects an invalid handle, and that the builder continues to work afterwards.
   void expectRejected(int handle, const std::string& message) {
     EXPECT_EQ(handle, Builder::failed) << message;
     EXPECT_EQ(builder.problem(), message);
     EXPECT_GE(call("sin", {x}), 0) << "after: " << message;
   }
-  // There is no shader code, but there would be without the last result.
+  // Expects that there is no shader code.
   void expectCodeRejected(const Bench& bench, const std::string& message) {
     EXPECT_FALSE(bench.writeResults().text) << message;
     EXPECT_EQ(bench.problemOfText(), message);
   }
-  // Something of this method can't be written in GLSL.
+  // Expects that shader code can be written before a change, but not after it.
   template <class Change>
   void expectWriteRejected(Change change, const std::string& message) {
     Bench bench;

@@ -1,5 +1,5 @@
-// Errors of the builder about operations and constants: their messages, and that it continues to
-// work afterwards.
+// Errors of the builder about operations and constants: their messages, and that the builder
+// continues to work afterwards.
 #include "builder_errors.hpp"
 
 #include <gtest/gtest.h>
@@ -175,9 +175,9 @@ TEST_F(BuilderErrors, RejectsConstantsWhoseResultNoShaderCanHold) {
                  "rotate: the axis is zero, so that it has no direction.");
 }
 
-// Equal nodes are interned, so a rejected node can occur again below an existing node; searching
-// all of it at each call would take long.
-TEST_F(BuilderErrors, ReportsARejectedNodeThatOccursAgainWhenFinishing) {
+// Equal nodes are interned, so a rejected node can occur again as an operand of an existing node.
+// Searching all operands for it at each call would take long.
+TEST_F(BuilderErrors, FinishReportsARejectedNodeThatOccursAgain) {
   const auto make = [&] { return call("smoothstep", {number(1), number(1), x}); };
   ASSERT_EQ(make(), Builder::failed);
   const int again = make();
@@ -195,7 +195,7 @@ TEST_F(BuilderErrors, RejectedOperationsLeaveNoTraceInTheCode) {
   EXPECT_EQ(code(), "float y;\n{\n  y = sin(x);\n}\n");
 }
 
-// Four at a time, to be faster.
+// Adds four operations per call, to be faster.
 TEST_F(BuilderErrors, RejectsMoreThanFourMillionOperations) {
   int value = v4;
   std::size_t calls = 0;

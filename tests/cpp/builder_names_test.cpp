@@ -21,8 +21,9 @@ TEST_F(BuilderErrors, RejectsInputsThatNoShaderCanRead) {
       input("a\nb"),
       "glsl: \"a b\" cannot be read in a shader: only ASCII characters are allowed in it.");
   EXPECT_GE(input("p.x"), 0);
-  expectRejected(input("p", vectorOf(3)),
-                 "glsl: \"p.x\" was read before \"p\", whose part it is; read the vector first.");
+  expectRejected(
+      input("p", vectorOf(3)),
+      "glsl: \"p.x\" was read before \"p\", of which it is a part; read the vector first.");
   expectRejected(input(""), "glsl: \"\" cannot be read in a shader: it is empty.");
 }
 
@@ -82,7 +83,7 @@ TEST_F(BuilderErrors, AcceptsAHostExpressionThatCallsTheFunction) {
 TEST_F(BuilderErrors, RejectsASecondFunctionWithTheSameName) {
   const std::string source = "float noise(float x) { return x; }";
   const int noise = hostFunction("noise", source, 1);
-  EXPECT_EQ(hostFunction("noise", source, 1), noise) << "the same one again is fine";
+  EXPECT_EQ(hostFunction("noise", source, 1), noise) << "the same function may be added again";
   const std::string problem = "fn: \"noise\" is already the name of another function; rename one.";
   expectRejected(hostFunction("noise", source + ' ', 1), problem);
   expectRejected(hostFunction("noise", source, 2), problem);
@@ -131,7 +132,7 @@ TEST_F(BuilderErrors, RejectsRectangularMatrixResultsInWebGl1) {
   square.builder.output("gen", "j", square.m3);
   EXPECT_TRUE(square.writeResults().text);
   builder.output("gen", "j", m23);
-  EXPECT_TRUE(writeResults().text) << "WebGL 2 has them";
+  EXPECT_TRUE(writeResults().text) << "WebGL 2 has rectangular matrices";
 }
 
 TEST_F(BuilderErrors, RejectsResultsThatHideAVariable) {
@@ -161,19 +162,19 @@ TEST_F(BuilderErrors, RejectsAVariableNamedLikeAFunction) {
   expectCodeRejected(*this, "\"noise\" is both a variable and a function; rename one.");
 }
 
-// An input and a component of it were separate inputs while the function ran.
+// While the function ran, both were separate inputs; now one is the other, or a component of it.
 TEST_F(BuilderErrors, RejectsNamesThatMergeTwoInputs) {
   builder.output("gen", "y", call("mult", {x, v2}));
   for (const char* name : {"v2", "v2.x", "( v2 ) [1]"}) {
-    const ShaderTextResult made = write(builder.module(), glsl300, {.inputs = {{0, name}}});
-    EXPECT_EQ(made.problem,
+    const ShaderTextResult written = write(builder.module(), glsl300, {.inputs = {{0, name}}});
+    EXPECT_EQ(written.problem,
               "glsl: \"" + std::string(name) +
                   "\" is already the name of another input (\"v2\"), but was not when "
                   "the function was compiled; rename one, or compile it with these "
                   "names.");
   }
-  const ShaderTextResult made = write(builder.module(), glsl300, {.inputs = {{0, "v22.x"}}});
-  EXPECT_TRUE(made.text) << made.problem;
+  const ShaderTextResult written = write(builder.module(), glsl300, {.inputs = {{0, "v22.x"}}});
+  EXPECT_TRUE(written.text) << written.problem;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The code that results from the calls of a sketch.
+// The code that the builder generates from the calls of a sketch.
 #include "builder/builder.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST_F(BuilderTest, APartOfAVectorReadsTheComponentsOfThatVector) {
   EXPECT_EQ(text(input("position[2]")), "position.z");
   EXPECT_EQ(text(input("position.zx", vectorOf(2))), "position.zx");
   EXPECT_EQ(text(input("position.yy", vectorOf(2))), "vec2(position.y)");
-  EXPECT_EQ(builder.graph().inputCount(), inputs) << "none of them is another input";
+  EXPECT_EQ(builder.graph().inputCount(), inputs) << "no label added an input";
 }
 
 TEST_F(BuilderTest, DerivativesTreatAPartAndItsVectorAsTheSameVariable) {
@@ -96,9 +96,9 @@ TEST_F(BuilderTest, ANameThatIsNotPartOfAVectorIsASeparateInput) {
                                                   {"v2.xy", scalarShape},
                                                   {"v22.x", scalarShape},
                                                   {"x.x", scalarShape}}) {
-    const int own = input(label, shape);
-    ASSERT_GE(own, 0) << label;
-    builder.output("gen", "r" + std::to_string(own), own);
+    const int separate = input(label, shape);
+    ASSERT_GE(separate, 0) << label;
+    builder.output("gen", "r" + std::to_string(separate), separate);
   }
   EXPECT_EQ(writeResults().text->emitted.inputs.size(), 7u);
 }
@@ -199,7 +199,7 @@ TEST_F(BuilderTest, MakesAProgramOfTheResults) {
   const std::uint32_t both[] = {0, 1};
   const auto program = warpjet::program(builder.module(), both).program;
   ASSERT_TRUE(program);
-  // The numbers of all inputs: x, v2, and the unread ones.
+  // The numbers of all inputs: x, v2, and those that are not read.
   std::vector<double> numbers(1 + 2 + 3 + 4 + 4 + 9 + 6), results(3);
   numbers[0] = -2.5;
   numbers[1] = 10;

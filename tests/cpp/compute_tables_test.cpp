@@ -1,4 +1,4 @@
-// The numbers that compute passes read: a base mesh, and all tessellations.
+// The tables that compute passes read: the topology of a base mesh, and all tessellations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,8 +15,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// Two triangles of a square that share no vertices, so that each has its own side along the
-// diagonal, from the lower of the two corners in either.
+// Two triangles of a square that share no vertices: each has its own side along the diagonal.
 TEST(ComputeTables, TopologyListsCornersSidesAndEdges) {
   const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0}}},
                       {{0, 1, 2}, {3, 4, 5}});
@@ -32,11 +31,12 @@ TEST(ComputeTables, TopologyListsCornersSidesAndEdges) {
 
 TEST(ComputeTables, TessellationsAreInAscendingOrder) {
   TessellationTable table;
-  // The first ones have 1, 1 and each number of pieces, the next one 1, 2 and 1.
+  // The first tessellations have 1, 1 and each number of pieces on their sides, the next one 1, 2
+  // and 1.
   for (std::size_t i = 0; i <= pieceCounts.size(); ++i) EXPECT_TRUE(table.makeNext());
   const Words& words = table.words();
   for (std::size_t i = 0; i < pieceCounts.size(); ++i) {
-    // A fan: no inner points.
+    // The tessellation is a fan, without inner points.
     EXPECT_EQ(words[2 * i + 1], pieceCounts[i]);
   }
   // One triangle, whose corners are the points 0, 1 and 2 in some order.
@@ -46,8 +46,8 @@ TEST(ComputeTables, TessellationsAreInAscendingOrder) {
   EXPECT_EQ(words[2 * pieceCounts.size() + 1], 2u);
 }
 
-// The table has 4, 4 and 4 behind 333 others. It has 16 equal triangles with three inner points,
-// whose weights are 1/4, 1/4 and 1/2.
+// The tessellation with 4, 4 and 4 pieces on its sides is number 333, counted from 0. It has 16
+// equal triangles with three inner points, whose weights are 1/4, 1/4 and 1/2.
 TEST(ComputeTables, TessellationsHaveTheirWeights) {
   TessellationTable table;
   for (int i = 0; i <= 333; ++i) table.makeNext();

@@ -1,5 +1,5 @@
-// Invariants of a surface that is subdivided: its topology, area and volume. Computed with maps and
-// in double, without any code of src/.
+// Invariants of a surface under subdivision: its topology, area and volume. They are computed with
+// maps and in double, without code of src/.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline Key keyOf(const Mesh& mesh, std::uint32_t vertex) {
           mesh.positions[3 * vertex + 2]};
 }
 
-// The number of triangles that traverse an edge, identified by its two positions, forwards (from
+// Maps an edge, as its two positions, to the numbers of triangles that traverse it forwards (from
 // the smaller position to the greater one) and backwards.
 using EdgeUses = std::map<std::pair<Key, Key>, std::pair<int, int>>;
 
@@ -34,7 +34,8 @@ inline EdgeUses edgeUses(const Mesh& mesh) {
   return uses;
 }
 
-// Every edge has one triangle on each side. A crack or a T-junction leaves edges with one only.
+// Returns true if every edge has one triangle on each side. At a crack or a T-junction, edges have
+// only one triangle.
 inline bool isClosed(const Mesh& mesh) {
   for (const auto& [edge, uses] : edgeUses(mesh)) {
     if (uses != std::pair(1, 1)) return false;
@@ -42,7 +43,7 @@ inline bool isClosed(const Mesh& mesh) {
   return true;
 }
 
-// Corners - edges + triangles: 2 for every surface that is topologically a sphere.
+// Returns corners - edges + triangles: 2 for every surface that is topologically a sphere.
 inline std::ptrdiff_t eulerCharacteristic(const Mesh& mesh) {
   std::set<Key> corners;
   for (const std::uint32_t i : mesh.indices) corners.insert(keyOf(mesh, i));
@@ -56,7 +57,7 @@ inline std::array<Point, 3> cornersOf(const Mesh& mesh, std::size_t triangle) {
           pointOf(mesh.positions, i[2])};
 }
 
-// Twice the area, as a vector along the normal.
+// Returns a vector along the normal whose length is twice the area.
 inline Point areaVector(const std::array<Point, 3>& corners) {
   return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }

@@ -22,16 +22,28 @@ inline ScreenView viewAlongX() {
   return view;
 }
 
-// Moves the samples by `warp`, and divides the mesh for `viewAlongX` and a tolerance of a pixel.
+// Moves all samples by `warp`.
 template <class F>
-bool divide(Detail& detail, F&& warp) {
+void warpSamples(Detail& detail, F&& warp) {
   detail.warped() = detail.samples()[0].values;
   for (std::size_t i = 0; i < detail.warped().size(); i += 3) warp(&detail.warped()[i]);
-  const ScreenView view = viewAlongX();
+  detail.forgetSamples();
+}
+
+// Returns the samples that the view shows for the first time.
+inline std::vector<std::uint32_t> show(Detail& detail, const ScreenView& view) {
   std::vector<float> numbers;
   for (int i = 0; i < 16; ++i) numbers.push_back(view.clip[i / 4][i % 4]);
   numbers.insert(numbers.end(), {view.halfSize.x, view.halfSize.y, view.facing});
-  return detail.update(numbers, 1);
+  return detail.show(numbers);
+}
+
+// Moves the samples by `warp`, and divides the mesh for `viewAlongX` and a tolerance of a pixel.
+template <class F>
+bool divide(Detail& detail, F&& warp) {
+  warpSamples(detail, warp);
+  show(detail, viewAlongX());
+  return detail.update(1);
 }
 
 // A hill around (1, 0, 0), for which a uniform division would be wasteful.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -101,6 +102,14 @@ std::vector<float> warpedSamples(const BaseMesh& base, F&& f) {
   return warped;
 }
 
+// Updates needs for `viewAlongX` by all triangles.
+bool update(Needs& needs, const BaseMesh& base, const std::vector<float>& warped,
+            float tolerance = 1) {
+  std::vector<std::uint32_t> triangles(base.triangles().size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  return needs.update({base, {}, warped, triangles}, std::array{viewAlongX()}, tolerance);
+}
+
 std::uint32_t piecesBetween(const BaseMesh& base, const Needs& needs, std::uint32_t a,
                             std::uint32_t b) {
   for (const auto& [ends, edge, triangle] : base.sides()) {
@@ -114,7 +123,7 @@ TEST(Detail, AFlatSurfaceNeedsNoPieces) {
   const BaseMesh base = square();
   Needs needs;
   const auto sheared = warpedSamples(base, [](float* p) { p[2] = 3 * p[0] - p[1]; });
-  EXPECT_FALSE(needs.update(base, {}, sheared, std::array{viewAlongX()}, 1));
+  EXPECT_FALSE(update(needs, base, sheared));
   for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
 }
 
@@ -125,13 +134,13 @@ TEST(Detail, ASaddleNeedsPiecesAlongItsStraightLines) {
   const BaseMesh base = square();
   Needs needs;
   const auto saddle = warpedSamples(base, [](float* p) { p[2] = p[0] * p[1]; });
-  EXPECT_TRUE(needs.update(base, {}, saddle, std::array{viewAlongX()}, 1));
+  EXPECT_TRUE(update(needs, base, saddle));
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
   // The diagonal is longer by a root of 2: 6.45.
   EXPECT_EQ(piecesBetween(base, needs, 0, 2), 8u);
   // Four times the tolerance halves the need: 2.28 and 3.23.
   Needs fewer;
-  fewer.update(base, {}, saddle, std::array{viewAlongX()}, 4);
+  update(fewer, base, saddle, 4);
   EXPECT_EQ(piecesBetween(base, fewer, 0, 1), 3u);
   EXPECT_EQ(piecesBetween(base, fewer, 0, 2), 4u);
 }
@@ -140,8 +149,7 @@ TEST(Detail, ASaddleNeedsPiecesAlongItsStraightLines) {
 TEST(Detail, ABendNeedsNoPiecesAcross) {
   const BaseMesh base = square();
   Needs needs;
-  needs.update(base, {}, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
-               std::array{viewAlongX()}, 1);
+  update(needs, base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }));
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
   EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
 }
@@ -156,15 +164,14 @@ TEST(Detail, ATriangleThatIsCloseToAllSamplesIsNotDivided) {
     });
   };
   Needs needs;
-  EXPECT_FALSE(needs.update(base, {}, ripple(0.003f), std::array{viewAlongX()}, 1));
-  EXPECT_TRUE(needs.update(base, {}, ripple(0.006f), std::array{viewAlongX()}, 1));
+  EXPECT_FALSE(update(needs, base, ripple(0.003f)));
+  EXPECT_TRUE(update(needs, base, ripple(0.006f)));
 }
 
 TEST(Detail, ErrorsAlongTheSightNeedNoPieces) {
   const BaseMesh base = square();
   Needs needs;
-  needs.update(base, {}, warpedSamples(base, [](float* p) { p[0] += 5 * p[1] * p[1]; }),
-               std::array{viewAlongX()}, 1);
+  update(needs, base, warpedSamples(base, [](float* p) { p[0] += 5 * p[1] * p[1]; }));
   EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
 }
 
@@ -172,9 +179,7 @@ TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
   const BaseMesh base = square();
   Needs needs;
   const auto bend = [&](float c) {
-    return needs.update(base, {},
-                        warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }),
-                        std::array{viewAlongX()}, 1);
+    return update(needs, base, warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }));
   };
   EXPECT_TRUE(bend(1));      // needs 4.56, gets 6
   EXPECT_FALSE(bend(0.7f));  // needs 3.8; 4 would do, but not for 1.25 times as much
@@ -185,8 +190,7 @@ TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
 TEST(Detail, SamplesThatAreNotFiniteNeedNothing) {
   const BaseMesh base = square();
   Needs needs;
-  needs.update(base, {}, warpedSamples(base, [](float* p) { p[2] = std::sqrt(-1 - p[0]); }),
-               std::array{viewAlongX()}, 1);
+  update(needs, base, warpedSamples(base, [](float* p) { p[2] = std::sqrt(-1 - p[0]); }));
   for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
 }
 
@@ -228,6 +232,60 @@ TEST(Detail, SidesOfSeamsThatDifferByRoundingShareAnEdge) {
   const BaseMesh close({{3, false, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1e-4f, 0, 0, 0, 1, 0, -1, 0, 0}}},
                        {{0, 1, 2}, {3, 4, 5}});
   EXPECT_NE(close.edgeOf(0, 2), close.edgeOf(1, 0));
+}
+
+// The positions of samples, in any order.
+std::set<std::array<float, 3>> placesOf(const Detail& detail,
+                                        const std::vector<std::uint32_t>& samples) {
+  std::set<std::array<float, 3>> places;
+  for (const std::uint32_t i : samples) {
+    const float* p = &detail.samples()[0].values[3 * std::size_t{i}];
+    places.insert({p[0], p[1], p[2]});
+  }
+  return places;
+}
+
+// The side of the tetrahedron in the plane x = 0 faces away. Its triangles beside the other sides
+// may be needed, and no others.
+TEST(Detail, TrianglesThatFaceAwayNeedNoSamples) {
+  Detail detail = facettedTetrahedron();
+  while (detail.cut(0.1f, {}, {})) {
+  }
+  warpSamples(detail, [](float*) {});
+  ScreenView front = viewAlongX();
+  front.facing = 1;
+  const auto shown = placesOf(detail, show(detail, front));
+  for (const auto& [x, y, z] : shown)
+    EXPECT_TRUE(x > 0 || y < 0.11f || z < 0.11f || y + z > 0.89f) << y << ", " << z;
+  // The view from behind adds the samples that are missing.
+  ScreenView back = viewAlongX();
+  back.facing = -1;
+  const auto added = placesOf(detail, show(detail, back));
+  EXPECT_TRUE(show(detail, viewAlongX()).empty());
+  const std::vector<float>& samples = detail.samples()[0].values;
+  for (std::size_t i = 3 * detail.base().vertexCount(); i < samples.size(); i += 3) {
+    const std::array place{samples[i], samples[i + 1], samples[i + 2]};
+    EXPECT_TRUE(place[0] == 0 || shown.count(place));
+    EXPECT_TRUE(shown.count(place) || added.count(place));
+  }
+  // All are needed again when the surface has moved.
+  detail.forgetSamples();
+  EXPECT_EQ(placesOf(detail, show(detail, front)), shown);
+}
+
+// The view ends at y = 0.1, or at 0.15 with its margin.
+TEST(Detail, TrianglesOutsideOfTheViewNeedNoSamples) {
+  Detail detail = facettedTetrahedron();
+  while (detail.cut(0.1f, {}, {})) {
+  }
+  warpSamples(detail, [](float*) {});
+  ScreenView view = viewAlongX();
+  view.clip[1][0] = 10;
+  const auto shown = placesOf(detail, show(detail, view));
+  for (const auto& [x, y, z] : shown) EXPECT_LT(y, 0.15f + 2 * 0.11f);
+  const std::vector<float>& samples = detail.samples()[0].values;
+  for (std::size_t i = 3 * detail.base().vertexCount(); i < samples.size(); i += 3)
+    EXPECT_TRUE(samples[i + 1] > 0.1f || shown.count({samples[i], samples[i + 1], samples[i + 2]}));
 }
 
 TEST(Detail, CutsSidesToAMaximumLengthWithoutCracks) {
@@ -375,8 +433,7 @@ TEST(Detail, LinesFollowTheDividedSides) {
 TEST(Detail, LinesWithoutTrianglesNeedPieces) {
   const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0}}}, {{0, 1, 1}});
   Needs needs;
-  needs.update(base, {}, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
-               std::array{viewAlongX()}, 1);
+  update(needs, base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }));
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
 }
 

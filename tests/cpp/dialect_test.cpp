@@ -153,13 +153,14 @@ TEST_F(DialectTest, RejectsReservedWordsOfALanguageAsNames) {
   EXPECT_EQ(outputProblem(wgsl, "fn"), "\"fn\" is a reserved word of WGSL");
   EXPECT_EQ(outputProblem(wgsl, "select"), "\"select\" is a function of WGSL");
   for (const char* word : {"fn", "let", "loop", "select", "atan2", "inverseSqrt", "vec3f", "f32"})
-    EXPECT_EQ(outputProblem(glsl300, word), "") << word << " means nothing in GLSL";
+    EXPECT_EQ(outputProblem(glsl300, word), "") << word << " has no meaning in GLSL";
   for (const char* word : {"float", "roundEven", "out", "inversesqrt", "uniform", "sampler2D"}) {
-    EXPECT_EQ(outputProblem(wgsl, word), "") << word << " means nothing in WGSL";
+    EXPECT_EQ(outputProblem(wgsl, word), "") << word << " has no meaning in WGSL";
     EXPECT_NE(outputProblem(glsl300, word), "") << word;
   }
   EXPECT_NE(outputProblem(glsl300, "sinh"), "");
-  EXPECT_EQ(outputProblem(glsl100, "sinh"), "") << "lowered there, so that it is not called";
+  EXPECT_EQ(outputProblem(glsl100, "sinh"), "")
+      << "GLSL ES 1.00 has no sinh; it is lowered, and never called";
 }
 
 TEST_F(DialectTest, AcceptsExpressionsOfAWgslHost) {

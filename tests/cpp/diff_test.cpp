@@ -1,4 +1,4 @@
-// Derivatives of graphs, against finite differences in double and against formulas derived by hand.
+// Derivatives of graphs, compared with formulas derived by hand.
 #include <gtest/gtest.h>
 
 #include "diff/differentiator.hpp"
@@ -15,8 +15,8 @@ class DiffTest : public testing::Test {
   Expression x = scalar(graph, "x");
   Expression y = scalar(graph, "y");
 
-  Expression derivative(Expression f, Expression by) {
-    return {&graph, differentiator.derivative(f.id, by.id)};
+  Expression derivative(Expression f, Expression variable) {
+    return {&graph, differentiator.derivative(f.id, variable.id)};
   }
   double at(Expression f, double xValue, double yValue = 0) {
     return evaluateNode(graph, f.id, {{x.id, xValue}, {y.id, yValue}});
@@ -29,8 +29,8 @@ TEST_F(DiffTest, DifferentiatesInputsAndConstants) {
   EXPECT_EQ(at(derivative({&graph, graph.constant(7)}, x), 3), 0);
 }
 
-// A sum under a stack of sines, which read none of its parameters: each of the nodes depends on all
-// of them.
+// A sum of many sines is added to a sum of parameters. The sines read no parameter, but each
+// further sum depends on all parameters.
 TEST_F(DiffTest, HundredsOfParametersOfALargeGraphNeedLittleMemory) {
   constexpr int count = isSanitized ? 100 : 300;
   std::vector<Expression> parameters;
@@ -98,7 +98,7 @@ TEST_F(DiffTest, TheSlopeIsZeroInsteadOfInfiniteAtTheEdgeOfADomain) {
   EXPECT_DOUBLE_EQ(at(derivative(asin(x), x), 0.6), 1.25);
 }
 
-// 0 * infinity is NaN, so the choice must come after the product.
+// 0 * infinity is NaN, so the choice must be applied after the product.
 TEST_F(DiffTest, AnInfinityInTheBranchNotTakenHasNoEffect) {
   const Expression guarded = ifElse(gt(x, 0.0), log(x), 0.0) + ifElse(gt(x, 0.0), y / x, 0.0);
   EXPECT_EQ(at(derivative(guarded, x), 0, 1), 0);
@@ -145,25 +145,25 @@ TEST_F(DiffTest, ValueAndDerivativeShareNodes) {
   sin(u);
   const std::size_t before = graph.size();
   derivative(sin(u), x);
-  EXPECT_LE(graph.size() - before, 4u) << "cos(u), its factor and constants; u is there already";
+  EXPECT_LE(graph.size() - before, 4u) << "cos(u), its factor and constants; u already exists";
 }
 
-// With u = |p|^2, the gradient of exp(sin(u)) u is one factor times (2x, 2y, 2z).
+// With u = |p|^2, the gradient of exp(sin(u)) u is a common factor times (2x, 2y, 2z).
 TEST_F(DiffTest, ColumnsShareFactorsAboveTheirCommonNode) {
   const Value p = vector3(graph, "p");
   const Expression u = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
   const Expression f = exp(sin(u)) * u;
-  const NodeId by[] = {derivative(f, p[0]).id, derivative(f, p[1]).id, derivative(f, p[2]).id};
-  for (const NodeId id : by) {
+  const NodeId slopes[] = {derivative(f, p[0]).id, derivative(f, p[1]).id, derivative(f, p[2]).id};
+  for (const NodeId id : slopes) {
     EXPECT_TRUE(graph.is(id, rowNamed("mult")));
-    EXPECT_EQ(graph.operand(id, 0), graph.operand(by[0], 0));
+    EXPECT_EQ(graph.operand(id, 0), graph.operand(slopes[0], 0));
   }
   const double a = 0.3, b = -0.7, c = 0.4, v = a * a + b * b + c * c;
-  EXPECT_DOUBLE_EQ(evaluateNode(graph, by[1], {{p[0].id, a}, {p[1].id, b}, {p[2].id, c}}),
+  EXPECT_DOUBLE_EQ(evaluateNode(graph, slopes[1], {{p[0].id, a}, {p[1].id, b}, {p[2].id, c}}),
                    (std::exp(std::sin(v)) * std::cos(v) * v + std::exp(std::sin(v))) * 2 * b);
 }
 
-// The derivative of x / y with respect to y is infinite at y = 0, where the branch 10 is taken.
+// At y = 0, the derivative of x / y with respect to y is infinite, but the branch with 10 is taken.
 TEST_F(DiffTest, AnInfinityInTheBranchNotTakenHasNoEffectInAChain) {
   const Value p = vector3(graph, "p");
   const Expression quotient = p[0] / p[1], ten{&graph, graph.constant(10)};
@@ -179,7 +179,7 @@ TEST_F(DiffTest, AnInfinityInTheBranchNotTakenHasNoEffectInAChain) {
   }
 }
 
-// x contributes through u, and once more directly.
+// x contributes through u and directly.
 TEST_F(DiffTest, AddsTheContributionsOfAllPathsFromAnInput) {
   const Value p = vector3(graph, "p");
   const Expression u = p[0] * p[1];

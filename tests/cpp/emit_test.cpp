@@ -49,10 +49,10 @@ TEST_F(EmitTest, WritesParenthesesOnlyWhereNeeded) {
             "x < y && (y < z || x < z) ? x : z");
   EXPECT_EQ(body(ifElse(logicalOr(logicalAnd(x, y), z), x, z)),
             "(bool(x) && bool(y)) || bool(z) ? x : z")
-      << "WGSL wants them";
+      << "WGSL requires the outer parentheses of the condition";
 }
 
-// ANGLE compiles other choices to branches.
+// ANGLE compiles choices between other expressions to branches.
 TEST_F(EmitTest, ChoosesOnlyBetweenNamesAndNumbers) {
   const auto choose = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
   EXPECT_EQ(code(choose(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");
@@ -80,7 +80,7 @@ TEST_F(EmitTest, LimitsTheDepthOfExpressions) {
             "}\n");
 }
 
-// Four angles are read by the sum and by its derivative before many more are computed.
+// The sum and its derivative read the first angles before the others are computed.
 TEST_F(EmitTest, KeepsFewValuesAlive) {
   Expression sum = zero(), slope = zero();
   for (int i = 1; i <= 6; ++i) {
@@ -156,22 +156,22 @@ TEST_F(EmitTest, ComputesAHostExpressionOnce) {
 TEST_F(EmitTest, WritesVectorsInTheShortestForm) {
   const Value p = vector3(graph, "position");
   const Value zero = constantLike(p, 0);
-  Value none(graph, vectorOf(3)), turned = p;
+  Value none(graph, vectorOf(3)), swapped = p;
   for (int i = 0; i < 3; ++i) none.set(i, zero[0].id);
-  turned.set(0, p[1].id);
-  turned.set(1, p[0].id);
+  swapped.set(0, p[1].id);
+  swapped.set(1, p[0].id);
   const std::vector<Output> outputs{result("whole", p), result("none", none),
-                                    result("turned", turned), result("flag", lt(x, y))};
+                                    result("swapped", swapped), result("flag", lt(x, y))};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
-            "vec3 whole, none, turned;\nbool flag;\n{\n"
+            "vec3 whole, none, swapped;\nbool flag;\n{\n"
             "  flag = x < y;\n"
             "  whole = position;\n"
             "  none = vec3(0.0);\n"
-            "  turned = position.yxz;\n"
+            "  swapped = position.yxz;\n"
             "}\n");
 }
 
-// mat2(1.0) is the unit matrix, so equal components cannot be written once.
+// mat2(1.0) is the unit matrix, so equal components cannot be written as one number.
 TEST_F(EmitTest, WritesMatricesInColumnMajorOrder) {
   const Value m = variable(graph, "m", matrixOf(2, 3));
   Value ones(graph, matrixOf(2, 2)), lastRow(graph, vectorOf(2));
@@ -220,7 +220,8 @@ TEST_F(EmitTest, CallsAHostFunctionWithItsArgumentsInOrder) {
   const std::vector<Output> outputs{result("y", called)};
   const EmittedCode emitted = emit(graph, glsl300, outputs, {});
   EXPECT_EQ(emitted.functions, std::vector<std::uint32_t>{noise}) << unused << " is not called";
-  EXPECT_EQ(emitted.operations, 5u) << "x + y, x < y, the choice, float and the call, but no list";
+  EXPECT_EQ(emitted.operations, 5u)
+      << "x + y, x < y, the choice, float and the call, but not the list of arguments";
 }
 
 TEST_F(EmitTest, MakesACallOnceIfItIsUsedTwice) {
@@ -281,7 +282,7 @@ TEST_F(EmitTest, LimitsTheDepthOfNestedCalls) {
             "}\n");
 }
 
-TEST_F(EmitTest, ASumOfManyTemporariesNeedsLittleMemory) {
+TEST_F(EmitTest, EmitsASumOfManyTemporariesInLittleMemory) {
   Expression sum = zero();
   for (int i = 1; i <= 20'000; ++i) {
     const Expression wave = sin(x * double(i));

@@ -1,5 +1,5 @@
-// Derivatives at huge, tiny and zero arguments, where float32 overflows or underflows in between:
-// against closed forms in long double.
+// Derivatives at huge, tiny and zero arguments, where intermediate results overflow or underflow in
+// float32: compared with closed forms in long double.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -14,13 +14,13 @@ namespace {
 
 constexpr double minNormal = std::numeric_limits<float>::min();
 
-// The float32 value that a shader uses, where denormals may be flushed to zero.
+// Returns the float32 value that a shader uses, where denormals may be flushed to zero.
 double asFloat(double x, bool flushes) {
   const double rounded = static_cast<float>(x);
   return flushes && std::abs(rounded) < minNormal ? std::copysign(0.0, rounded) : rounded;
 }
 
-// Rounds each operation.
+// Returns the value of a node, with the result of each operation rounded to float32.
 double evaluateFloat(const Graph& graph, NodeId root, const Inputs& inputs, bool flushes) {
   std::map<NodeId, double> values;
   for (const NodeId id : reachable(graph, {&root, 1})) {
@@ -45,7 +45,7 @@ struct Case {
   const char* name;
   std::function<Expression(Expression)> formula;
   std::function<Real(Real)> derivative;
-  // Compositions guarantee nothing where the square of the argument overflows in float32.
+  // For compositions, nothing is guaranteed where the square of the argument overflows in float32.
   bool isComposition = false;
 };
 
@@ -56,7 +56,7 @@ Expression constant(Expression x, double value) { return {x.graph, x.graph->cons
 
 Real sech(Real x) { return 2 / (std::exp(x) + std::exp(-x)); }
 
-// For rows of the table, this is the argument itself.
+// Operations of the table.
 const std::vector<Case> rows{
     {"inversesqrt", [](auto x) { return inversesqrt(x); },
      [](Real x) { return -0.5L / (x * std::sqrt(x)); }},
@@ -173,16 +173,16 @@ TEST_P(Float32, TheDerivativeIsFiniteWhereverTheValueIs) {
   const Expression x = scalar(graph, "x"), f = test.formula(x);
   const NodeId slope = differentiator.derivative(f.id, x.id);
   int checked = 0;
-  for (const double at : arguments()) {
-    if (test.isComposition && std::abs(at) > 1.1e18) continue;
+  for (const double argument : arguments()) {
+    if (test.isComposition && std::abs(argument) > 1.1e18) continue;
     for (const bool flushes : {false, true}) {
-      const Inputs inputs{{x.id, at}};
+      const Inputs inputs{{x.id, argument}};
       if (!std::isfinite(evaluateFloat(graph, f.id, inputs, flushes))) continue;
-      const auto exact = static_cast<double>(test.derivative(at));
+      const auto exact = static_cast<double>(test.derivative(argument));
       // float32 can't represent the derivative.
       if (!(std::abs(exact) < 1e37)) continue;
       const double found = evaluateFloat(graph, slope, inputs, flushes);
-      EXPECT_NEAR(found, exact, 2e-5 * std::abs(exact) + 1e-8) << test.name << " at " << at;
+      EXPECT_NEAR(found, exact, 2e-5 * std::abs(exact) + 1e-8) << test.name << " at " << argument;
       ++checked;
     }
   }
@@ -221,10 +221,10 @@ class Float32Warp : public testing::Test {
   }
   void expectNormal(const Value& offset, const Point& position, const Point& normal,
                     const Point& expected) {
-    const Value turned = warpNormal(deformation(differentiator, offset, p), n);
+    const Value warped = warpNormal(deformation(differentiator, offset, p), n);
     for (const bool flushes : {false, true}) {
       for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(evaluateFloat(graph, turned[i].id, inputsAt(position, normal), flushes),
+        EXPECT_NEAR(evaluateFloat(graph, warped[i].id, inputsAt(position, normal), flushes),
                     expected[i], 1e-6)
             << "component " << i;
     }
@@ -235,7 +235,7 @@ TEST_F(Float32Warp, HugeOffsetsRotateTheNormal) {
   expectNormal(p * 1e37, {1, 2, 3}, {0, 0.6, 0.8}, {0, 0.6, 0.8});
   for (const double size : {1e8, 1e10, 1e15, 1e20, 1e30}) {
     expectNormal(p * size, {1, 2, 3}, {0, 0.6, 0.8}, {0, 0.6, 0.8});
-    // (x, y, z) -> (x + s y, ...): the normal (0, 1, 0) stays, (1, 0, 0) leans against y.
+    // With (x + s y, y, z), the normal (0, 1, 0) is unchanged, and (1, 0, 0) leans towards -y.
     expectNormal(vec3(p[1] * size, zero, zero), {1, 2, 3}, {0, 1, 0}, {0, 1, 0});
     expectNormal(vec3(p[1] * size, zero, zero), {1, 2, 3}, {1, 0, 0}, {0, -1, 0});
     expectNormal(vec3(p[1] * p[1] * size, zero, zero), {1, 2, 3}, {1, 0, 0}, {0, -1, 0});
@@ -247,14 +247,15 @@ TEST_F(Float32Warp, AHugeStretchAlongOneAxisPreservesTheOtherAxes) {
   expectNormal(vec3(p[0] * 1e12, zero, zero), {1, 2, 3}, {0.6, 0.8, 0}, {0, 1, 0});
 }
 
-// Near the axis the unit vector rotates ever faster; on a coordinate axis the rotation is exact.
+// The nearer to the axis, the faster the unit vector rotates. These points are on a coordinate
+// axis, so the expected values are exact.
 TEST_F(Float32Warp, AUnitVectorIsAccurateNearItsAxis) {
   for (const double x : {1e-4, 1e-7, 1e-10, 1e-13, 1e-16, 1e-18}) {
     const Expression squared = p[0] * p[0] + p[2] * p[2];
     const Expression shorten = ifElse(gt(squared, 0.0), inversesqrt(squared), 0.0);
     const Inputs inputs = inputsAt({x, 0, 0}, {0, 1, 0});
-    const auto slope = [&](Expression of, int by) {
-      return evaluateFloat(graph, differentiator.derivative(of.id, p[by].id), inputs, true);
+    const auto slope = [&](Expression f, int axis) {
+      return evaluateFloat(graph, differentiator.derivative(f.id, p[axis].id), inputs, true);
     };
     // d(x / |x|) = 0, d(z / |x|) = dz / |x|
     EXPECT_NEAR(slope(p[0] * shorten, 0) * x, 0, 1e-6) << x;

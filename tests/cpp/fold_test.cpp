@@ -1,5 +1,5 @@
-// Folds: their values and derivatives, against loops and hand-written derivatives in double, and
-// their code in each language.
+// Folds: their values and derivatives, compared with loops and hand-written derivatives in double,
+// and their code in each language.
 #include "functions/fold.hpp"
 
 #include <gtest/gtest.h>
@@ -21,21 +21,21 @@ class FoldTest : public testing::Test {
   Expression x = scalar(graph, "x");
   Expression y = scalar(graph, "y");
 
-  Expression derivative(Expression f, Expression by) {
-    return {&graph, differentiator.derivative(f.id, by.id)};
+  Expression derivative(Expression f, Expression variable) {
+    return {&graph, differentiator.derivative(f.id, variable.id)};
   }
-  // The value computed by `evaluate`. Defaults: x is 0.3 and y is 0.7.
+  // Returns the value of f, computed by `evaluate`.
   double at(Expression f, double xValue = 0.3, double yValue = 0.7) {
     Library library;
     Graph copy = graph.copy();
     const std::vector<NodeId> roots = inlineCalls(copy, library, {&f.id, 1});
-    const auto made = program(copy, roots);
+    const auto compiled = program(copy, roots);
     const double inputs[] = {xValue, yValue};
     double result = 0;
-    evaluate(made->words, made->instructions, inputs, {&result, 1});
+    evaluate(compiled->words, compiled->instructions, inputs, {&result, 1});
     return result;
   }
-  // The real part of z after iterating z² + c.
+  // Returns the real part of z after iterating z² + c.
   Expression mandelbrot(std::uint32_t steps) {
     return fold(steps, {x * 0.5, y}, [&](const Numbers& z, Expression) {
       return Numbers{z[0] * z[0] - z[1] * z[1] + x, z[0] * z[1] * 2.0 + y};
@@ -83,7 +83,7 @@ TEST_F(FoldTest, DerivativesMatchFiniteDifferencesOfTheLoop) {
               (g(0.3 + k, 0.7) - 2 * g(0.3, 0.7) + g(0.3 - k, 0.7)) / (k * k), 1e-3);
 }
 
-// The third power by repeated products, whose derivatives of all orders are known.
+// Computes x³ by repeated multiplication: its derivatives of all orders are known.
 TEST_F(FoldTest, HasDerivativesOfEveryOrder) {
   const Expression one{&graph, graph.constant(1)};
   Expression f = fold(3, {one}, [&](const Numbers& s, Expression) { return Numbers{s[0] * x}; })[0];
@@ -160,8 +160,8 @@ TEST_F(FoldTest, IsEmittedAsALoopInEachLanguage) {
             "  y = t0;\n}\n");
 }
 
-// Code of a body that doesn't depend on its variables is before the loop; value and derivative
-// share a loop.
+// The code for nodes that don't depend on the body's variables is before the loop. Value and
+// derivative share a loop.
 TEST_F(FoldTest, EmitsANestedLoopWithADerivative) {
   const Expression zero{&graph, graph.constant(0)};
   const Expression sum = fold(3, {zero}, [&](const Numbers& s, Expression i) {
@@ -215,7 +215,7 @@ TEST_F(FoldTest, SwappingStatesPreservesBoth) {
             "  y = t0;\n}\n");
 }
 
-// The same arithmetic for the same number of steps: the range contains the loop's values.
+// Computes bounds of a fold, and compares them with the values of the same loop in C++.
 TEST_F(FoldTest, BoundsContainAllValues) {
   Module module;
   const Expression a = scalar(module.graph, "a");
@@ -224,9 +224,9 @@ TEST_F(FoldTest, BoundsContainAllValues) {
   })[0];
   module.outputs.push_back({"f", scalarShape, {f.id}});
   const std::uint32_t first = 0;
-  const Program made = *program(module, {&first, 1}).program;
+  const Program compiled = *program(module, {&first, 1}).program;
   const Range range{-1, 1};
-  const Range found = bounds(made.words, made.instructions, {&range, 1}, {&first, 1})[0];
+  const Range found = bounds(compiled.words, compiled.instructions, {&range, 1}, {&first, 1})[0];
   double lowest = 10, highest = -10;
   for (double value = -1; value <= 1; value += 1e-3) {
     double s = value;

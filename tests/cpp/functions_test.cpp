@@ -1,5 +1,5 @@
-// Our own functions: numbering, derivatives, code and inlining of their results. The function here
-// is x² y + s, whose derivatives are easy to compute by hand.
+// Functions of the library: the numbering of their derivatives, the derivatives, their code, and
+// inlining. The function here is x² y + s, whose derivatives are easy to compute by hand.
 #include "emit/functions.hpp"
 
 #include <gtest/gtest.h>
@@ -50,9 +50,9 @@ const Definition square{{"warpjetSquare", 3, 1, 2},
 class FunctionsTest : public testing::Test {
  protected:
   std::string declarations(const Dialect& dialect, std::span<const Output> outputs) {
-    Declarations made(dialect, library);
-    made.add(graph, emit(graph, dialect, outputs));
-    return made.text();
+    Declarations written(dialect, library);
+    written.add(graph, emit(graph, dialect, outputs));
+    return written.text();
   }
 
   Graph graph;
@@ -61,13 +61,13 @@ class FunctionsTest : public testing::Test {
   Expression x = scalar(graph, "x"), y = scalar(graph, "y");
   Expression called = library.call(square, {x * 3.0, y, y})[0];
 
-  Expression derivative(Expression of, Expression by) {
-    return {&graph, differentiator.derivative(of.id, by.id)};
+  Expression derivative(Expression f, Expression variable) {
+    return {&graph, differentiator.derivative(f.id, variable.id)};
   }
 
-  // The value without calls, at x = 2 and y = 5.
-  double value(Expression of) {
-    const NodeId root = inlineCalls(graph, library, {&of.id, 1})[0];
+  // Returns the value at x = 2 and y = 5, with all calls inlined.
+  double value(Expression f) {
+    const NodeId root = inlineCalls(graph, library, {&f.id, 1})[0];
     return evaluateNode(graph, root, {{x.id, 2}, {y.id, 5}});
   }
 };
@@ -75,7 +75,7 @@ class FunctionsTest : public testing::Test {
 TEST_F(FunctionsTest, InliningSubstitutesTheArguments) { EXPECT_EQ(value(called), 36 * 5 + 5); }
 
 TEST_F(FunctionsTest, DerivativesFollowTheChainRule) {
-  // 9 x² y + s with s = y, but parameters have no derivative.
+  // 9 x² y + s, where s is y; but a parameter's derivative is treated as zero.
   EXPECT_EQ(value(derivative(called, x)), 18 * 2 * 5);
   EXPECT_EQ(value(derivative(called, y)), 9 * 4);
   EXPECT_EQ(value(derivative(derivative(called, x), y)), 18 * 2);

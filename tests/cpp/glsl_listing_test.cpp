@@ -1,5 +1,5 @@
-// The listing of lowered source: its functions (Define, Call) and its loops (Fold, Next), run in
-// double by the interpreter below and compared with the same in C++.
+// The listing of lowered source: its functions (Define, Call) and its loops (Fold, Next). The
+// interpreter below runs it in double; the results are compared with those of the same code in C++.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,15 +26,17 @@ class Interpreter {
  public:
   Interpreter(const Listing& listing, Numbers arguments, Numbers uniforms = {})
       : listing_(listing), arguments_(std::move(arguments)), uniforms_(std::move(uniforms)) {
-    Numbers made;
-    run(made, {});
-    for (const std::uint32_t result : listing.results) results.push_back(made.at(result));
+    Numbers computed;
+    run(computed, {});
+    for (const std::uint32_t result : listing.results) results.push_back(computed.at(result));
   }
 
   Numbers results;
+  // The numbers of functions defined, calls made and loops run.
   int defined = 0, called = 0, folds = 0;
-  // Sizes and variables of each function, as in Define, and of the loop.
+  // The numbers of parameters and of variables of each function, as in Define.
   std::vector<std::uint32_t> sizes, variables;
+  // The number of iterations of the last loop.
   std::uint32_t steps = 0;
 
  private:
@@ -93,7 +95,7 @@ class Interpreter {
     }
   }
 
-  // Skips a body, whose instructions have different lengths, by running it once.
+  // Skips the body of a function by running it once, since its instructions differ in length.
   void define() {
     ++defined;
     sizes.push_back(word());
@@ -108,17 +110,17 @@ class Interpreter {
     ++folds;
     const std::uint32_t count = word(), size = word();
     steps = count;
-    Numbers now = operands(made, size);
+    Numbers states = operands(made, size);
     const std::size_t body = at_, before = made.size();
     for (std::uint32_t i = 0; i < count; ++i) {
       at_ = body;
       made.resize(before);
       made.push_back(i);
-      made.insert(made.end(), now.begin(), now.end());
+      made.insert(made.end(), states.begin(), states.end());
       run(made, parameters);
-      now = operands(made, size);
+      states = operands(made, size);
     }
-    made.insert(made.end(), now.begin(), now.end());
+    made.insert(made.end(), states.begin(), states.end());
   }
 
   static double value(Code code, const Numbers& x) {
@@ -182,7 +184,7 @@ class Interpreter {
   std::size_t at_ = 0;
 };
 
-// Long enough to remain a function.
+// A function that is long enough not to be inlined.
 const std::string wave = R"(
 float wave(float x, float y, float steep) {
   float s = sin(x * 1.5 + y) * steep;
@@ -215,11 +217,11 @@ TEST(GlslDefine, AFunctionCalledOftenIsDefinedOnce) {
 TEST(GlslDefine, VaryingArgumentsComeFirstAndAreDifferentiated) {
   // The first argument is the same constant in all calls.
   const std::string text =
-      "float turned(float steep, float x, float y) { float s = sin(x * 1.5 + y) "
+      "float swapped(float steep, float x, float y) { float s = sin(x * 1.5 + y) "
       "* steep; s += cos(y * 2.5 - x) * s + sin(s * 3.0); return s * sin(x + s) "
       "+ cos(s - y); }\n"
-      "float f(float x, float y) { return turned(0.25, x, y) + turned(0.25, "
-      "y, x) + turned(0.25, x * y, y); }";
+      "float f(float x, float y) { return swapped(0.25, x, y) + swapped(0.25, "
+      "y, x) + swapped(0.25, x * y, y); }";
   const Listing listing = lowerToListing(text, 1);
   const Interpreter run(listing, {0.4, 1.1});
   ASSERT_EQ(run.defined, 1);
@@ -266,7 +268,7 @@ TEST(GlslDefine, AFunctionMayCallAnother) {
   EXPECT_NEAR(run.results.at(0), twiceAt(0.9, 0.5) + twiceAt(0.81, 0.9), 1e-12);
 }
 
-// The body of a loop that is long enough to remain one.
+// The body of a loop that is long enough not to be unrolled.
 const std::string body =
     "s += a * sin(q * 1.5 + cos(s)) * cos(q - s); q = q * 0.75 + sin(s) * 0.5; a *= 0.5;";
 

@@ -14,7 +14,7 @@ namespace {
 std::string preprocessToText(std::string_view text) {
   Problems problems;
   const PreprocessedSource read = preprocess(readTokens(text, problems), problems);
-  if (problems.any()) return problems.text(text);
+  if (problems.any()) return problems.message(text);
   std::string all;
   for (const Token& token : read.tokens) {
     if (token.kind != Token::Kind::End) (all += all.empty() ? "" : " ") += token.text;
@@ -30,7 +30,7 @@ Listing lowerToListing(const std::string& text) {
   return listing;
 }
 
-// The value of a function whose only result is a known number.
+// Returns the value of a function whose only result is a known number.
 double evaluateConstant(const std::string& body) {
   const Listing listing = lowerToListing("float f() { " + body + " }");
   EXPECT_EQ(listing.words.size(), 2u) << body;
@@ -49,7 +49,7 @@ TEST(GlslTokens, ReadsNumbersNamesAndSymbols) {
   EXPECT_EQ(tokens[4].location.column, 8u);
 }
 
-// The message without its line, column and caret.
+// Returns the message without its line, column and caret.
 std::string problemOf(const std::string& text) {
   const std::string problem = Source(parse(text)).problem();
   const auto start = problem.find(": ");
@@ -95,7 +95,7 @@ std::string describeTokens(std::string_view text) {
   Problems problems;
   const PreprocessedSource read =
       preprocess(readTokens(lines.joined, problems, lines.joins), problems);
-  if (problems.any()) return problems.text(lines.separate);
+  if (problems.any()) return problems.message(lines.lines);
   std::string all;
   for (const Token& token : read.tokens)
     all += std::string(token.text) + '@' + std::to_string(token.location.line) + ':' +
@@ -133,18 +133,18 @@ TEST(GlslPreprocessor, ReadsArgumentsOfAnExpandedMacroNameFromTheFollowingTokens
   EXPECT_EQ(preprocessToText("#define G(x) x\n#define E G\n#define F E\nF (F(2)) F"), "2 G");
   EXPECT_EQ(preprocessToText("#define A(x) x + B\n#define B(x) x\nA(1)(2)(3)"), "1 + 2 ( 3 )");
   EXPECT_EQ(preprocessToText("#define PICK(x) x\n#define G(x) -x\nPICK(G)(1)"), "- 1");
-  // A call that an expansion opens is closed by the following tokens.
+  // A call that begins in an expansion ends in the tokens after it.
   EXPECT_EQ(preprocessToText("#define F(x, y) x - y\n#define OPEN F (\nOPEN 1, 2) + 3"),
             "1 - 2 + 3");
   EXPECT_EQ(preprocessToText("#define F(x) - x\n#define A F(\n#define B A 1\nB) 2"), "- 1 2");
   std::string deep = "#define M F(\n#define F(x) N x\n#define N G(\n#define G(x) M x\nM 1 ";
   for (int i = 0; i < 100'000; ++i) deep += ") ";
   EXPECT_NE(preprocessToText(deep).find("1,000 deep"), std::string::npos);
-  // A parenthesis that is not expanded yet doesn't make a call, unless the result is expanded
-  // again.
+  // A parenthesis that is still a macro doesn't begin a call, unless the result is expanded again.
   EXPECT_EQ(preprocessToText("#define F(x) - x\n#define L (\nF L 1)"), "F ( 1 )");
   EXPECT_EQ(preprocessToText("#define F(x) - x\n#define L (\n#define E(x) x\nE(F L 1))"), "- 1");
-  // A macro isn't expanded within its own expansion, nor are such tokens later.
+  // A macro isn't expanded within its own expansion, and its name there isn't expanded later
+  // either.
   EXPECT_EQ(preprocessToText("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
 }
 
@@ -242,8 +242,8 @@ TEST(GlslLowering, LimitsSourceLengthAndIterations) {
   Source wide(parse("float f(float x) { " + loops + "x = sin(x); return x; }"));
   wide.lower(0, 0);
   EXPECT_EQ(wide.problem(), "");
-  // A loop of the shader keeps its states in floats, which are too small for the bits of an
-  // integer, so this loop is unrolled.
+  // A loop in the resulting shader holds its states in floats, which can't represent all 32-bit
+  // integers, so this loop is unrolled.
   Source bits(parse("float f(float x) { uint u = uint(x); " + loops +
                     "u = u * 3u + 1u; return float(u); }"));
   bits.lower(0, 0);

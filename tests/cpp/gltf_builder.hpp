@@ -63,7 +63,7 @@ struct GltfBuilder {
     return add("bufferViews", {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}});
   }
 
-  // Tightly packed; `more` adds or replaces members.
+  // Adds an accessor of tightly packed numbers; `more` adds or replaces members.
   template <typename T>
   int accessor(const std::vector<T>& numbers, const std::string& type, const json& more = {}) {
     const std::size_t width = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
@@ -79,7 +79,7 @@ struct GltfBuilder {
     return accessor(numbers, type);
   }
 
-  // A mesh with one primitive; `more` has indices, mode, material …
+  // Adds a mesh with one primitive; `more` has indices, mode, material …
   int mesh(const json& attributes, const json& more = {}) {
     json primitive = {{"attributes", attributes}};
     if (more.is_object()) primitive.update(more);

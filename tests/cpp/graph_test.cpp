@@ -71,7 +71,7 @@ TEST_F(GraphTest, MovesSignsOutwards) {
   EXPECT_EQ((-x * -y).id, (x * y).id);
   EXPECT_EQ((-x * y).id, (-(x * y)).id);
   EXPECT_EQ((0.0 - x).id, (-x).id);
-  EXPECT_EQ((x + -(x - y)).id, (x - (x - y)).id) << "a difference that is there is read";
+  EXPECT_EQ((x + -(x - y)).id, (x - (x - y)).id) << "the existing difference is used";
 }
 
 TEST_F(GraphTest, ExpandsIntegerPowersToProducts) {
@@ -164,10 +164,11 @@ TEST_F(GraphTest, LeavesOperationsUnchangedIfSimplificationIsOff) {
   EXPECT_TRUE(plain.is((zero * 2.0).id, rowNamed("mult")));
   EXPECT_TRUE(plain.is((-(-a)).id, rowNamed("neg")));
   EXPECT_NE((a + zero).id, (zero + a).id);
-  EXPECT_EQ((a + zero).id, (a + zero).id) << "equal nodes are one all the same";
+  EXPECT_EQ((a + zero).id, (a + zero).id) << "equal nodes are interned nevertheless";
 }
 
-// If the bounds cross, the upper one is the result; WGSL rejects such constants.
+// If the lower bound exceeds the upper one, the result is the upper one; WGSL rejects such
+// constants.
 TEST_F(GraphTest, ClampWithCrossedConstantBoundsReturnsTheUpperOne) {
   const auto clamped = [&](double low, double high) {
     return graph.apply(rowNamed("clamp"), {x.id, graph.constant(low), graph.constant(high)});
@@ -176,7 +177,8 @@ TEST_F(GraphTest, ClampWithCrossedConstantBoundsReturnsTheUpperOne) {
   EXPECT_TRUE(graph.is(clamped(1, 1), rowNamed("clamp")));
 }
 
-// 1e-60 is zero in float32, and 1e60 infinite, although x * 1e30 may be finite.
+// 1e-60 is zero in float32 and 1e60 is infinite, although x * 1e-30 * 1e-30 may be greater than
+// zero, and x * 1e30 * 1e30 finite.
 TEST_F(GraphTest, MultipliesConstantFactorsOnlyIfFloat32HoldsTheProduct) {
   EXPECT_EQ((x * 2.0 * 3.0).id, (x * 6.0).id);
   EXPECT_TRUE(graph.is(graph.operand((x * 1e-30 * 1e-30).id, 0), rowNamed("mult")));

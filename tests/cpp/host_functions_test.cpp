@@ -9,7 +9,7 @@ namespace {
 
 class HostFunctions : public testing::Test, protected Bench {
  protected:
-  // The calls whose partials are needed for the derivative of this value.
+  // Returns the calls whose partials are needed for the derivative of this value.
   std::vector<NodeId> pendingFor(int value) {
     EXPECT_EQ(call("derivative", {value, x}), Builder::needsPartials);
     return builder.pendingCalls();

@@ -66,7 +66,7 @@ class Evaluation {
   double visit(const Item* item) {
     if (item->isVariable()) return at_[item->number];
     if (item->kind == Kind::Literal) return item->value;
-    if (item->kind == Kind::Function) return item->function->of(visit(item + 1));
+    if (item->kind == Kind::Function) return item->function->valueOf(visit(item + 1));
     Operands<double> x{};
     const ops::Declaration& declaration = ops::declaration(item->op());
     bool isFinite = true, hasZero = false;
@@ -91,7 +91,8 @@ class Evaluation {
   Arithmetic round_;
 };
 
-// Deterministic on all machines, unlike the distributions of the standard library.
+// Draws random numbers, which are the same on all machines, unlike those of the standard library's
+// distributions.
 class Chance {
  public:
   std::uint32_t bits() { return static_cast<std::uint32_t>(random_()); }
@@ -130,7 +131,7 @@ class Chance {
   std::mt19937 random_{1};
 };
 
-// Values that satisfy the condition, or nullopt.
+// Returns random values that satisfy the condition; nullopt if those drawn don't.
 inline std::optional<At> drawPoint(const Identity& identity, Chance& chance, Arithmetic round) {
   const Variables variables(identity.from);
   At at{};

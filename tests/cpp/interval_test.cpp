@@ -1,4 +1,4 @@
-// Interval arithmetic: every row of the table at dense samples of random intervals, and cases
+// Interval arithmetic: every row of the table, at dense samples of random intervals; and cases
 // computed by hand.
 #include "ops/interval.hpp"
 
@@ -22,7 +22,7 @@ class Sampler {
   }
   int below(int count) { return std::uniform_int_distribution(0, count - 1)(random_); }
 
-  // Small and large numbers, integers and fractions, of either sign.
+  // Returns a small or large number, an integer or a fraction, of either sign.
   double number() {
     switch (below(6)) {
       case 0:
@@ -46,8 +46,8 @@ class Sampler {
     return {low == 0 ? -0.0 : low, high == 0 ? 0.0 : high};
   }
 
-  // Intervals of integers, small and large.
-  Interval wholes() {
+  // Returns an interval of integers, small or large.
+  Interval integers() {
     const double lowest = -2147483648.0, highest = 2147483647.0;
     const bool isSmall = below(2) != 0;
     const auto number = [&] {
@@ -80,7 +80,7 @@ class Sampler {
   std::mt19937 random_{1};
 };
 
-// Neither overflows nor underflows in float32.
+// Returns true if a number neither overflows nor underflows in float32.
 bool isFloat32(double x) {
   using Limits = std::numeric_limits<float>;
   return x == 0 || (std::abs(x) >= Limits::min() && std::abs(x) <= Limits::max());
@@ -96,7 +96,7 @@ void checkRow() {
       const int truth = sample.below(3);
       const bool isInt = ops::declarations[Row].signature.operands[i] == ops::Type::Int;
       x[i] = isBool  ? Interval(truth == 1, truth != 0)
-             : isInt ? sample.wholes()
+             : isInt ? sample.integers()
                      : sample.interval();
     }
     const Interval range = ops::rangeOf(Op(Row), x);
@@ -114,11 +114,11 @@ void checkRow() {
           << ops::declarations[Row].name << " of " << at[0] << ", " << at[1] << ", " << at[2]
           << " is " << value << ", not from " << range.low << " to " << range.high << ", of "
           << x[0].low << ".." << x[0].high << ", " << x[1].low << ".." << x[1].high;
-      // Out of range, float32 has infinity, or may have zero.
+      // A value that overflows is infinite in float32; one that underflows may be zero.
       if (std::isnan(value) || !std::all_of(at.begin(), at.end(), isFloat32)) continue;
       const double inFloat32 = std::abs(value) > 1 ? value * Interval::infinity : 0;
       ASSERT_TRUE(isFloat32(value) || range.has(inFloat32))
-          << ops::declarations[Row].name << " of " << at[0] << ", " << at[1]
+          << ops::declarations[Row].name << " of " << at[0] << ", " << at[1] << " is " << inFloat32
           << " in float32, not from " << range.low << " to " << range.high;
     }
   }
@@ -128,8 +128,8 @@ TEST(Interval, ContainsTheValuesOfEveryRow) {
   ops::withIndices<ops::count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
-// Samples the domains of the table, where rows with one operand are monotonic or have their
-// extremes inside.
+// Checks that ranges are not much wider than the values at dense samples, in the domains of the
+// table.
 template <std::size_t Row>
 void checkTightness() {
   constexpr auto& info = ops::declarations[Row];
@@ -160,8 +160,8 @@ void checkTightness() {
       high = std::max(high, value);
       size = std::max(size, std::abs(value));
     }
-    // Between dense samples, the function may exceed them by the square of their distance, or by a
-    // jump.
+    // Between two samples, a value may exceed those at the samples by the square of their distance,
+    // or by a jump.
     const bool jumps = name == "fract" || name == "mod" || name == "atan2";
     const double missed = jumps ? 0.01 * (high - low) + 0.01 : 2e-5;
     const double bound = 32 * rounding * (size + std::abs(x[1].low)) + missed;
@@ -184,7 +184,7 @@ void expectNear(Interval x, double low, double high) {
   EXPECT_TRUE(near(x.high, high)) << x.high << " for " << high;
 }
 
-TEST(Interval, ArithmeticUsesTheEndsOfTheIntervals) {
+TEST(Interval, ComputesArithmeticFromTheEndsOfTheIntervals) {
   expectNear(Interval(1, 2) + Interval(-5, 3), -4, 5);
   expectNear(Interval(1, 2) - Interval(-5, 3), -2, 7);
   expectNear(Interval(-2, 3) * Interval(-5, 4), -15, 12);
@@ -225,7 +225,7 @@ TEST(Interval, BoundsPowersForBasesOfEitherSign) {
   EXPECT_TRUE(pow(Interval(-3, 2), Interval(0.5)).canBeNaN);
 }
 
-TEST(Interval, RemaindersOfOnePeriodAreExact) {
+TEST(Interval, RemaindersAreExactWithinOnePeriod) {
   expectNear(mod(Interval(5, 5.5), Interval(2)), 1, 1.5);
   expectNear(mod(Interval(5, 6.5), Interval(2)), 0, 2);
   expectNear(mod(Interval(-1, -0.5), Interval(-3)), -1, -0.5);

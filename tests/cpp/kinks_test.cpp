@@ -10,24 +10,25 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The operands are inputs, so that nothing is folded before it is differentiated.
+// The operands are inputs, so that no operation is folded before it is differentiated.
 class KinksTest : public testing::Test {
  protected:
   Graph graph;
   Differentiator differentiator{graph};
   Value v = variable(graph, "v", vectorOf(3));
 
-  double slope(Expression f, int by, const std::vector<double>& at) {
+  // Returns the derivative of f with respect to v[component].
+  double slope(Expression f, int component, const std::vector<double>& point) {
     Inputs inputs;
-    for (std::size_t i = 0; i < at.size(); ++i) inputs[v[static_cast<int>(i)].id] = at[i];
-    return evaluateNode(graph, differentiator.derivative(f.id, v[by].id), inputs);
+    for (std::size_t i = 0; i < point.size(); ++i) inputs[v[static_cast<int>(i)].id] = point[i];
+    return evaluateNode(graph, differentiator.derivative(f.id, v[component].id), inputs);
   }
-  // The derivatives of a row with respect to each of its operands.
-  std::vector<double> slopes(std::string_view row, const std::vector<double>& at) {
+  // Returns the derivatives of a row with respect to each of its operands.
+  std::vector<double> slopes(std::string_view row, const std::vector<double>& point) {
     const Op op = rowNamed(row);
     const Expression f{&graph, graph.apply(op, {v[0].id, v[1].id, v[2].id})};
     std::vector<double> all;
-    for (int i = 0; i < ops::declaration(op).arity; ++i) all.push_back(slope(f, i, at));
+    for (int i = 0; i < ops::declaration(op).arity; ++i) all.push_back(slope(f, i, point));
     return all;
   }
 
@@ -39,7 +40,7 @@ TEST_F(KinksTest, TheSlopeOfAbsIsTheSign) {
   EXPECT_EQ(slopes("abs", {-2}), Slopes{-1});
 }
 
-TEST_F(KinksTest, StepsAreFlatAtTheJumpToo) {
+TEST_F(KinksTest, StepsHaveTheSlopeZeroAtTheirJumpsToo) {
   for (const char* row : {"floor", "ceil", "trunc", "sign"}) {
     for (const double x : {-1.0, 0.0, 2.0}) EXPECT_EQ(slopes(row, {x}), Slopes{0}) << row << x;
   }
@@ -60,13 +61,13 @@ TEST_F(KinksTest, MinAndMaxHaveTheSlopeOfTheFirstOfEqualOperands) {
   EXPECT_EQ(slopes("max", {2, 2}), (Slopes{1, 0}));
 }
 
-// min(max(x, low), high), so ties are resolved in the order x, low, high.
+// clamp is min(max(x, low), high): of equal operands, the first of x, low and high counts.
 TEST_F(KinksTest, ClampHasTheSlopeOfTheOperandThatItReturns) {
   EXPECT_EQ(slopes("clamp", {0, 0, 1}), (Slopes{1, 0, 0})) << "x is low";
   EXPECT_EQ(slopes("clamp", {1, 0, 1}), (Slopes{1, 0, 0})) << "x is high";
   EXPECT_EQ(slopes("clamp", {1, 1, 1}), (Slopes{1, 0, 0})) << "all are equal";
-  EXPECT_EQ(slopes("clamp", {0, 1, 1}), (Slopes{0, 1, 0})) << "low is high, x below";
-  EXPECT_EQ(slopes("clamp", {2, 1, 1}), (Slopes{0, 0, 1})) << "low is high, x above";
+  EXPECT_EQ(slopes("clamp", {0, 1, 1}), (Slopes{0, 1, 0})) << "low is high, x is less";
+  EXPECT_EQ(slopes("clamp", {2, 1, 1}), (Slopes{0, 0, 1})) << "low is high, x is greater";
 }
 
 TEST_F(KinksTest, ClampWithCrossedBoundsFollowsTheUpperOne) {
@@ -110,13 +111,13 @@ TEST_F(KinksTest, IntegerPowersHaveTheirSlopeEverywhere) {
 
 TEST_F(KinksTest, LengthDistAndNormalizeHaveFiniteSlopesAtZero) {
   const Value w = variable(graph, "w", vectorOf(3));
-  for (int by = 0; by < 3; ++by) {
-    EXPECT_EQ(slope(length(v), by, {0, 0, 0}), 0);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(slope(normalize(v)[i], by, {0, 0, 0}), 0);
+  for (int component = 0; component < 3; ++component) {
+    EXPECT_EQ(slope(length(v), component, {0, 0, 0}), 0);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(slope(normalize(v)[i], component, {0, 0, 0}), 0);
     Inputs same;
     for (int i = 0; i < 3; ++i) same[v[i].id] = same[w[i].id] = i + 0.5;
-    const NodeId ofDist = differentiator.derivative(length(v - w).id, w[by].id);
-    EXPECT_EQ(evaluateNode(graph, ofDist, same), 0);
+    const NodeId slopeOfDist = differentiator.derivative(length(v - w).id, w[component].id);
+    EXPECT_EQ(evaluateNode(graph, slopeOfDist, same), 0);
   }
 }
 

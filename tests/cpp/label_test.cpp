@@ -20,7 +20,7 @@ TEST(Labels, PreservesSignificantParentheses) {
   EXPECT_NE(readLabel("(a + b) * c").root, readLabel("a + b * c").root);
   EXPECT_NE(readLabel("f(a)").root, readLabel("f").root);
   EXPECT_NE(readLabel("a - -b").root, readLabel("a - b").root);
-  // A selector at the end of a sum belongs to its last term.
+  // In a + b.x, the selector .x applies only to b.
   EXPECT_FALSE(isWithin(readLabel("a + b.x"), readLabel("a + b")));
   EXPECT_TRUE(isWithin(readLabel("(a + b).x"), readLabel("a + b")));
 }
@@ -28,28 +28,28 @@ TEST(Labels, PreservesSignificantParentheses) {
 using Parts = std::optional<std::vector<int>>;
 
 TEST(Labels, RecognizesPartsOfVectors) {
-  const auto of = [](const char* part) {
+  const auto componentsOf = [](const char* part) {
     return partOf(readLabel("a.p"), vectorOf(3), readLabel(part));
   };
-  EXPECT_EQ(of("a.p"), (Parts{{0, 1, 2}}));
-  EXPECT_EQ(of("a.p.y"), Parts{{1}});
-  EXPECT_EQ(of("(a.p) [2]"), Parts{{2}});
-  EXPECT_EQ(of("a.p.zx"), (Parts{{2, 0}}));
-  EXPECT_EQ(of("a.p.bgr.yx"), (Parts{{1, 2}}));
+  EXPECT_EQ(componentsOf("a.p"), (Parts{{0, 1, 2}}));
+  EXPECT_EQ(componentsOf("a.p.y"), Parts{{1}});
+  EXPECT_EQ(componentsOf("(a.p) [2]"), Parts{{2}});
+  EXPECT_EQ(componentsOf("a.p.zx"), (Parts{{2, 0}}));
+  EXPECT_EQ(componentsOf("a.p.bgr.yx"), (Parts{{1, 2}}));
   for (const char* other : {"a.p.w", "a.p[3]", "a.q.x", "b.p.x", "a.p.length", "a.p.x.y", "a"})
-    EXPECT_EQ(of(other), Parts{}) << other;
+    EXPECT_EQ(componentsOf(other), Parts{}) << other;
 }
 
 TEST(Labels, RecognizesPartsOfMatrices) {
-  const auto of = [](const char* part) {
+  const auto componentsOf = [](const char* part) {
     return partOf(readLabel("m"), matrixOf(2, 3), readLabel(part));
   };
-  EXPECT_EQ(of("m[1]"), (Parts{{3, 4, 5}}));
-  EXPECT_EQ(of("m[0].x"), Parts{{0}});
-  EXPECT_EQ(of("m[1][2]"), Parts{{5}});
-  EXPECT_EQ(of("m[1].zy"), (Parts{{5, 4}}));
+  EXPECT_EQ(componentsOf("m[1]"), (Parts{{3, 4, 5}}));
+  EXPECT_EQ(componentsOf("m[0].x"), Parts{{0}});
+  EXPECT_EQ(componentsOf("m[1][2]"), Parts{{5}});
+  EXPECT_EQ(componentsOf("m[1].zy"), (Parts{{5, 4}}));
   for (const char* other : {"m[2]", "m.x", "m[0].w", "m[i]"})
-    EXPECT_EQ(of(other), Parts{}) << other;
+    EXPECT_EQ(componentsOf(other), Parts{}) << other;
 }
 
 TEST(Labels, RecognizesPartsOfASwizzle) {
@@ -60,15 +60,15 @@ TEST(Labels, RecognizesPartsOfASwizzle) {
 }
 
 TEST(Labels, DetectsExpressionsThatMayOverlap) {
-  const auto meet = [](const char* a, const char* b) {
+  const auto overlap = [](const char* a, const char* b) {
     return mayOverlap(readLabel(a), readLabel(b));
   };
-  EXPECT_TRUE(meet("p.xy", "p.yz"));
-  EXPECT_TRUE(meet("p.x", "p.r"));
-  EXPECT_TRUE(meet("p", "p.x"));
-  EXPECT_FALSE(meet("p.x", "p.y"));
-  EXPECT_FALSE(meet("p.x", "q.x"));
-  EXPECT_FALSE(meet("inputs.uv", "inputs.position.x"));
+  EXPECT_TRUE(overlap("p.xy", "p.yz"));
+  EXPECT_TRUE(overlap("p.x", "p.r"));
+  EXPECT_TRUE(overlap("p", "p.x"));
+  EXPECT_FALSE(overlap("p.x", "p.y"));
+  EXPECT_FALSE(overlap("p.x", "q.x"));
+  EXPECT_FALSE(overlap("inputs.uv", "inputs.position.x"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Four floats at a time: every row of the table against its value in double (which ops_test checks
-// by hand), in units in the last place of a float, "ulp" below.
+// Four floats at a time: compares every row of the table with its value in double, which ops_test
+// compares with numbers computed by hand. Errors are in units in the last place of a float: ulps.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -58,22 +58,24 @@ std::size_t rowNamed(std::string_view name) {
 float fromBits(std::uint32_t bits) { return __builtin_bit_cast(float, bits); }
 std::uint32_t bitsOf(float x) { return __builtin_bit_cast(std::uint32_t, x); }
 
-// The error of a float in distances between adjacent floats there. NaN is only correct for NaN;
-// infinity and signed zeros only for numbers that round to them.
-double ulps(float got, double expected) {
+// Returns the error of a float, in multiples of the distance to the next float. NaN is only correct
+// if NaN is expected; infinity and signed zeros only for numbers that round to them.
+double ulps(float actual, double expected) {
   constexpr double wrong = 1e30;
   const auto nearest = static_cast<float>(expected);
-  if (std::isnan(expected) || std::isnan(got))
-    return std::isnan(expected) && std::isnan(got) ? 0 : wrong;
-  if (std::isinf(got) || std::isinf(nearest)) {
+  if (std::isnan(expected) || std::isnan(actual))
+    return std::isnan(expected) && std::isnan(actual) ? 0 : wrong;
+  if (std::isinf(actual) || std::isinf(nearest)) {
     const double greatest = std::numeric_limits<float>::max();
-    const bool onTheEdge = std::abs(std::abs(expected) / greatest - 1) < 1e-7;
-    return got == nearest || (onTheEdge && std::signbit(got) == std::signbit(nearest)) ? 0 : wrong;
+    const bool isAtLimit = std::abs(std::abs(expected) / greatest - 1) < 1e-7;
+    return actual == nearest || (isAtLimit && std::signbit(actual) == std::signbit(nearest))
+               ? 0
+               : wrong;
   }
-  if (got == 0 && nearest == 0) return std::signbit(got) == std::signbit(nearest) ? 0 : wrong;
+  if (actual == 0 && nearest == 0) return std::signbit(actual) == std::signbit(nearest) ? 0 : wrong;
   int exponent = 0;
   std::frexp(expected, &exponent);
-  return std::abs(got - expected) / std::ldexp(1.0, std::max(exponent - 24, -149));
+  return std::abs(actual - expected) / std::ldexp(1.0, std::max(exponent - 24, -149));
 }
 
 bool isFloatFunction(const ops::Declaration& row, int arity) {
@@ -94,13 +96,13 @@ double boundOf(std::string_view name) {
   return found == tighterBounds.end() ? 2 : found->second;
 }
 
-// The worst of many errors, so that a failure is one line.
-class Worst {
+// Finds the largest of many errors, so that a failure is one line.
+class LargestError {
  public:
-  Worst(std::size_t row, double bound) : row_(row), bound_(bound) {}
-  ~Worst() {
+  LargestError(std::size_t row, double bound) : row_(row), bound_(bound) {}
+  ~LargestError() {
     EXPECT_LE(ulps_, bound_) << ops::declarations[row_].name << " of " << x_[0] << ", " << x_[1]
-                             << ": " << got_ << " instead of "
+                             << ": " << actual_ << " instead of "
                              << ops::valueOf(Op(row_), {x_[0], x_[1], 0});
   }
 
@@ -108,19 +110,19 @@ class Worst {
     const Lanes results = evaluators[row_](operands);
     for (std::size_t i = 0; i < Lanes::count; ++i) {
       const double a = operands[0][i], b = operands[1][i];
-      // The hash takes a hash and a cell of float32; beyond, its value is undefined.
+      // The hash takes another hash, and a cell of float32; for other numbers it is undefined.
       if (ops::declarations[row_].name == "hash" && !(a >= 0 && a < 4091 && std::abs(b) <= 0x1p24))
         continue;
       const double distance = ulps(results[i], ops::valueOf(Op(row_), {a, b, 0}));
       if (distance > ulps_) {
         ulps_ = distance;
         x_ = {a, b};
-        got_ = results[i];
+        actual_ = results[i];
       }
     }
   }
 
-  // Four at a time.
+  // Checks four numbers at a time.
   void check(const std::vector<float>& xs) {
     for (std::size_t i = 0; i < xs.size(); i += Lanes::count) {
       Lanes x = 1.0;
@@ -133,7 +135,7 @@ class Worst {
   std::size_t row_;
   double bound_, ulps_ = 0;
   std::array<double, 2> x_{};
-  float got_ = 0;
+  float actual_ = 0;
 };
 
 TEST(Lanes, EveryRowAgreesWithItsValueInDouble) {
@@ -174,7 +176,7 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDouble) {
 TEST(Lanes, UnaryFunctionsMeetTheirErrorBoundsForAllFloats) {
   for (std::size_t row = 0; row < ops::count; ++row) {
     if (!isFloatFunction(ops::declarations[row], 1)) continue;
-    Worst worst(row, boundOf(ops::declarations[row].name));
+    LargestError error(row, boundOf(ops::declarations[row].name));
     std::vector<float> xs;
     for (std::uint64_t bits = row; bits <= 0xffffffff; bits += 16381)
       xs.push_back(fromBits(static_cast<std::uint32_t>(bits)));
@@ -183,8 +185,28 @@ TEST(Lanes, UnaryFunctionsMeetTheirErrorBoundsForAllFloats) {
       xs.push_back(fromBits(bits));
       xs.push_back(-fromBits(bits));
     }
-    worst.check(xs);
+    error.check(xs);
   }
+}
+
+// The hash is ((1597 (h + i) + 823) mod 4091)^3 mod 4091.
+TEST(Lanes, HashesAreThoseOfIntegers) {
+  const auto modulo = [](std::int64_t x) { return (x % 4091 + 4091) % 4091; };
+  const std::size_t row = index(ops::find("hash"));
+  int wrong = 0;
+  for (const int h : {0, 1, 2045, 2046, 4090}) {
+    for (std::int64_t first = -(1 << 24); first <= 1 << 24; first += first < 1 << 23 ? 4 : 4091) {
+      Operands<Lanes> operands{Lanes(double(h)), Lanes(0.0), Lanes(0.0)};
+      for (int k = 0; k < 4; ++k) operands[1].set(k, static_cast<float>(first + k));
+      const Lanes results = evaluators[row](operands);
+      for (int k = 0; k < 4; ++k) {
+        const std::int64_t i = static_cast<std::int64_t>(operands[1][k]);
+        const std::int64_t n = modulo(1597 * (h + modulo(i)) + 823);
+        wrong += results[k] != static_cast<float>(modulo(modulo(n * n) * n));
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0);
 }
 
 std::vector<float> specialFloats() {
@@ -219,7 +241,7 @@ std::vector<float> specialFloats() {
 TEST(Lanes, UnaryFunctionsAreCorrectAtSpecialValues) {
   for (std::size_t row = 0; row < ops::count; ++row) {
     if (isFloatFunction(ops::declarations[row], 1))
-      Worst(row, boundOf(ops::declarations[row].name)).check(specialFloats());
+      LargestError(row, boundOf(ops::declarations[row].name)).check(specialFloats());
   }
 }
 
@@ -229,9 +251,9 @@ TEST(Lanes, BinaryFunctionsAreCorrectAtSpecialValues) {
     // mod rounds x / y, as in all languages: for large x its value has a large error.
     if (info.arity != 2 || info.signature.operands[0] != ops::Type::Float || info.name == "mod")
       continue;
-    Worst worst(row, boundOf(info.name));
+    LargestError error(row, boundOf(info.name));
     for (const float x : specialFloats()) {
-      for (const float y : specialFloats()) worst.check(Operands<Lanes>{x, y, 0.0});
+      for (const float y : specialFloats()) error.check(Operands<Lanes>{x, y, 0.0});
     }
   }
 }
@@ -248,7 +270,7 @@ TEST(Lanes, ModMatchesFloatArithmetic) {
 TEST(Lanes, PowAndAtanMeetTheirErrorBounds) {
   std::mt19937 random(1);
   for (const std::string_view name : {"pow", "atan2"}) {
-    Worst worst(rowNamed(name), 1.6);
+    LargestError error(rowNamed(name), 1.6);
     std::uniform_real_distribution<float> exponents(-40, 40), powers(-4, 4), around(-4, 4);
     for (int i = 0; i < 60'000; ++i) {
       Operands<Lanes> bits, moderate, wide;
@@ -260,15 +282,15 @@ TEST(Lanes, PowAndAtanMeetTheirErrorBounds) {
         wide[0].set(k, std::exp2(exponents(random)));
         wide[1].set(k, powers(random));
       }
-      worst.check(bits);
-      worst.check(moderate);
-      worst.check(wide);
+      error.check(bits);
+      error.check(moderate);
+      error.check(wide);
     }
   }
 }
 
-// There the sine, the cosine or the tangent is close to 0, and x has few digits more than the
-// multiple of π/2.
+// Near multiples of π/2, the sine, the cosine or the cotangent is close to 0: most digits cancel in
+// the difference between x and the multiple.
 TEST(Lanes, AnglesNearMultiplesOfRightAnglesAreAccurate) {
   std::vector<float> xs;
   for (int k = 1; k < 20'000; ++k) {
@@ -279,35 +301,35 @@ TEST(Lanes, AnglesNearMultiplesOfRightAnglesAreAccurate) {
     }
   }
   for (const std::string_view name : {"sin", "cos", "tan"})
-    Worst(rowNamed(name), boundOf(name)).check(xs);
+    LargestError(rowNamed(name), boundOf(name)).check(xs);
 }
 
-// The float closest to 2^86 · 1.5707964 or so: W. Kahan's hard case for the reduction of angles.
+// Includes W. Kahan's hard case for the reduction of angles, 0x1.f1b04p76.
 TEST(Lanes, HugeAnglesAreReducedExactly) {
   for (const std::string_view name : {"sin", "cos", "tan"})
-    Worst(rowNamed(name), boundOf(name))
+    LargestError(rowNamed(name), boundOf(name))
         .check({12799.99f, 12800.0f, 12800.001f, 1e5f, 0x1p20f, 1048577.0f, 0x1.f1b04p76f,
                 3.4028235e38f, -1e22f, -3e8f});
 }
 
-TEST(Lanes, NoLaneAffectsItsNeighbours) {
+TEST(Lanes, NoLaneAffectsAnother) {
   std::mt19937 random(2);
-  const std::vector<float> strangers = specialFloats();
+  const std::vector<float> specials = specialFloats();
   for (std::size_t row = 0; row < ops::count; ++row) {
-    for (const float stranger : strangers) {
+    for (const float special : specials) {
       Operands<Lanes> ordinary, disturbed;
-      const std::size_t place = random() % Lanes::count;
+      const std::size_t lane = random() % Lanes::count;
       for (std::size_t k = 0; k < ops::maxArity; ++k) {
         for (std::size_t i = 0; i < Lanes::count; ++i)
           ordinary[k].set(i, std::uniform_real_distribution(0.1f, 0.9f)(random));
         disturbed[k] = ordinary[k];
-        disturbed[k].set(place, stranger);
+        disturbed[k].set(lane, special);
       }
       const Lanes before = evaluators[row](ordinary), after = evaluators[row](disturbed);
       for (std::size_t i = 0; i < Lanes::count; ++i) {
-        if (i == place) continue;
+        if (i == lane) continue;
         EXPECT_EQ(bitsOf(before[i]), bitsOf(after[i]))
-            << ops::declarations[row].name << ", " << stranger;
+            << ops::declarations[row].name << ", " << special;
       }
     }
   }

@@ -1,5 +1,5 @@
-// Lengths are updated when a name changes; the tests compare them with lengths that are recomputed
-// from their definition.
+// Lengths, which are updated when a name changes, compared with lengths that are recomputed from
+// their definition.
 #include "emit/lengths.hpp"
 
 #include <gtest/gtest.h>

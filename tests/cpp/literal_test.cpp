@@ -36,7 +36,7 @@ std::size_t digitsOf(const std::string& text) {
   return digits.size();
 }
 
-// The standard library's shortest digits are the oracle; one more is allowed at ties.
+// Compares with the shortest digits, from the standard library. At ties, one more is allowed.
 TEST(Literal, WritesTheFewestDigitsThatReadBackAsTheSameFloat) {
   std::mt19937 random(1);
   int longer = 0, count = 0;

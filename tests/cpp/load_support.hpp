@@ -1,4 +1,4 @@
-// Loads models of tests, and compares what was loaded.
+// Loads models for tests, and compares their numbers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ inline void expectNear(const Floats& actual, const Floats& expected, float toler
     EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
 
-// Two triangles with one material each; the source of a texture is an image.
+// Returns a file of two triangles, each with a material, and with three textures: in the file, in a
+// data URI, and in an external file.
 inline GltfBuilder materialFile(const json& first, const json& second) {
   GltfBuilder file;
   const int positions = file.floats(triangle, "VEC3");

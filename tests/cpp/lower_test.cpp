@@ -1,4 +1,4 @@
-// Lowering replaces what a language lacks, and changes nothing else.
+// Lowering replaces the operations that a language lacks, and no others.
 #include "emit/lower.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class LowerTest : public testing::Test {
     }
   }
 
-  // Points where every row is defined: above one for acosh, below for asin and the like.
+  // Returns a point in the domain of a row: above 1 for acosh, below 1 for asin and the like.
   Inputs point(std::mt19937& random, ops::Domain domain) {
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
@@ -63,13 +63,13 @@ TEST_F(LowerTest, EveryLoweredRowHasTheSameValueAndIsWritable) {
       const Expression low = lowerRoot(root, language);
       expectWritable(low.id, language, info.name);
       for (int i = 0; i < 50; ++i) {
-        Inputs at = point(random, domains[index(rowNamed(info.name))]);
+        const Inputs operands = point(random, domains[index(rowNamed(info.name))]);
         // Integer division by zero is undefined in all languages.
-        if (info.name == "intMod" && std::abs(at[v[1].id]) < 1) continue;
-        // Few bit patterns of integers are valid floats.
-        if (info.name == "intBitsToFloat" && std::isnan(evaluateNode(graph, root.id, at))) continue;
-        EXPECT_NEAR(evaluateNode(graph, low.id, at), evaluateNode(graph, root.id, at), 1e-12)
-            << info.name;
+        if (info.name == "intMod" && std::abs(operands.at(v[1].id)) < 1) continue;
+        const double expected = evaluateNode(graph, root.id, operands);
+        // The bits of some integers are those of NaN.
+        if (info.name == "intBitsToFloat" && std::isnan(expected)) continue;
+        EXPECT_NEAR(evaluateNode(graph, low.id, operands), expected, 1e-12) << info.name;
       }
     }
   }
@@ -119,7 +119,7 @@ TEST_F(LowerTest, LowersTheArgumentsOfCalls) {
   const Expression low = lowerRoot(f, Language::Glsl100);
   expectWritable(low.id, Language::Glsl100, "sin(noise(trunc(x), y))");
   EXPECT_EQ(body(low, glsl100), "sin(noise(sign(v.x) * floor(abs(v.x)), v.y))");
-  EXPECT_EQ(lowerRoot(f, Language::Glsl300).id, f.id) << "nothing to lower in it";
+  EXPECT_EQ(lowerRoot(f, Language::Glsl300).id, f.id) << "it has nothing to lower";
 }
 
 TEST_F(LowerTest, ACallWithNothingToLowerIsUnchanged) {

@@ -28,7 +28,7 @@ Bytes encodeSigned(std::int32_t x) {
   return bytes.bytes();
 }
 
-// The examples of the DWARF standard, where LEB128 comes from, and the limits of 32 bits.
+// Checks the examples of the DWARF standard, which defines LEB128, and the limits of 32 bits.
 TEST(WasmBytes, EncodesNumbersAsLEB128) {
   EXPECT_EQ(encodeUnsigned(2), (Bytes{2}));
   EXPECT_EQ(encodeUnsigned(127), (Bytes{127}));
@@ -60,10 +60,10 @@ class MachineCodeTest : public testing::Test {
   Expression x = scalar(graph, "x"), time = scalar(graph, "time");
 
   MachineCode codeOf(Expression result) {
-    const auto made = program(graph, std::array{result.id});
+    const auto compiled = program(graph, std::array{result.id});
     const RegisterProgram registers =
-        allocateRegisters(made->words, made->instructions, std::array{0u}, {false, true});
-    // x of 4 vertices, the time, and space for 4 results.
+        allocateRegisters(compiled->words, compiled->instructions, std::array{0u}, {false, true});
+    // The memory: x of 4 vertices, the time, and space for 4 results.
     const Placement inputs[] = {{0, 1}, {16, 1, true}}, results[] = {{20, 1}};
     return machineCode(registers, inputs, results, 36);
   }
@@ -105,12 +105,12 @@ TEST_F(MachineCodeTest, OrdersSharedNumbers) {
   ASSERT_EQ(made.shared.size(), 5u);
   EXPECT_EQ(made.shared[0], __builtin_bit_cast(std::uint32_t, 3.0f));
   EXPECT_EQ(made.shared[1], __builtin_bit_cast(std::uint32_t, 1.0f));
-  // The time, and `start` stores its multiple: local 0, … v128.store32_lane at 36 + 4 · 3.
+  // Number 2 is the time. `start` stores its multiple as number 3: v128.store32_lane at 36 + 4 · 3.
   EXPECT_TRUE(contains(made.module, {0xfd, 0x5a, 2, 36 + 12, 0}));
   EXPECT_GT(codeOf(sin(x)).shared.size(), 5u) << "the coefficients of a sine";
 }
 
-// Only used functions are imported, by the names that js-bindings/wasm/evaluation.cpp exports.
+// The names of imported functions are those that js-bindings/wasm/evaluation.cpp exports.
 TEST_F(MachineCodeTest, ImportsOnlyTheFunctionsItCalls) {
   const auto name = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
   EXPECT_TRUE(contains(codeOf(exp(x)).module, name("lanes_exp")));

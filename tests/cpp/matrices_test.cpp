@@ -7,7 +7,8 @@
 namespace warpjet {
 namespace {
 
-// The definition: the sum over all permutations of the sign times the product along each.
+// Computes a determinant by its definition: the sum, over all permutations, of the sign times the
+// product of the entries.
 double determinantByPermutations(const Matrix& m) {
   std::vector<int> p(m.size());
   std::iota(p.begin(), p.end(), 0);
@@ -23,7 +24,7 @@ double determinantByPermutations(const Matrix& m) {
   return total;
 }
 
-// Gauss-Jordan elimination, with the largest pivot.
+// Inverts by Gauss-Jordan elimination, with the largest pivots.
 Matrix inverseByElimination(Matrix m) {
   const std::size_t n = m.size();
   Matrix inverted(n, Doubles(n));
@@ -83,12 +84,12 @@ TEST_F(AlgebraTest, MultipliesMatricesOfAllSizes) {
 
 TEST_F(AlgebraTest, AVectorOnTheRightIsAColumnAndOnTheLeftARow) {
   const Value m = makeVariable("m", matrixOf(2, 3), {1, 2, 3, 4, 5, 6});
-  const Value behind = multiply(m, makeVariable("v", {10, 100}));
-  EXPECT_EQ(behind.shape(), vectorOf(3));
-  expectNear(behind, Doubles{410, 520, 630});
-  const Value before = multiply(makeVariable("w", {1, 10, 100}), m);
-  EXPECT_EQ(before.shape(), vectorOf(2));
-  expectNear(before, Doubles{321, 654});
+  const Value column = multiply(m, makeVariable("v", {10, 100}));
+  EXPECT_EQ(column.shape(), vectorOf(3));
+  expectNear(column, Doubles{410, 520, 630});
+  const Value row = multiply(makeVariable("w", {1, 10, 100}), m);
+  EXPECT_EQ(row.shape(), vectorOf(2));
+  expectNear(row, Doubles{321, 654});
 }
 
 TEST_F(AlgebraTest, DeterminantsMatchTheSumOverPermutations) {
@@ -124,9 +125,10 @@ int countOf(const Graph& graph, const Value& roots, std::string_view row) {
   return count;
 }
 
-// Written out, an adjugate of 3x3 minors has 16 * 9 products, the determinant 40 more. The minors
-// of rows (0, 1) and (2, 3) are shared: 12 of 2 products each make 24, the 16 cofactors take 3 more
-// each, 48, and the determinant takes 4. The scale is one quotient per entry.
+// Without sharing, the adjugate's 3x3 minors take 16 * 9 products and the determinant 40 more. With
+// sharing, the 12 minors of rows (0, 1) and (2, 3) take 2 products each: 24; the 16 cofactors take
+// 3 more each: 48; and the determinant takes 4. Dividing by the determinant takes one quotient per
+// entry.
 TEST_F(AlgebraTest, TheInverseOfAMat4SharesItsMinors) {
   const Value inverted = inverse(variable(graph, "m", matrixOf(4, 4)));
   EXPECT_EQ(countOf(graph, inverted, "mult"), 24 + 48 + 4);
@@ -147,7 +149,8 @@ TEST_F(AlgebraTest, MakesDiagonalMatrices) {
   expectNear(diagonal(3, makeVariable("x", 7.0)), Doubles{7, 0, 0, 0, 7, 0, 0, 0, 7});
 }
 
-// In a basis of the axis and two perpendicular directions, a rotation is planar.
+// Rotates in a basis of the axis and two directions perpendicular to it, where a rotation is
+// planar.
 Doubles rotateInBasis(const Doubles& v, const Doubles& axis, double angle) {
   const Doubles w = unit(axis);
   const Doubles a = unit(crossOf(w, std::abs(w[0]) < 0.9 ? Doubles{1, 0, 0} : Doubles{0, 1, 0}));
@@ -171,14 +174,14 @@ TEST_F(AlgebraTest, RotationsRotateEveryVector) {
   for (int i = 0; i < 20; ++i) {
     const Doubles axis = randomNumbers(3), v = randomNumbers(3);
     const double angle = 3 * randomNumbers(1)[0];
-    const Value turned = makeVariable("v", v);
-    const Expression by = makeVariable("angle", angle);
-    expectNear(multiply(rotationAbout(makeVariable("axis", axis), by), turned),
+    const Value vector = makeVariable("v", v);
+    const Expression theta = makeVariable("angle", angle);
+    expectNear(multiply(rotationAbout(makeVariable("axis", axis), theta), vector),
                rotateInBasis(v, axis, angle));
     for (int k = 0; k < 3; ++k) {
       Doubles unitAxis(3);
       unitAxis[k] = 1;
-      expectNear(multiply(rotationAbout(k, by), turned), rotateInBasis(v, unitAxis, angle));
+      expectNear(multiply(rotationAbout(k, theta), vector), rotateInBasis(v, unitAxis, angle));
     }
   }
 }

@@ -1,5 +1,5 @@
-// Loading the numbers of glTF files: buffers, attributes and indices. Expected numbers are computed
-// by hand.
+// Loading the numbers of glTF files: buffers, attributes and indices. The expected numbers are
+// computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -100,8 +100,8 @@ TEST(LoadMesh, SplitsStripsAndFansIntoTriangles) {
   EXPECT_EQ(trianglesOf(5, {}), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
   EXPECT_EQ(trianglesOf(5, {4, 3, 2, 1}), (Indices{4, 3, 2, 3, 1, 2}));
   EXPECT_EQ(trianglesOf(6, {}), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
-  // Repeated corners join strips: triangles without area are removed, and every second one is
-  // reversed.
+  // Repeated corners join two strips: the triangles without area are removed, but still count when
+  // every second triangle is reversed.
   EXPECT_EQ(trianglesOf(5, {0, 1, 2, 2, 1, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 3, 4}));
   EXPECT_EQ(trianglesOf(5, {0, 1, 2, 2, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 4, 3}));
 }
@@ -123,7 +123,7 @@ template <typename T>
 Floats positionsFrom(const std::vector<T>& numbers, bool isNormalized) {
   GltfBuilder file;
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_mesh_quantization"};
-  // Three elements of three numbers at a distance of four: strides are multiples of 4.
+  // Three elements of three numbers each, every fourth number: strides must be multiples of 4.
   const int positions =
       file.accessor(numbers, "VEC3", {{"normalized", isNormalized}, {"count", 3}});
   file.tree["bufferViews"][0]["byteStride"] = 4 * sizeof(T);
@@ -198,10 +198,10 @@ TEST(LoadMesh, ReadsRgbAndRgbaColors) {
 
 TEST(LoadMesh, ReadsSparseAccessors) {
   GltfBuilder file;
-  const int places = file.view<std::uint16_t>({0, 2});
+  const int indices = file.view<std::uint16_t>({0, 2});
   const int values = file.view<float>({5, 6, 7, 8, 9, 10});
   const json sparse = {{"count", 2},
-                       {"indices", {{"bufferView", places}, {"componentType", 5123}}},
+                       {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
                        {"values", {{"bufferView", values}}}};
   const int positions = file.accessor(triangle, "VEC3", {{"sparse", sparse}});
   const int zeros = file.add(
@@ -243,10 +243,10 @@ TEST(LoadMesh, NormalizesNormalsAndTangents) {
 
 TEST(LoadMesh, ClampsColorsToTheUnitRange) {
   const json odd = {{"baseColorFactor", {5, -1, 1e308, 2}}};
-  const std::string ofMaterials = "Base colours outside 0 to 1 are clamped.";
+  const std::string materialWarning = "Base colours outside 0 to 1 are clamped.";
   EXPECT_EQ(loadValid(materialFile(odd, odd).glb()).material->baseColor,
             (std::array<float, 4>{1, 0, 1, 1}));
-  EXPECT_EQ(warningsOf(materialFile(odd, odd).glb()), std::vector<std::string>{ofMaterials});
+  EXPECT_EQ(warningsOf(materialFile(odd, odd).glb()), std::vector<std::string>{materialWarning});
 
   GltfBuilder file = materialFile(odd, json::object());
   file.tree["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
@@ -254,9 +254,9 @@ TEST(LoadMesh, ClampsColorsToTheUnitRange) {
   const Mesh mesh = loadValid(file.glb());
   EXPECT_EQ((Floats{mesh.colors.begin(), mesh.colors.begin() + 12}),
             (Floats{0.5f, 0, 0.5f, 1, 0, 0, 0, 0.5f, 0, 0, 1, 1}));
-  EXPECT_EQ(
-      warningsOf(file.glb()),
-      (std::vector<std::string>{"Colours of vertices outside 0 to 1 are clamped.", ofMaterials}));
+  EXPECT_EQ(warningsOf(file.glb()),
+            (std::vector<std::string>{"Colours of vertices outside 0 to 1 are clamped.",
+                                      materialWarning}));
 }
 
 }  // namespace

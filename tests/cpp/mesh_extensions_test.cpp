@@ -1,4 +1,5 @@
-// Changes of the merged mesh by extensions of glTF; expected numbers are computed by hand.
+// Effects of glTF extensions, morph targets and sparse accessors on the merged mesh. The expected
+// numbers are computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,31 +38,31 @@ json sparseJson(int count, int indices, int componentType, int values) {
 
 TEST(GltfExtensions, ReadsSparseIndicesOverZeros) {
   GltfBuilder file;
-  const int places = file.view<std::uint8_t>({1, 2}), values = file.view<std::uint8_t>({3, 2});
+  const int indices = file.view<std::uint8_t>({1, 2}), values = file.view<std::uint8_t>({3, 2});
   const int corners = file.add("accessors", {{"componentType", 5121},
                                              {"count", 3},
                                              {"type", "SCALAR"},
-                                             {"sparse", sparseJson(2, places, 5121, values)}});
+                                             {"sparse", sparseJson(2, indices, 5121, values)}});
   const int square = file.floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
   file.mesh({{"POSITION", square}}, {{"indices", corners}});
   file.node({{"mesh", 0}});
   EXPECT_EQ(meshOf(file.glb()).indices, (Indices{0, 3, 2}));
 }
 
-// A triangle with one target, which lifts its third vertex by 2 and tilts its normal.
+// Returns a triangle with one target, which lifts its third vertex by 2 and tilts its normal.
 GltfBuilder morphFile(const json& meshWeights, const json& nodeWeights) {
   GltfBuilder file;
   const int normals = file.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
-  const int place = file.view<std::uint8_t>({2}), value = file.view<float>({0, 0, 2});
+  const int index = file.view<std::uint8_t>({2}), value = file.view<float>({0, 0, 2});
   const int lift = file.add("accessors", {{"componentType", 5126},
                                           {"count", 3},
                                           {"type", "VEC3"},
-                                          {"sparse", sparseJson(1, place, 5121, value)}});
-  const int turn = file.floats({0, 0, 0, 0, 0, 0, 0, 1.5f, -0.5f}, "VEC3");
+                                          {"sparse", sparseJson(1, index, 5121, value)}});
+  const int tilt = file.floats({0, 0, 0, 0, 0, 0, 0, 1.5f, -0.5f}, "VEC3");
   const int uvs = file.floats({0, 0, 1, 0, 0, 1}, "VEC2");
   const int moved = file.floats({0.5f, 0.25f, 0, 0, 0, 0}, "VEC2");
   file.mesh({{"POSITION", file.floats(triangle, "VEC3")}, {"NORMAL", normals}, {"TEXCOORD_0", uvs}},
-            {{"targets", {{{"POSITION", lift}, {"NORMAL", turn}, {"TEXCOORD_0", moved}}}}});
+            {{"targets", {{{"POSITION", lift}, {"NORMAL", tilt}, {"TEXCOORD_0", moved}}}}});
   if (!meshWeights.is_null()) file.tree["meshes"][0]["weights"] = meshWeights;
   file.node({{"mesh", 0}});
   if (!nodeWeights.is_null()) file.tree["nodes"][0]["weights"] = nodeWeights;
@@ -117,23 +118,26 @@ GltfBuilder instanceFile(const json& attributes, GltfBuilder file = triangleFile
 
 TEST(GltfExtensions, ExpandsInstancesToTriangles) {
   GltfBuilder file = triangleFile();
-  const int places = file.floats({0, 0, 0, 10, 0, 0, 20, 0, 0}, "VEC3");
+  const int translations = file.floats({0, 0, 0, 10, 0, 0, 20, 0, 0}, "VEC3");
   // The second instance is rotated by 90 degrees around z.
-  const int turns = file.accessor<std::int16_t>(
+  const int rotations = file.accessor<std::int16_t>(
       {0, 0, 0, 32767, 0, 0, 23170, 23170, 0, 0, 0, 32767}, "VEC4", {{"normalized", true}});
-  const int sizes = file.floats({1, 1, 1, 1, 1, 1, 2, 3, -1}, "VEC3");
+  const int scales = file.floats({1, 1, 1, 1, 1, 1, 2, 3, -1}, "VEC3");
   file.tree["nodes"][0]["translation"] = {0, 0, 5};
-  const Mesh mesh = meshOf(
-      instanceFile({{"TRANSLATION", places}, {"ROTATION", turns}, {"SCALE", sizes}}, file).glb());
+  const Mesh mesh =
+      meshOf(instanceFile(
+                 {{"TRANSLATION", translations}, {"ROTATION", rotations}, {"SCALE", scales}}, file)
+                 .glb());
   expectNear(mesh.positions, {0,  0, 5, 1,  0, 5, 0,  1, 5,  //
                               10, 0, 5, 10, 1, 5, 9,  0, 5,  //
                               20, 0, 5, 22, 0, 5, 20, 3, 5});
   // The third instance is mirrored.
   EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 3, 4, 5, 6, 8, 7}));
 
-  EXPECT_EQ(meshOf(instanceFile({{"TRANSLATION", places}, {"_ID", 99}}, file).glb()).vertexCount(),
-            9u);
-  EXPECT_EQ(meshOf(instanceFile({{"SCALE", sizes}}, file).glb()).vertexCount(), 9u);
+  EXPECT_EQ(
+      meshOf(instanceFile({{"TRANSLATION", translations}, {"_ID", 99}}, file).glb()).vertexCount(),
+      9u);
+  EXPECT_EQ(meshOf(instanceFile({{"SCALE", scales}}, file).glb()).vertexCount(), 9u);
   EXPECT_EQ(meshOf(instanceFile(json::object(), file).glb()).vertexCount(), 3u);
 }
 
@@ -210,7 +214,8 @@ TEST(GltfExtensions, SkipsOnlyTexturesInUnsupportedFormats) {
   }
 }
 
-// A triangle with positions in a view compressed by meshopt, which is not decoded here.
+// Returns a triangle whose positions are in a view compressed by meshopt; its bytes are not
+// meshopt's. `packed` adds or replaces members of the extension.
 GltfBuilder compressedFile(const json& packed = json::object()) {
   GltfBuilder file = triangleFile();
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"EXT_meshopt_compression"};
@@ -283,7 +288,7 @@ TEST(GltfExtensions, RejectsInconsistentCompressedViews) {
             std::string::npos);
 }
 
-// A primitive compressed by Draco; the numbers in `bytes` are not Draco's.
+// Returns a primitive compressed by Draco; its bytes are not Draco's.
 GltfBuilder dracoFile() {
   GltfBuilder file;
   const int view = file.view<std::uint8_t>({1, 2, 3});

@@ -1,5 +1,5 @@
-// Files that are broken or malicious: each must result in one message or in a valid mesh. The build
-// under the sanitizers also finds any out-of-bounds read, since the bytes are copied to a buffer of
+// Files that are broken or malicious: each must result in one message or in a valid mesh. The
+// sanitizers also find any read past the end of a file, since its bytes are copied to a buffer of
 // their exact size.
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace warpjet {
 namespace {
 
-// The problem, after checking that there is either one message or a valid mesh.
+// Returns the problem, after checking that there is either one message or a valid mesh.
 std::string problemOfFile(const File& file) {
   const File exact(file.begin(), file.end());
   const Loaded loaded = loadMesh(exact);
@@ -30,7 +30,8 @@ std::string problemOfFile(const File& file) {
   return loaded.problem;
 }
 
-// Contains everything: two parts, indices, stride, sparse values, material, image, nodes.
+// Returns a file with every feature: two parts, indices, a stride, sparse values, materials, an
+// image and nodes.
 GltfBuilder richFile() {
   GltfBuilder file;
   const int positions = file.floats(triangle, "VEC3");
@@ -112,13 +113,13 @@ TEST(HostileMesh, SurvivesMembersOfTheWrongType) {
   const json flat = whole.flatten();
   std::set<std::string> visited;
   for (const auto& member : flat.items()) {
-    // The member itself and everything that contains it.
-    for (json::json_pointer place(member.key()); !place.empty(); place.pop_back()) {
-      if (!visited.insert(place.to_string()).second) continue;
+    // Replaces the member itself and everything that contains it.
+    for (json::json_pointer path(member.key()); !path.empty(); path.pop_back()) {
+      if (!visited.insert(path.to_string()).second) continue;
       for (const json& value : wrongValues) {
         GltfBuilder broken = file;
         broken.tree = whole;
-        broken.tree[place] = value;
+        broken.tree[path] = value;
         problemOfFile(broken.glb());
       }
     }
@@ -128,7 +129,7 @@ TEST(HostileMesh, SurvivesMembersOfTheWrongType) {
 struct Inconsistency {
   const char* what;
   std::function<void(json&)> apply;
-  const char* part;  // of the message
+  const char* messagePart;
 };
 
 TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
@@ -140,7 +141,7 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
        "reads up to byte 51,539,607,540 of bufferView 0"},
       {"a gigabyte of indices", [](json& t) { t["accessors"][3]["count"] = 268435456; },
        "reads up to byte 536,870,912 of bufferView"},
-      {"one set of zeros, shown often",
+      {"many zeros, shown repeatedly",
        [](json& t) {
          t["accessors"][0] = {{"componentType", 5126}, {"count", 4194303}, {"type", "VEC3"}};
          t["nodes"] = std::vector<json>(16, {{"mesh", 0}});
@@ -156,7 +157,7 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
        "reads up to byte"},
       {"stride past the view", [](json& t) { t["bufferViews"][0]["byteStride"] = 252; },
        "reads up to byte"},
-      {"stride that is none", [](json& t) { t["bufferViews"][0]["byteStride"] = 5; }, "byteStride"},
+      {"invalid stride", [](json& t) { t["bufferViews"][0]["byteStride"] = 5; }, "byteStride"},
       {"view past the buffer", [](json& t) { t["bufferViews"][0]["byteLength"] = 100000; },
        "bufferView 0 reads up to byte 100,000"},
       {"view that overflows", [](json& t) { t["bufferViews"][0]["byteOffset"] = 4294967295u; },
@@ -166,7 +167,7 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
          t["buffers"] = {{{"byteLength", 4000000000u}}};
        },
        "buffer 0: expected 4,000,000,000 bytes"},
-      {"no buffer", [](json& t) { t["bufferViews"][0]["buffer"] = 1; }, "buffer 1"},
+      {"missing buffer", [](json& t) { t["bufferViews"][0]["buffer"] = 1; }, "buffer 1"},
       {"buffer without bytes",
        [](json& t) {
          t["buffers"] = {{{"byteLength", 100}}, {{"byteLength", 1}}};
@@ -187,10 +188,10 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
          t["buffers"] = {{{"byteLength", 1}, {"uri", "data:"}}};
        },
        "data URI without valid base64"},
-      {"no accessor",
+      {"missing accessor",
        [](json& t) { t["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 99; },
        "accessor 99"},
-      {"minus one", [](json& t) { t["nodes"][1]["mesh"] = -1; }, "not -1"},
+      {"the mesh -1", [](json& t) { t["nodes"][1]["mesh"] = -1; }, "not -1"},
       {"index past the vertices",
        [](json& t) {
          t["accessors"][0]["count"] = 2;
@@ -206,19 +207,19 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
        "vectors of 3"},
       {"matrices as positions", [](json& t) { t["accessors"][0]["type"] = "MAT4"; },
        "vectors of 3"},
-      {"a type of its own", [](json& t) { t["accessors"][0]["type"] = "VEC5"; }, "VEC5"},
-      {"a component type of its own", [](json& t) { t["accessors"][0]["componentType"] = 5124; },
+      {"an unknown type", [](json& t) { t["accessors"][0]["type"] = "VEC5"; }, "VEC5"},
+      {"an unknown component type", [](json& t) { t["accessors"][0]["componentType"] = 5124; },
        "component type 5124"},
-      {"a mode of its own", [](json& t) { t["meshes"][0]["primitives"][0]["mode"] = 7; }, "mode 7"},
-      {"no material", [](json& t) { t["meshes"][0]["primitives"][0]["material"] = 9; },
+      {"an unknown mode", [](json& t) { t["meshes"][0]["primitives"][0]["mode"] = 7; }, "mode 7"},
+      {"missing material", [](json& t) { t["meshes"][0]["primitives"][0]["material"] = 9; },
        "material 9"},
-      {"no texture",
+      {"missing texture",
        [](json& t) { t["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 3; },
        "texture 3"},
-      {"no image", [](json& t) { t["textures"][0]["source"] = 5; }, "image 5"},
-      {"no mesh", [](json& t) { t["nodes"][1]["mesh"] = 2; }, "mesh 2"},
-      {"no node", [](json& t) { t["nodes"][0]["children"] = {77}; }, "node 77"},
-      {"no scene", [](json& t) { t["scene"] = 1; }, "scene 1"},
+      {"missing image", [](json& t) { t["textures"][0]["source"] = 5; }, "image 5"},
+      {"missing mesh", [](json& t) { t["nodes"][1]["mesh"] = 2; }, "mesh 2"},
+      {"missing node", [](json& t) { t["nodes"][0]["children"] = {77}; }, "node 77"},
+      {"missing scene", [](json& t) { t["scene"] = 1; }, "scene 1"},
       {"a node that is its own child", [](json& t) { t["nodes"][1]["children"] = {1}; },
        "node 1 is its own ancestor"},
       {"a circle of nodes", [](json& t) { t["nodes"][1]["children"] = {0}; },
@@ -240,23 +241,23 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
          t["nodes"][0]["matrix"] = {1, 2, 3};
        },
        "nodes[0].matrix must be a list of 16 numbers"},
-      {"a transform out of all floats",
+      {"a transform beyond the range of floats",
        [](json& t) {
          t["nodes"][0]["scale"] = {1e300, 1e300, 1};
        },
        "positions must be finite"},
-      {"zeros without bytes",
+      {"too many zeros without bytes",
        [](json& t) {
          t["accessors"][0] = {{"componentType", 5126}, {"count", 4194305}, {"type", "VEC3"}};
        },
        "without any bytes"},
-      {"sparse place past the end",
+      {"sparse index past the end",
        [](json& t) {
          t["accessors"][1]["sparse"]["indices"] = {
              {"bufferView", 4}, {"byteOffset", 5}, {"componentType", 5121}};
        },
        "replaces its element 5"},
-      {"more sparse than there is",
+      {"more sparse values than elements",
        [](json& t) { t["accessors"][1]["sparse"]["count"] = 2147483647; },
        "replaces 2,147,483,647"},
       {"sparse without values", [](json& t) { t["accessors"][1]["sparse"].erase("values"); },
@@ -274,8 +275,8 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
        },
        "nothing to draw"},
       {"version 1", [](json& t) { t["asset"]["version"] = "1.0"; }, "only version 2"},
-      {"no asset", [](json& t) { t.erase("asset"); }, "asset is missing"},
-      {"meshes that are none", [](json& t) { t["meshes"] = "cube"; },
+      {"missing asset", [](json& t) { t.erase("asset"); }, "asset is missing"},
+      {"meshes that are not a list", [](json& t) { t["meshes"] = "cube"; },
        "meshes must be a list, not string"},
       {"a million parts",
        [&](json& t) {
@@ -291,7 +292,7 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
     GltfBuilder file = richFile();
     inconsistency.apply(file.tree);
     const std::string problem = problemOfFile(file.glb());
-    EXPECT_NE(problem.find(inconsistency.part), std::string::npos)
+    EXPECT_NE(problem.find(inconsistency.messagePart), std::string::npos)
         << inconsistency.what << ": " << problem;
   }
 }

@@ -1,5 +1,5 @@
-// Loading the scene of a glTF file: transforms, parts, file names and extensions. Expected numbers
-// are computed by hand.
+// Loading the scene of a glTF file: transforms, parts, file names and extensions. The expected
+// numbers are computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace warpjet {
 namespace {
 
-// A file whose only node has this transform, with a normal and a tangent per corner.
+// Returns a file whose only node has this transform, with a normal and a tangent per corner.
 GltfBuilder transformFile(const json& transform) {
   GltfBuilder file;
   file.mesh({{"POSITION", file.floats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3")},
@@ -29,12 +29,14 @@ TEST(LoadMesh, AppliesTranslationRotationAndScale) {
           {{"translation", {10, 20, 30}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 1, 1}}})
           .glb());
   expectNear(mesh.positions, {10, 22, 30, 8, 20, 30, 10, 20, 33}, 1e-5f);
-  // Inverse transpose: (0.3, 0.8, 0) of length sqrt(0.73), rotated. Zero remains zero.
+  // Normals, by the inverse transpose: (0.3, 0.8, 0) of length sqrt(0.73), rotated. The zero normal
+  // remains zero.
   const float length = std::sqrt(0.73f);
   expectNear(mesh.normals, {-0.8f / length, 0.3f / length, 0, 0, 0, 1, 0, 0, 0});
-  // Matrix: (1.6, -0.6, 0) of length sqrt(2.92), rotated.
-  const float along = std::sqrt(2.92f);
-  expectNear(mesh.tangents, {0.6f / along, 1.6f / along, 0, 1, 0, 1, 0, -1, -1, 0, 0, 1});
+  // Tangents, by the matrix itself: (1.6, -0.6, 0) of length sqrt(2.92), rotated.
+  const float tangentLength = std::sqrt(2.92f);
+  expectNear(mesh.tangents,
+             {0.6f / tangentLength, 1.6f / tangentLength, 0, 1, 0, 1, 0, -1, -1, 0, 0, 1});
   EXPECT_TRUE(mesh.indices.empty());
 }
 
@@ -53,7 +55,7 @@ TEST(LoadMesh, ReversesTrianglesUnderAMirroringTransform) {
 }
 
 TEST(LoadMesh, PreservesTheNormalsOfAFlattenedMesh) {
-  // z is scaled to zero: the inverse doesn't exist, but the normals of the plane do.
+  // z is scaled to zero: the matrix has no inverse, but the plane has a normal.
   const Mesh mesh = loadValid(transformFile({{"scale", {1, 1, 0}}}).glb());
   expectNear(mesh.normals, {0, 0, 0, 0, 0, 1, 0, 0, 0});
 }
@@ -135,9 +137,9 @@ TEST(LoadMesh, RejectsUnsupportedRequiredExtensionsByName) {
     file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {extension};
     return loadMesh(file.glb()).problem;
   };
-  // Required, but unused.
+  // The extension is required, but nothing uses it.
   EXPECT_EQ(problemWith("EXT_meshopt_compression"), "");
-  GltfBuilder optional = triangleFile();  // used, but not declared as used
+  GltfBuilder optional = triangleFile();  // uses an extension that is not required
   auto& primitive = optional.tree["meshes"][0]["primitives"][0];
   primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
   optional.tree["extensionsUsed"] = {"KHR_draco_mesh_compression"};

@@ -39,9 +39,9 @@ TEST(LoadMesh, UsesTheFirstOfSeveralTextures) {
 TEST(LoadMesh, ReadsImagesFromTheCallersFiles) {
   const File file = materialFile(texture(2), texture(2)).glb();
   EXPECT_EQ(externalFiles(file), std::vector<std::string>{"my%20wood.webp"});
-  const File picture = bytesOf("RIFF1234WEBPVP8 ");
-  EXPECT_EQ(loadValid(file, {{"my%20wood.webp", picture}}).material->baseColorTexture,
-            (Image{picture, "image/webp"}));
+  const File image = bytesOf("RIFF1234WEBPVP8 ");
+  EXPECT_EQ(loadValid(file, {{"my%20wood.webp", image}}).material->baseColorTexture,
+            (Image{image, "image/webp"}));
   EXPECT_EQ(loadValid(file).material, Material{});
   EXPECT_EQ(warningsOf(file),
             std::vector<std::string>{"The base-colour texture (image 2, \"my%20wood.webp\") "

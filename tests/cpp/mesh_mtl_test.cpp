@@ -118,7 +118,7 @@ TEST(Mtl, WarnsAboutMissingMaterials) {
   EXPECT_EQ(
       load(twoParts, withMaterials("newmtl red\nKd 1 0 0\n")).warnings,
       Names{"A material of the .obj is in none of its .mtl files; those faces have no colour."});
-  // The same as without materials.
+  // The mesh is the same as without materials.
   EXPECT_EQ(load(twoParts).mesh->vertexCount(), 4u);
   EXPECT_TRUE(load("mtllib a.mtl\n" + square + "f 1 2 3").warnings.empty());
 }

@@ -1,4 +1,4 @@
-// Computed normals, against meshes with known normals.
+// Computed normals, compared with the known normals of simple meshes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,8 +33,8 @@ TEST(ComputeNormals, PointToTheSideFromWhichTrianglesAreCounterclockwise) {
 }
 
 TEST(ComputeNormals, DoNotDependOnTheDiagonalOfAQuad) {
-  // A cube's faces are equivalent, so each corner's normal is the diagonal, however many triangles
-  // meet there: weighting by angles ensures that, weighting by areas alone would not.
+  // The normal at a corner of a cube is its diagonal, however many triangles meet there: weighting
+  // by angles ensures that, weighting by areas alone would not.
   Mesh cube =
       meshOf({-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1},
              {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
@@ -45,8 +45,9 @@ TEST(ComputeNormals, DoNotDependOnTheDiagonalOfAQuad) {
 }
 
 TEST(ComputeNormals, AreWeightedByAreaAndAngle) {
-  // Two angles meet at the origin: a right angle of area 1/2 facing z, and one of 45 degrees of
-  // area 2 facing x. Twice the area times the angle is 1 * 90 against 4 * 45.
+  // Two triangles meet at the origin: one with a right angle and the area 1/2, facing z, and one
+  // with 45 degrees and the area 2, facing x. Twice the area times the angle is 1 * 90 for the
+  // first and 4 * 45 for the second.
   const Floats normals =
       computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 2}, {0, 1, 2, 0, 3, 4}));
   const float length = std::sqrt(5.0f);
@@ -93,13 +94,14 @@ Mesh addBackFaces(Mesh mesh) {
   return mesh;
 }
 
-Floats bothWays(Floats normals) {
+// Appends the opposite of each normal.
+Floats addOpposites(Floats normals) {
   const std::size_t size = normals.size();
   for (std::size_t i = 0; i < size; ++i) normals.push_back(-normals[i]);
   return normals;
 }
 
-// The same, with shared vertices.
+// Adds each triangle again, facing the other way, with the same vertices.
 Mesh addBackFacesInPlace(Mesh mesh) {
   const std::size_t triangles = mesh.triangleCount();
   for (std::size_t i = 0; i < triangles; ++i) {
@@ -118,7 +120,7 @@ Mesh saddle() {
 
 TEST(ComputeNormals, AreComputedPerSideOfTwoSidedSurfaces) {
   for (const Mesh& mesh : {saddle(), soupOf(saddle()), cube(2), soupOf(icosphere(2, 1))})
-    expectNear(computeNormals(addBackFaces(mesh)), bothWays(computeNormals(mesh)));
+    expectNear(computeNormals(addBackFaces(mesh)), addOpposites(computeNormals(mesh)));
 }
 
 TEST(AddMissingNormals, GivesEachSideItsOwnVertices) {
@@ -130,12 +132,12 @@ TEST(AddMissingNormals, GivesEachSideItsOwnVertices) {
     const Floats front = computeNormals(mesh);
     expectNear({both.normals.begin(), both.normals.begin() + front.size()}, front);
     for (std::size_t i = mesh.triangleCount(); i < both.triangleCount(); ++i) {
-      const auto there = both.corners(i), before = addBackFacesInPlace(mesh).corners(i);
+      const auto after = both.corners(i), before = addBackFacesInPlace(mesh).corners(i);
       for (int k = 0; k < 3; ++k) {
-        EXPECT_GE(there[k], mesh.vertexCount());
+        EXPECT_GE(after[k], mesh.vertexCount());
         for (int axis = 0; axis < 3; ++axis) {
-          EXPECT_EQ(both.positions[3 * there[k] + axis], mesh.positions[3 * before[k] + axis]);
-          EXPECT_NEAR(both.normals[3 * there[k] + axis], -front[3 * before[k] + axis], 1e-6f);
+          EXPECT_EQ(both.positions[3 * after[k] + axis], mesh.positions[3 * before[k] + axis]);
+          EXPECT_NEAR(both.normals[3 * after[k] + axis], -front[3 * before[k] + axis], 1e-6f);
         }
       }
     }
@@ -180,10 +182,10 @@ TEST(AddMissingNormals, DoesNotMoveCorners) {
     addMissingNormals(mesh, hasNormal);
     ASSERT_EQ(problemOf(mesh), "");
     for (std::size_t k = 0; k < mesh.indices.size(); ++k) {
-      const std::uint32_t is = mesh.indices[k], was = before.indices[k];
-      ASSERT_TRUE(is == was || (is >= vertices && !hasNormal[was]));
+      const std::uint32_t newVertex = mesh.indices[k], oldVertex = before.indices[k];
+      ASSERT_TRUE(newVertex == oldVertex || (newVertex >= vertices && !hasNormal[oldVertex]));
       for (int axis = 0; axis < 3; ++axis)
-        ASSERT_EQ(mesh.positions[3 * is + axis], before.positions[3 * was + axis]);
+        ASSERT_EQ(mesh.positions[3 * newVertex + axis], before.positions[3 * oldVertex + axis]);
     }
     for (std::uint32_t k = 0; k < mesh.vertexCount(); ++k) {
       const float* n = &mesh.normals[3 * k];
@@ -202,10 +204,10 @@ TEST(ComputeNormals, AreComputedPerSheetWhereThreeTwoSidedSheetsMeet) {
   for (const auto& normal : {Floats{0, 1, 0}, {-half, -half, 0}, {half, -half, 0}}) {
     for (int i = 0; i < 3; ++i) normals.insert(normals.end(), normal.begin(), normal.end());
   }
-  expectNear(computeNormals(addBackFaces(sheets)), bothWays(normals));
+  expectNear(computeNormals(addBackFaces(sheets)), addOpposites(normals));
 }
 
-// Occurs if the nodes of a file show one shape at the same place repeatedly.
+// A surface is repeated if several nodes of a file show one mesh at the same place.
 TEST(ComputeNormals, AreNotAffectedByRepeatedSurfaces) {
   Mesh many;
   for (int i = 0; i < 40000; ++i) append(many.positions, {0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -225,11 +227,11 @@ TEST(ComputeNormals, AreCorrectForExtremeFloats) {
 }
 
 TEST(ProblemOf, ReportsTheArrayAndTheVertex) {
-  const Mesh right = meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
-  EXPECT_EQ(problemOf(right), "");
+  const Mesh valid = meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
+  EXPECT_EQ(problemOf(valid), "");
   EXPECT_EQ(problemOf({}), "");
   const auto problemAfter = [&](auto change) {
-    Mesh mesh = right;
+    Mesh mesh = valid;
     change(mesh);
     return problemOf(mesh);
   };

@@ -1,4 +1,4 @@
-// Wavefront OBJ: valid lines and their results, and messages about broken ones.
+// Wavefront OBJ: the meshes of valid files, and messages about broken lines.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST(Obj, TriangulatesConvexPolygonsAsFans) {
 }
 
 TEST(Obj, TriangulatesConcavePolygonsInsideTheirOutline) {
-  // The dart covers 6 of its 5x3 hull; a fan around its first corner covers 10.
+  // The area of the dart is 6. A fan around its first corner would not be inside it.
   const Mesh mesh = meshOf("v 0 0 0\nv 4 1 0\nv 0 4 0\nv 1 1 0\nf 1 2 3 4\n");
   double area = 0;
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
@@ -107,7 +107,7 @@ std::string utf16(const std::string& text, bool isBigEndian, bool hasMark) {
 
 TEST(Obj, ReadsFilesWithAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
-  // If a vertex is lost with its line, every face uses the wrong vertices.
+  // If the mark makes a line unreadable, its vertex is missing and every face has wrong corners.
   const std::string spare = "v 7 7 7\nf 1 2 3\n";
   for (const std::string& text :
        {mark + square + spare, mark + "# made by\n" + square + spare,
@@ -184,7 +184,7 @@ TEST(Obj, MakesOneVertexPerCombinationOfIndices) {
                            "vt 0 0\nvt 1 0.25\nvn 0 0 2\nvn 0 1 0\n"
                            "f 1/1/1 2/2/1 3/1/1\nf 1/1/1 3/1/1 4/2/2\nf 1/2/1 3/1/1 4/2/2\n");
   EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 0, 2, 3, 4, 2, 3}));
-  // v points up in an OBJ and down in a Mesh.
+  // v grows upwards in an OBJ file and downwards in a Mesh.
   EXPECT_EQ(mesh.uvs, (Floats{0, 1, 1, 0.75f, 0, 1, 1, 0.75f, 1, 0.75f}));
   EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 1}));
 }
@@ -290,9 +290,9 @@ TEST(Obj, ParsesNumbersLikeTheStandardLibrary) {
     char text[64];
     std::snprintf(text, sizeof text, i % 2 == 0 ? "%.9g" : "%.17f", static_cast<double>(number));
     const float expected = std::strtof(text, nullptr);
-    const float came = parseFloat(text).value_or(NAN);
-    EXPECT_TRUE(came >= std::nextafter(expected, 0.0f) &&
-                came <= std::nextafter(expected, INFINITY))
+    const float parsed = parseFloat(text).value_or(NAN);
+    EXPECT_TRUE(parsed >= std::nextafter(expected, 0.0f) &&
+                parsed <= std::nextafter(expected, INFINITY))
         << text;
   }
 }

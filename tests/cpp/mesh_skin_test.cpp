@@ -8,8 +8,9 @@
 namespace warpjet {
 namespace {
 
-// Node 0 shows the mesh at another place, which has no effect. Joint 1 is at x = 1, as it was
-// bound; joint 2, bound 2 above it, is rotated by 90 degrees around z: x to y, y to -x.
+// Returns a file with a skin of two joints. Node 0 moves the mesh, which has no effect on a skin.
+// The first joint is at x = 1, where it was bound. The second one, bound 2 above the first, is
+// rotated by 90 degrees around z: x to y, y to -x.
 GltfBuilder skinFile() {
   const auto moved = [](float x, float y) {
     return Floats{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1};
@@ -35,7 +36,8 @@ GltfBuilder skinFile() {
 
 TEST(LoadMesh, PosesSkinsByTheirJoints) {
   const Mesh mesh = loadValid(skinFile().glb());
-  // The last vertex follows both: half of (2, 2, 3), its original position, and half of (1, 3, 3).
+  // The last vertex follows both joints: half of (2, 2, 3), its original position, and half of (1,
+  // 3, 3).
   expectNear(mesh.positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
   const float half = std::sqrt(0.5f);
   expectNear(mesh.normals, {0, 0, 1, 0, 1, 0, half, half, 0});
@@ -47,8 +49,8 @@ TEST(LoadMesh, PosesSkinsByTheirJoints) {
 TEST(LoadMesh, PosesSkinsOfUnusualFiles) {
   GltfBuilder unbound = skinFile();
   unbound.tree["skins"][0].erase("inverseBindMatrices");
-  // The same as if bound at the origin: (2, 2) rotated and translated by (1, 2), blended with half
-  // of (3, 2, 3).
+  // Joints without matrices are bound at the origin. So the second one rotates (2, 2, 0) and then
+  // adds (1, 2, 0); the last vertex is half of that, with z = 3, and half of (3, 2, 3).
   expectNear(loadValid(unbound.glb()).positions, {1, 0, 0, -1, 4, 0, 1, 3, 3});
 
   GltfBuilder mirrored = skinFile();

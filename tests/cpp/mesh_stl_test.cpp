@@ -1,4 +1,4 @@
-// STL: results of text and binary files, and messages about broken ones.
+// STL: the meshes of text and binary files, and messages about broken ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ std::string solid(const std::string& facets) {
   return "solid thing\n" + facets + "endsolid thing\n";
 }
 
-// Twelve numbers per facet: its normal and three corners.
+// Returns a binary file. A facet is twelve numbers: its normal and three corners.
 File binary(const std::vector<Floats>& facets, const std::string& header = "made by a test") {
   File file = bytesOf(header);
   file.resize(80);
@@ -131,7 +131,7 @@ TEST(Stl, SkipsFacetsWithInvalidPositions) {
 }
 
 TEST(Stl, IgnoresColors) {
-  // p5 doesn't show them either.
+  // p5 doesn't show the colors either.
   const Loaded loaded = load(binary({facetWith(tilted)}, "COLOR=abcd,MATERIAL="));
   EXPECT_TRUE(loaded.mesh->colors.empty());
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"The colours of the .stl are left out."});

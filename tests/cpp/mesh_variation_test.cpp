@@ -46,7 +46,7 @@ Point vectorAt(const std::vector<float>& numbers, std::size_t vertex) {
   return {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
 }
 
-// The derivative of the normal, row by row.
+// Returns the derivative of the normal, row by row.
 Matrix shapeAt(const Mesh& mesh, std::size_t vertex) {
   return {vectorAt(mesh.gradients[0], vertex), vectorAt(mesh.gradients[1], vertex),
           vectorAt(mesh.gradients[2], vertex)};
@@ -61,7 +61,8 @@ Point vGradient(const Mesh& mesh, std::size_t vertex) {
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// k1 along t, k2 across it, 0 along the normal.
+// Returns the derivative of a normal with the curvature k1 along t, k2 across it and 0 along the
+// normal.
 Matrix shapeOf(const Point& normal, const Point& t, double k1, double k2) {
   const Point b{normal[1] * t[2] - normal[2] * t[1], normal[2] * t[0] - normal[0] * t[2],
                 normal[0] * t[1] - normal[1] * t[0]};
@@ -103,7 +104,7 @@ Mesh sphere(double radius, int columns, int rows) {
 
 TEST(SurfaceVariation, ASphereHasTheCurvatureOneOverItsRadius) {
   for (const double radius : {0.01, 1.0, 300.0}) {
-    // At the poles whole rows of triangles have no area.
+    // At each pole, a whole row of triangles has no area.
     Mesh mesh = sphere(radius, 24, 12);
     addSurfaceVariation(mesh);
     expectFinite(mesh);
@@ -131,12 +132,12 @@ TEST(SurfaceVariation, ACylinderIsCurvedOnlyAroundItsAxis) {
     const Point n = vectorAt(mesh.normals, i);
     EXPECT_LT(difference(shapeAt(mesh, i), shapeOf(n, {0, 1, 0}, 0, 0.5)), 1e-5) << i;
     expectNear(vGradient(mesh, i), {0, 0.2, 0}, 1e-5, i);
-    // u covers 4 pi once; the chords are a little shorter.
+    // u grows by 1 over the circumference of 4 pi; the edges are a little shorter than the arcs.
     expectNear(uGradient(mesh, i), {-n[2] / (4 * pi), 0, n[0] / (4 * pi)}, 1e-3, i);
   }
 }
 
-// The largest error of a torus with that many steps, as a share of the largest curvature.
+// Returns the largest error for a torus of `steps` steps, relative to the largest curvature.
 double torusError(int steps) {
   constexpr double big = 1, small = 0.4;
   Mesh mesh = meshOf(
@@ -159,8 +160,8 @@ double torusError(int steps) {
   return largest;
 }
 
-// Twice as many steps leave a quarter of the error: convergence is of order two, also at the seams,
-// whose vertices share their values.
+// Doubling the steps divides the error by about four: convergence is of order two, also at the
+// seams, whose vertices share their values.
 TEST(SurfaceVariation, ATorusConvergesToItsPrincipalCurvatures) {
   const double coarse = torusError(16), fine = torusError(32), finest = torusError(64);
   EXPECT_LT(coarse, 0.03);
@@ -231,7 +232,7 @@ TEST(SurfaceVariation, IsZeroIfNoTriangleDeterminesIt) {
   addSurfaceVariation(none);
   EXPECT_TRUE(none.gradients[0].empty());
 
-  // A normal that a warp has collapsed.
+  // A zero normal, as where a warp has collapsed the surface.
   Mesh lost = sphere(1, 8, 4);
   for (std::size_t i = 0; i < 3; ++i) lost.normals[3 * 20 + i] = 0;
   addSurfaceVariation(lost);
@@ -248,12 +249,13 @@ TEST(SurfaceVariation, IsFiniteForExtremeFloats) {
   }
 }
 
-// Triangles whose height is a millionth of their length, with normals rounded to float32.
+// Adds a triangle whose height is a tiny fraction of its length. Its normals are rounded to
+// float32.
 TEST(SurfaceVariation, SliversHaveLittleInfluence) {
   Mesh mesh = sphere(1, 16, 8);
   const Mesh whole = mesh;
   const auto count = static_cast<std::uint32_t>(mesh.vertexCount());
-  // A vertex almost on a side, and the flat triangle in between.
+  // A vertex almost on an edge, and the sliver between them.
   for (int i = 0; i < 3; ++i) {
     mesh.positions.push_back((whole.positions[3 * 60 + i] + whole.positions[3 * 61 + i]) / 2 *
                              (1 + 1e-7f));

@@ -1,4 +1,5 @@
-// Normals, bitangents and triangles of warps that mirror space, against a mirror computed by hand.
+// Normals, bitangents and orientation of warps that mirror space, compared with a mirror computed
+// by hand.
 #include <gtest/gtest.h>
 
 #include "warp_support.hpp"
@@ -16,8 +17,8 @@ class MirrorTest : public WholeWarpTest {
     return makeWarp(differentiator, offset, all);
   }
 
-  // The warp that moves positions to `place`.
-  Warp to(const Value& place) { return warpOf(place - p); }
+  // Returns the warp that moves positions to `target`.
+  Warp warpTo(const Value& target) { return warpOf(target - p); }
 
   Inputs at(double uValue = 0.7, double wValue = 0.4) const {
     Inputs all{{u.id, uValue}, {w.id, wValue}};
@@ -38,10 +39,10 @@ class MirrorTest : public WholeWarpTest {
 
   bool isKnown(const Warp& warp) const { return graph.isConstant(warp.orientation->id); }
 
-  // Rotates about an oblique axis, by an angle that grows with the height.
-  Value screw(const Value& q, Expression by) {
+  // Rotates about an oblique axis.
+  Value screw(const Value& q, Expression angle) {
     const Expression x{&graph, graph.constant(0.6)}, z{&graph, graph.constant(0.8)};
-    return multiply(rotationAbout(vec3(x, zero, z), by), q);
+    return multiply(rotationAbout(vec3(x, zero, z), angle), q);
   }
 
   Value twist(const Value& q) {
@@ -85,14 +86,14 @@ TEST_F(MirrorTest, TheRangeDeterminesASign) {
       vec3(-(x - 1.0) - 1.0, y, z),
       vec3((x - 1.0) * -2.0 + x - 1.0, y, z),
   };
-  for (const Value& place : mirrors) {
-    const Warp warp = to(place);
-    EXPECT_TRUE(isKnown(warp)) << "mirror " << &place - mirrors;
-    EXPECT_EQ(signOf(warp), -1) << "mirror " << &place - mirrors;
+  for (const Value& target : mirrors) {
+    const Warp warp = warpTo(target);
+    EXPECT_TRUE(isKnown(warp)) << "mirror " << &target - mirrors;
+    EXPECT_EQ(signOf(warp), -1) << "mirror " << &target - mirrors;
   }
 }
 
-// These need no code.
+// The orientation of these is the constant 1, so it takes no code.
 TEST_F(MirrorTest, WarpsThatDoNotMirrorUseTheEquationOfThePaper) {
   const Expression x = p[0], y = p[1], z = p[2];
   const Value others[] = {
@@ -106,25 +107,25 @@ TEST_F(MirrorTest, WarpsThatDoNotMirrorUseTheEquationOfThePaper) {
       vec3(x * x, y, z),                 // folded
       vec3(-x * y, y, z),                // mirrored on one side
       vec3(x + n[0] * -3.0, y, z),       // depends on the normal
-      vec3(-x * uv[0], y, z),            // one half of the texture
+      vec3(-x * uv[0], y, z),            // mirrored where u is positive
       vec3(x * (y + 2e4) * -1.0, y, z),  // mirrored except at distant places
   };
-  for (const Value& place : others) {
-    const Warp warp = to(place);
-    EXPECT_TRUE(isKnown(warp)) << "warp " << &place - others;
-    EXPECT_EQ(signOf(warp), 1) << "warp " << &place - others;
+  for (const Value& target : others) {
+    const Warp warp = warpTo(target);
+    EXPECT_TRUE(isKnown(warp)) << "warp " << &target - others;
+    EXPECT_EQ(signOf(warp), 1) << "warp " << &target - others;
   }
 }
 
 TEST_F(MirrorTest, AttributesDoNotDetermineASign) {
   const Value color = variable(graph, "color", vectorOf(4));
   for (const Expression attribute : {color[2], t[0], t[3], gradients[0][1]})
-    EXPECT_TRUE(isKnown(to(vec3(p[0] * attribute, p[1], p[2]))));
+    EXPECT_TRUE(isKnown(warpTo(vec3(p[0] * attribute, p[1], p[2]))));
 }
 
 TEST_F(MirrorTest, UniformsDetermineASign) {
   const Expression x = p[0], y = p[1], z = p[2];
-  const Value ofU[] = {
+  const Value mirroredByU[] = {
       vec3(x * u, y, z),
       vec3(x * (u - 1.0) + x, y, z),
       vec3(x * u * (y * y + 1.0), y, z),
@@ -137,24 +138,24 @@ TEST_F(MirrorTest, UniformsDetermineASign) {
       vec3(x * (y * y + 1.0) / u, y, z),
       screw(vec3(x * u, y, z), w),
   };
-  for (const Value& place : ofU) {
-    const Warp warp = to(place);
-    EXPECT_FALSE(isKnown(warp)) << "warp " << &place - ofU;
-    EXPECT_EQ(signOf(warp, 0.7), 1) << "warp " << &place - ofU;
-    EXPECT_EQ(signOf(warp, -0.7), -1) << "warp " << &place - ofU;
-    EXPECT_EQ(signOf(warp, -0.7, -0.4), -1) << "warp " << &place - ofU;
-    EXPECT_EQ(signOf(warp, 0), 1) << "flattened: warp " << &place - ofU;
+  for (const Value& target : mirroredByU) {
+    const Warp warp = warpTo(target);
+    EXPECT_FALSE(isKnown(warp)) << "warp " << &target - mirroredByU;
+    EXPECT_EQ(signOf(warp, 0.7), 1) << "warp " << &target - mirroredByU;
+    EXPECT_EQ(signOf(warp, -0.7), -1) << "warp " << &target - mirroredByU;
+    EXPECT_EQ(signOf(warp, -0.7, -0.4), -1) << "warp " << &target - mirroredByU;
+    EXPECT_EQ(signOf(warp, 0), 1) << "flattened: warp " << &target - mirroredByU;
   }
-  EXPECT_EQ(signOf(to(vec3(x * u, y * u, z))), 1);
-  EXPECT_TRUE(isKnown(to(vec3(x * u, y * u, z)))) << "a square";
-  EXPECT_TRUE(isKnown(to(vec3(x * exp(u), y, z))));
-  EXPECT_TRUE(isKnown(to(vec3(x + u, y * w - y * w + y, z)))) << "read, but not by M";
+  EXPECT_EQ(signOf(warpTo(vec3(x * u, y * u, z))), 1);
+  EXPECT_TRUE(isKnown(warpTo(vec3(x * u, y * u, z)))) << "a square";
+  EXPECT_TRUE(isKnown(warpTo(vec3(x * exp(u), y, z))));
+  EXPECT_TRUE(isKnown(warpTo(vec3(x + u, y * w - y * w + y, z))))
+      << "the offset reads uniforms, but M does not";
 }
 
-// Signs multiply: a factor that mirrors for some values of a uniform, times a part whose sign is
-// known.
+// One factor mirrors for some values of a uniform, the other has a known sign.
 TEST_F(MirrorTest, SignsMultiply) {
-  const Warp warp = to(twist(vec3(p[0] * u, p[1], p[2] * -2.0)));
+  const Warp warp = warpTo(twist(vec3(p[0] * u, p[1], p[2] * -2.0)));
   EXPECT_EQ(signOf(warp, 0.7), -1);
   EXPECT_EQ(signOf(warp, -0.7), 1);
 }

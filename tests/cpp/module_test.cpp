@@ -17,12 +17,12 @@ namespace {
 class ModuleTest : public testing::Test, protected Bench {
  protected:
   static std::string textOf(const Module& module, const Dialect& dialect) {
-    const ShaderTextResult made = write(module, dialect);
-    if (!made.text) return made.problem;
-    return made.text->declarations + "---\n" + made.text->emitted.code;
+    const ShaderTextResult written = write(module, dialect);
+    if (!written.text) return written.problem;
+    return written.text->declarations + "---\n" + written.text->emitted.code;
   }
 
-  // Creates one of each kind.
+  // Creates results that use every kind of node.
   void fill() {
     const int inner = call("sin", {call("mult", {v3, x})});
     builder.comment("let inner = sin(v3 * x)");
@@ -48,7 +48,7 @@ TEST_F(ModuleTest, ASavedModuleGeneratesTheSameCodeInEveryLanguage) {
   fill();
   ASSERT_TRUE(builder.finish()) << builder.problem();
   const Module loaded = load(save(builder.module()));
-  EXPECT_LT(loaded.graph.size(), builder.graph().size()) << "what no result needs is gone";
+  EXPECT_LT(loaded.graph.size(), builder.graph().size()) << "nodes that no result needs are gone";
   for (const Dialect* dialect : dialects()) {
     const std::string text = textOf(builder.module(), *dialect);
     EXPECT_NE(text.find("---"), text.npos) << text;
@@ -58,11 +58,11 @@ TEST_F(ModuleTest, ASavedModuleGeneratesTheSameCodeInEveryLanguage) {
 }
 
 TEST_F(ModuleTest, ReportsWhichInputsAResultDependsOn) {
-  const int turn = builder.input("gen", "turn", {1, 1});
+  const int angle = builder.input("gen", "angle", {1, 1});
   const int unread = builder.input("gen", "unread", {1, 1});
   builder.push(v2);
   const int image = builder.callTexture({Filter::Bicubic, Wrap::Mirror}, "picture");
-  builder.output("gen", "a", call("sin", {call("mult", {v3, turn})}));
+  builder.output("gen", "a", call("sin", {call("mult", {v3, angle})}));
   builder.output("gen", "b", image);
   builder.output("gen", "c", call("sub", {unread, unread}));
   ASSERT_TRUE(builder.finish()) << builder.problem();
@@ -76,12 +76,12 @@ TEST_F(ModuleTest, ReportsWhichInputsAResultDependsOn) {
   const auto labelOf = [&](int handle) {
     return builder.graph().input(builder.inputOf(handle)).label;
   };
-  EXPECT_EQ(namesRead({0}), (std::set<std::string>{labelOf(v3), "turn"}));
+  EXPECT_EQ(namesRead({0}), (std::set<std::string>{labelOf(v3), "angle"}));
   // The size of an image is an input without a name.
   EXPECT_EQ(namesRead({1}), (std::set<std::string>{labelOf(v2), "picture", ""}));
   EXPECT_EQ(namesRead({2}), std::set<std::string>{});
   EXPECT_EQ(namesRead({0, 1}),
-            (std::set<std::string>{labelOf(v2), labelOf(v3), "turn", "picture", ""}));
+            (std::set<std::string>{labelOf(v2), labelOf(v3), "angle", "picture", ""}));
 }
 
 TEST_F(ModuleTest, WritingCodeOrProgramsDoesNotModifyTheModule) {
@@ -101,13 +101,13 @@ TEST_F(ModuleTest, UsesTheNamesThatTheHostPasses) {
   builder.output("gen", "first", call("mult", {v2, x}));
   builder.output("gen", "second", call("sin", {x}));
   const Module loaded = load(save(builder.module()));
-  const ShaderTextResult made =
+  const ShaderTextResult written =
       write(loaded, glsl300, {.results = {{1, "y"}}, .inputs = {{0, "uTime"}, {1, "inputs.uv"}}});
-  ASSERT_TRUE(made.text) << made.problem;
-  EXPECT_EQ(made.text->emitted.code, "float y;\n{\n  y = sin(uTime);\n}\n");
-  ASSERT_EQ(made.text->inputs.size(), 1u);
-  EXPECT_EQ(made.text->inputs[0].number, 0u);
-  EXPECT_EQ(made.text->inputs[0].text, "uTime");
+  ASSERT_TRUE(written.text) << written.problem;
+  EXPECT_EQ(written.text->emitted.code, "float y;\n{\n  y = sin(uTime);\n}\n");
+  ASSERT_EQ(written.text->inputs.size(), 1u);
+  EXPECT_EQ(written.text->inputs[0].number, 0u);
+  EXPECT_EQ(written.text->inputs[0].text, "uTime");
 }
 
 TEST_F(ModuleTest, AProgramIgnoresImagesThatItsResultsDoNotRead) {
@@ -116,12 +116,12 @@ TEST_F(ModuleTest, AProgramIgnoresImagesThatItsResultsDoNotRead) {
   const int last = input("last");
   builder.output("gen", "y", call("mult", {last, number(2)}));
   const std::uint32_t only = 0;
-  const auto made = program(load(save(builder.module())), {&only, 1}).program;
-  ASSERT_TRUE(made);
+  const auto compiled = program(load(save(builder.module())), {&only, 1}).program;
+  ASSERT_TRUE(compiled);
   // x, v2, v3, v4, m2, m3, m23, the image's size, and `last`.
   std::vector<double> numbers(1 + 2 + 3 + 4 + 4 + 9 + 6 + 2 + 1), results(1);
   numbers.back() = 21;
-  evaluate(made->words, made->instructions, numbers, results);
+  evaluate(compiled->words, compiled->instructions, numbers, results);
   EXPECT_EQ(results[0], 42);
 }
 

@@ -1,5 +1,5 @@
-// Noise that fades where it is finer than a pixel, against means of 64 samples of the same noise
-// that doesn't.
+// Noise that fades where it is finer than a pixel, compared with the mean of 64 samples of the same
+// noise without fading.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int dimensions = 3;
 
-// A noise that is compiled for the CPU: its values, and their derivatives.
+// A noise compiled for the CPU: returns its values, and their derivatives.
 class CompiledNoise {
  public:
   explicit CompiledNoise(const Definition& definition) : definition_(definition) {
@@ -70,16 +70,17 @@ Definition unfaded(const Kind& kind) {
 }
 
 std::vector<double> randomPoint(std::mt19937& random) {
-  std::uniform_real_distribution<double> place(-100, 100);
-  return {place(random), place(random), place(random)};
+  std::uniform_real_distribution<double> coordinate(-100, 100);
+  return {coordinate(random), coordinate(random), coordinate(random)};
 }
 
-TEST(NoiseFading, ChangesNothingWhereAWaveCoversFourPixels) {
+TEST(NoiseFading, DoesNotStartWhileAWaveCoversFourPixels) {
   for (const Kind& kind : kinds) {
     CompiledNoise plain(unfaded(kind)), fading(withFading(unfaded(kind)));
     std::mt19937 random(1);
     const std::vector<double> point = randomPoint(random);
-    // The shortest waves are those of five octaves of ridged: 1.37 / 2 / 16, and a quarter of that.
+    // The shortest waves are those of five octaves of ridged, 1.37 / 2 / 16. A pixel of 0.0107 is a
+    // quarter of that.
     for (const double pixel : {0.0, 0.0107}) EXPECT_EQ(plain.at(point, 0), fading.at(point, pixel));
   }
 }
@@ -102,8 +103,8 @@ TEST(NoiseFading, LeavesTheMeanWhereAPixelCoversManyWaves) {
   }
 }
 
-// The sums of squared errors of the gradient, against its mean over a square pixel parallel to x
-// and y, if one takes the fading noise, a single sample, or zero.
+// Sums of squared errors of the gradient, compared with its mean over a square pixel parallel to x
+// and y: of the fading noise, of a single sample of the plain noise, and of zero.
 struct Errors {
   double faded = 0, plain = 0, mean = 0;
 };
@@ -134,9 +135,9 @@ Errors measureErrors(const Kind& kind, double width) {
   return errors;
 }
 
-// Noise that faded too little would be no better than a sample, noise that faded too much no better
-// than a flat surface, whose error is the mean itself.
-TEST(NoiseFading, ComesNearerToTheMeanOverAPixelThanASample) {
+// Noise that faded too little would be no better than a single sample. Noise that faded too much
+// would be no better than a flat surface, whose error is the mean itself.
+TEST(NoiseFading, IsCloserThanASampleToTheMeanOverAPixel) {
   for (const Kind& kind : kinds) {
     for (const double width : {0.5, 1.0, 1.5, 3.0}) {
       const auto [faded, plain, mean] = measureErrors(kind, width);

@@ -1,4 +1,4 @@
-// The slopes of noise: its derivatives at random points, against the bounds derived in src/noise.
+// The slopes of noise: its derivatives at random points, compared with the bounds in src/noise.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,21 +11,22 @@
 namespace warpjet {
 namespace {
 
-// The largest first derivative of a noise's body, which unlike its calls isn't clamped.
+// Returns the largest first derivative that is found at random points. The derivatives are those of
+// the noise's body: unlike those of its calls, they aren't clamped.
 double steepestFound(Library& library, const Definition& definition, int points) {
   const Function& function = definition.function;
   Body& body = library.withoutCalls(function.name, 1);
-  const auto made = program(body.graph, body.withoutCalls);
-  EXPECT_TRUE(made);
+  const auto compiled = program(body.graph, body.withoutCalls);
+  EXPECT_TRUE(compiled);
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> place(-300, 300);
+  std::uniform_real_distribution<double> coordinate(-300, 300);
   std::vector<double> arguments(static_cast<std::size_t>(function.arity)),
       results(body.withoutCalls.size());
   double steepest = 0;
   for (int point = 0; point < points; ++point) {
-    for (double& x : arguments) x = place(random);
+    for (double& x : arguments) x = coordinate(random);
     arguments.back() = point % 4091;
-    evaluate(made->words, made->instructions, arguments, results);
+    evaluate(compiled->words, compiled->instructions, arguments, results);
     for (std::size_t i = static_cast<std::size_t>(function.values); i < results.size(); ++i)
       steepest = std::max(steepest, std::abs(results[i]));
   }

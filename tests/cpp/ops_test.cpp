@@ -1,5 +1,6 @@
-// Every row: its value at points computed by hand from the GLSL ES 3.00 specification, its partial
-// derivatives against finite differences of its value, and its lowered formula against its value.
+// Every row: compares its value with numbers computed by hand from the GLSL ES 3.00 specification,
+// its partial derivatives with finite differences of its value, and its lowered formula with its
+// value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,16 +30,16 @@ struct Case {
   double value;
 };
 
-// Equal up to rounding; zeros, infinities and NaN must match exactly.
+// Expects a value that is equal up to rounding; zeros, infinities and NaN must match exactly.
 void expectValue(const Case& expected) {
   const auto [a, b, c] = expected.operands;
   const double value = valueOfRowNamed(expected.row, a, b, c);
-  const std::string at = std::string(expected.row) + " of " + std::to_string(a) + ", " +
-                         std::to_string(b) + ", " + std::to_string(c);
+  const std::string operation = std::string(expected.row) + " of " + std::to_string(a) + ", " +
+                                std::to_string(b) + ", " + std::to_string(c);
   if (std::isnan(expected.value)) {
-    EXPECT_TRUE(std::isnan(value)) << at;
+    EXPECT_TRUE(std::isnan(value)) << operation;
   } else {
-    EXPECT_DOUBLE_EQ(value, expected.value) << at;
+    EXPECT_DOUBLE_EQ(value, expected.value) << operation;
   }
 }
 
@@ -146,7 +147,7 @@ TEST(Ops, ValuesMatchGlsl) {
       {"float", {0}, 0},
       {"bool", {-0.5}, 1},
       {"bool", {0}, 0},
-      // 32 bits, from -2^31 up: -1 has all bits set, and is the largest unsigned number.
+      // Integers of 32 bits, from -2^31: -1 has all bits set and is the largest unsigned number.
       {"int", {-2.75}, -2},
       {"int", {3e9}, 2147483647},
       {"int", {NAN}, 0},
@@ -213,7 +214,8 @@ TEST(Ops, ValuesAtInfinityMatchIeee754) {
     expectValue(expected);
 }
 
-// Central differences with Richardson extrapolation: error of order h^4.
+// Returns the derivative by central differences with Richardson extrapolation; the error is of
+// order h^4.
 template <class Function>
 double slope(Function f, double x, double h) {
   const auto central = [&](double step) { return (f(x + step) - f(x - step)) / (2 * step); };
@@ -241,12 +243,12 @@ void checkPartial() {
   for (int point = 0; point < points; ++point) {
     Operands<double> x{};
     for (int i = 0; i < declarations[Row].arity; ++i) x[i] = sample(row.domain[i]);
-    const auto along = [&](double t) {
+    const auto valueAt = [&](double t) {
       auto moved = x;
       moved[Operand] = t;
       return valueOf(Op(Row), moved);
     };
-    const double coarse = slope(along, x[Operand], 1e-3), fine = slope(along, x[Operand], 5e-4);
+    const double coarse = slope(valueAt, x[Operand], 1e-3), fine = slope(valueAt, x[Operand], 5e-4);
     if (std::abs(coarse - fine) > 1e-6 * std::max(1.0, std::abs(fine))) {
       ++kinks;
       continue;
@@ -281,14 +283,14 @@ void checkFormula(const Operands<double>& x) {
     constexpr auto formula = std::get<Row>(table).lowered;
     const double value = valueOf(Op(Row), x);
     const double lowered = applyTo<declarations[Row].arity>(formula, x.data());
-    const auto at = [&] {
+    const auto operation = [&] {
       return std::string(declarations[Row].name) + " of " + std::to_string(x[0]) + ", " +
              std::to_string(x[1]);
     };
     if (std::isinf(value)) {
-      EXPECT_EQ(lowered, value) << at();
+      EXPECT_EQ(lowered, value) << operation();
     } else {
-      EXPECT_NEAR(lowered, value, 1e-14 * std::max(1.0, std::abs(value))) << at();
+      EXPECT_NEAR(lowered, value, 1e-14 * std::max(1.0, std::abs(value))) << operation();
     }
   }
 }
@@ -308,7 +310,7 @@ TEST(Ops, LoweredFormulasHaveTheSameValues) {
 }
 
 TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {
-  constexpr auto number = [](std::string_view name) {
+  constexpr auto rowOf = [](std::string_view name) {
     std::size_t i = 0;
     while (declarations[i].name != name) ++i;
     return i;
@@ -322,21 +324,21 @@ TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {
   const double almostHalf = 0.49999999999999994;
   forBothSigns({0, 0.5, 1.5, 2.5, 3.5, 1, 2, 3, almostHalf, 1e-12, 0.7, 2.7, 1e9 + 0.5, 1e15},
                [&](double x) {
-                 checkFormula<number("round")>({x});
-                 checkFormula<number("trunc")>({x});
+                 checkFormula<rowOf("round")>({x});
+                 checkFormula<rowOf("trunc")>({x});
                  for (const double divisor : {1.0, -1.0, 3.0, 0.25})
-                   checkFormula<number("mod")>({x, divisor});
+                   checkFormula<rowOf("mod")>({x, divisor});
                });
   forBothSigns({0, 1e-9, 1, 20, 50, 300, 700, 1e5, 1e300, infinity},
-               [&](double x) { checkFormula<number("tanh")>({x}); });
+               [&](double x) { checkFormula<rowOf("tanh")>({x}); });
   forBothSigns({0, 1e-9, 20, 700, 1e5}, [&](double x) {
-    checkFormula<number("sinh")>({x});
-    checkFormula<number("cosh")>({x});
-    checkFormula<number("asinh")>({x});
+    checkFormula<rowOf("sinh")>({x});
+    checkFormula<rowOf("cosh")>({x});
+    checkFormula<rowOf("asinh")>({x});
   });
-  checkFormula<number("acosh")>({1});
-  checkFormula<number("acosh")>({1e9});
-  for (const double x : {0.0, 1.0, -1.0, 0.999}) checkFormula<number("atanh")>({x});
+  checkFormula<rowOf("acosh")>({1});
+  checkFormula<rowOf("acosh")>({1e9});
+  for (const double x : {0.0, 1.0, -1.0, 0.999}) checkFormula<rowOf("atanh")>({x});
 }
 
 TEST(Ops, NamesAreDistinct) {

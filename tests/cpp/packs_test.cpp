@@ -26,7 +26,7 @@ class PacksTest : public testing::Test {
   }
   Expression number(double value) { return {&graph, graph.constant(value)}; }
 
-  // The statements of the block, for one result `y`.
+  // Returns the statements that compute the result `y`.
   std::string text(const Value& y, const Dialect& dialect = glsl300) {
     const std::string all = emit(graph, dialect, std::vector{result("y", y)}).code;
     const std::size_t start = all.find("{\n") + 2;
@@ -73,7 +73,7 @@ TEST_F(PacksTest, ReadsSingleComponentsOfAVector) {
             "  y = t0 * t0 + t1;\n");
 }
 
-// The derivative of a chain of sines isn't a component of the value: it is found from the angles.
+// `mixed` has no vector result, so the vectors of cosines are found only from the vector of angles.
 TEST_F(PacksTest, FurtherOperationsOnAVectorAreVectorsToo) {
   const Value angle = each([&](int i) { return p[i] * 3.0 + x; });
   const Value slope = each([&](int i) { return cos(angle[i]) * 5.0; });
@@ -85,7 +85,7 @@ TEST_F(PacksTest, FurtherOperationsOnAVectorAreVectorsToo) {
   EXPECT_NE(all.find("vec3 t1 = cos(t0) * 5.0;\n"), all.npos) << all;
 }
 
-// In WGSL, min and max take only vectors; in GLSL also a vector and a number, in this order.
+// Besides two vectors, min and max take a vector and a number in GLSL, in this order; not in WGSL.
 TEST_F(PacksTest, CombinesVectorsWithNumbersIfTheLanguageAllowsIt) {
   const Value smaller = each([&](int i) { return min(sin(p[i]), x); });
   EXPECT_EQ(text(smaller), "  y = min(sin(p), x);\n");
@@ -106,8 +106,7 @@ TEST_F(PacksTest, AConditionPerComponentChoosesBetweenNumbers) {
   EXPECT_EQ(all, "  y = vec3(p.x < 1.0 ? p.x : x, p.y < 1.0 ? p.y : x, p.z < 1.0 ? p.z : x);\n");
 }
 
-// A scalar that one statement reads once is written inline; if it is read elsewhere, too, it has a
-// name.
+// A scalar that one statement reads once is written inline; one that is read again has a name.
 TEST_F(PacksTest, WritesANumberInlineIfOneStatementReadsItOnce) {
   const Expression scale = ifElse(gt(x, 0.0), x, 0.5);
   EXPECT_EQ(text(p * scale), "  y = p * (x > 0.0 ? x : 0.5);\n");
@@ -138,13 +137,13 @@ TEST_F(PacksTest, NamesADeeplyNestedNumberBesideAVector) {
             "  y = p * t0;\n");
 }
 
-// A rotation is written as a person would; the matrix is column by column.
+// A rotation is written as a person would write it. A matrix is listed column by column.
 TEST_F(PacksTest, WritesARotationAsAMatrixProduct) {
   const Expression u = x * 2.0, s = sin(u), c = cos(u);
-  const auto turn = [&](Expression a, Expression b) {
+  const auto rotate = [&](Expression a, Expression b) {
     return std::array{a * c - b * s, a * s + c * b};
   };
-  const auto once = turn(p[0], p[1]), twice = turn(once[0], once[1]);
+  const auto once = rotate(p[0], p[1]), twice = rotate(once[0], once[1]);
   const Value y = vec3(twice[0] * twice[0], twice[1] * twice[1], number(1));
   EXPECT_EQ(text(y),
             "  float t0 = x * 2.0;\n"
@@ -154,7 +153,7 @@ TEST_F(PacksTest, WritesARotationAsAMatrixProduct) {
             "  vec2 t4 = t3 * p.xy;\n"
             "  vec2 t5 = t3 * t4;\n"
             "  y = vec3(t5.x * t5.x, t5.y * t5.y, 1.0);\n")
-      << "it has a name where two statements read it";
+      << "a matrix that two statements read has a name";
   EXPECT_NE(text(y, wgsl).find("  let t3 = mat2x2f(t2, t1, -t1, t2);\n"), std::string::npos);
   EXPECT_NE(text(vec3(once[0] * once[0], once[1] * once[1], number(1)))
                 .find("  vec2 t3 = mat2(t2, t1, -t1, t2) * p.xy;\n"),
@@ -165,7 +164,8 @@ TEST_F(PacksTest, RecognizesDotProducts) {
   const Value q = vector3(graph, "q");
   EXPECT_EQ(text(dot(p, q)), "  y = dot(p, q);\n");
   EXPECT_EQ(text(x / dot(p, q), wgsl), "  y = x / dot(p, q);\n");
-  EXPECT_EQ(text(q[2] * p[2] + p[0] * q[0]), "  y = dot(p.zx, q.zx);\n") << "either factor first";
+  EXPECT_EQ(text(q[2] * p[2] + p[0] * q[0]), "  y = dot(p.zx, q.zx);\n")
+      << "factors in either order";
   const Value u = each([&](int i) { return sin(p[i] * x); });
   EXPECT_EQ(text(u * inversesqrt(dot(u, u))),
             "  vec3 t0 = sin(p * x);\n"
@@ -179,7 +179,7 @@ TEST_F(PacksTest, RecognizesCrossProducts) {
   const Value q = vector3(graph, "q");
   EXPECT_EQ(text(cross(p, q)), "  y = cross(p, q);\n");
   EXPECT_EQ(text(cross(q, p) * x, wgsl), "  y = cross(q, p) * x;\n");
-  // Differs by one sign, or by one component.
+  // These differ from a cross product by one sign, or by one component.
   EXPECT_EQ(
       text(vec3(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[1] * q[0] - p[0] * q[1])),
       "  y = p.yzy * q.zxx - p.zxx * q.yzy;\n");

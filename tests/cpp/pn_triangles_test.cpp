@@ -1,4 +1,4 @@
-// Curved PN triangles, by values worked out by hand from the formulas of the paper.
+// Curved PN triangles, compared with values computed by hand from the formulas of the paper.
 #include "detail/pn_triangles.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,8 @@ void expectNear(vec3 value, vec3 expected) {
 
 const std::vector<vec3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-// Between (1, 0) and (0, 1), with normals from the origin, the control points are (1, 1/3) and
-// (1/3, 1).
+// The side runs from (1, 0) to (0, 1), with normals that point away from the origin: its control
+// points are (1, 1/3) and (1/3, 1).
 TEST(PnTriangles, ASideIsACubicCurveThroughItsEndsAtRightAnglesToTheNormals) {
   const PnTriangles octant = triangleOf(axes, axes);
   expectNear(octant.position(0, {1, 0, 0}), {1, 0, 0});
@@ -40,7 +40,8 @@ TEST(PnTriangles, ASideIsACubicCurveThroughItsEndsAtRightAnglesToTheNormals) {
   expectNear(octant.position(0, {2 * third, third, 0}), {22.0f / 27, 11.0f / 27, 0});
 }
 
-// Both come from the mean of the six control points of the sides, 4/9 of (1, 1, 1).
+// The center's position and normal follow from the mean of the six side control points, which is
+// (4/9, 4/9, 4/9).
 TEST(PnTriangles, TheInnerControlPointLiesAboveTheSides) {
   const PnTriangles octant = triangleOf(axes, axes);
   const float third = 1.0f / 3;
@@ -56,25 +57,25 @@ TEST(PnTriangles, AFlatTriangleStaysFlatAndLinear) {
   expectNear(flat.normal(0, {0.2f, 0.5f, 0.3f}), up);
 }
 
-// Equal normals that lean along a side make an S, whose slope changes its sign.
-TEST(PnTriangles, NormalsShowAnInflection) {
+// With equal normals that lean along a side, the side becomes an S, whose slope changes its sign.
+TEST(PnTriangles, NormalsFollowAnInflection) {
   const vec3 leaning(0.6f, 0, 0.8f);
   const PnTriangles wave =
       triangleOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {leaning, leaning, leaning});
   expectNear(wave.normal(0, {0.5f, 0.5f, 0}), {0, 0, 1});
 }
 
-// On an arc of 15 degrees, as on p5's sphere. By hand, its middle is cos(h) (1 + sin(h)^2 / 2) from
-// the center, with h = 7.5 degrees, which is 0.99989.
+// The arc is of 15 degrees, as on p5's sphere. The distance of its middle from the center, computed
+// by hand, is cos(h) (1 + sin(h)^2 / 2) with h = 7.5 degrees, which is 0.99989.
 TEST(PnTriangles, NormalsOfACircleAreThoseOfItsPoints) {
   const float angle = std::acos(-1.0f) / 12;
   const vec3 first(1, 0, 0), second(std::cos(angle), std::sin(angle), 0);
   const PnTriangles arc = triangleOf({first, second, {0, 0, 1}}, {first, second, {0, 0, 1}});
   for (const float t : {0.1f, 0.25f, 0.4f, 0.75f}) {
     const Weights weights{1 - t, t, 0};
-    const vec3 place = arc.position(0, weights), normal = arc.normal(0, weights);
-    EXPECT_NEAR(length(place), 1, 0.00011f);
-    EXPECT_NEAR(std::atan2(place.y, place.x), std::atan2(normal.y, normal.x), 0.0003f);
+    const vec3 position = arc.position(0, weights), normal = arc.normal(0, weights);
+    EXPECT_NEAR(length(position), 1, 0.00011f);
+    EXPECT_NEAR(std::atan2(position.y, position.x), std::atan2(normal.y, normal.x), 0.0003f);
   }
 }
 
@@ -92,12 +93,12 @@ TEST(PnTriangles, CornersWithoutADirectionAreFlat) {
 // A prism with `count` sides and caps, whose walls have the normals of a cylinder of radius 1.
 // Each face has vertices of its own.
 struct Prism {
-  std::vector<vec3> places, normals;
+  std::vector<vec3> positions, normals;
   std::vector<std::uint32_t> indices;
 
-  void add(vec3 place, vec3 normal) {
-    indices.push_back(static_cast<std::uint32_t>(places.size()));
-    places.push_back(place);
+  void add(vec3 position, vec3 normal) {
+    indices.push_back(static_cast<std::uint32_t>(positions.size()));
+    positions.push_back(position);
     normals.push_back(normal);
   }
 
@@ -118,9 +119,9 @@ struct Prism {
   }
 };
 
-// Cuts it three times, as detail does, and divides it.
-Detail divided(const Prism& prism, bool isCurved) {
-  Detail detail({vectors(prism.places), vectors(prism.normals, true)},
+// Cuts the prism's edges to three lengths, like the detail module's caller, and subdivides it.
+Detail subdivide(const Prism& prism, bool isCurved) {
+  Detail detail({vectors(prism.positions), vectors(prism.normals, true)},
                 static_cast<std::uint32_t>(prism.indices.size() / 3), {}, isCurved);
   detail.givenIndices() = prism.indices;
   detail.begin();
@@ -129,8 +130,8 @@ Detail divided(const Prism& prism, bool isCurved) {
   return detail;
 }
 
-// The smallest distance from the axis of the vertices of walls at their rims.
-float deepestAtRims(const Detail& detail) {
+// Returns the minimum distance from the axis over the walls' vertices at z = 0 and z = 1.
+float minRimRadius(const Detail& detail) {
   const std::vector<float>& p = detail.division().attributes[0].values;
   const std::vector<float>& normals = detail.division().attributes[1].values;
   float min = 1;
@@ -140,20 +141,20 @@ float deepestAtRims(const Detail& detail) {
   return min;
 }
 
-// The middle of a straight side is cos(30 degrees) from the axis. The control points of its curve
-// are a sixth of that further out, which moves the middle by an eighth.
+// The distance of the middle of a straight side from the axis is cos(30 degrees). The two control
+// points lie 1/6 of that distance further out, so the middle moves out by 1/8 of it.
 TEST(PnTriangles, ACylinderGetsRoundWithoutCracksAtItsRims) {
   const float straight = std::sqrt(0.75f);
-  const Detail flat = divided(Prism(6), false), curved = divided(Prism(6), true);
-  EXPECT_NEAR(deepestAtRims(flat), straight, 1e-6);
-  EXPECT_NEAR(deepestAtRims(curved), straight * 9 / 8, 1e-6);
+  const Detail flat = subdivide(Prism(6), false), curved = subdivide(Prism(6), true);
+  EXPECT_NEAR(minRimRadius(flat), straight, 1e-6);
+  EXPECT_NEAR(minRimRadius(curved), straight * 9 / 8, 1e-6);
   expectClosed(curved);
 }
 
 TEST(PnTriangles, APoseMovesTheCurvedSurface) {
-  Detail detail = divided(Prism(6), true);
+  Detail detail = subdivide(Prism(6), true);
   const std::vector<float> before = detail.samples()[0].values;
-  // Turns it by a quarter: (x, y, z) becomes (y, -x, z).
+  // Rotates the prism by a quarter turn: (x, y, z) becomes (y, -x, z).
   for (int attribute = 0; attribute < 2; ++attribute) {
     std::vector<float>& v = detail.given(attribute);
     for (std::size_t i = 0; i < v.size(); i += 3)

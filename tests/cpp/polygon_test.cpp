@@ -1,5 +1,5 @@
-// Triangulation of polygons. For any triangulation, the areas must add up, and every edge must be
-// used in both directions or be a side of the polygon.
+// Triangulation of polygons. The areas of the triangles must add up to that of the polygon, and
+// every edge must be used in both directions or be a side of the polygon.
 #include "mesh/obj/polygon.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Points flat(const std::vector<std::array<double, 2>>& points) {
 
 double cross(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.y - a.y * b.x; }
 
-// The shoelace formula: a sum over the polygon's sides.
+// Returns the area by the shoelace formula, a sum over the polygon's sides.
 double areaOf(const Points& polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -52,7 +52,7 @@ void expectExact(const Points& polygon, const std::string& what) {
       balance[std::minmax(a, b)] += a < b ? 1 : -1;
     }
   }
-  // None is negative, so if the sum is right, they cover the polygon without overlap.
+  // No area is negative, so if the sum is correct, the triangles cover the polygon without overlap.
   EXPECT_NEAR(sum, areaOf(polygon), 1e-9 * areaOf(polygon)) << what;
   const auto last = static_cast<std::uint32_t>(polygon.size() - 1);
   for (std::uint32_t i = 0; i < last; ++i) balance[{i, i + 1}] -= 1;
@@ -68,14 +68,14 @@ TEST(Polygon, TriangulatesAConcavePolygonInsideItsOutline) {
   expectExact(dart, "dart");
   expectExact(flat({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), "L");
   expectExact(flat({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}), "U");
-  // Corners on straight sides and edges, none of which may be omitted.
+  // Some corners are on straight sides or on edges between triangles; none may be omitted.
   expectExact(flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1.5, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}}),
               "L with corners on its sides");
   // A square with a square hole, connected by a cut.
   expectExact(
       flat({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}),
       "hole");
-  expectExact(flat({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {3, 1}}), "twice the same");
+  expectExact(flat({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {3, 1}}), "repeated corners");
 }
 
 // Most of the polygon is to the right of its first side.
@@ -98,9 +98,9 @@ TEST(Polygon, PreservesTheWindingInEveryPlane) {
   const Points dart = flat({{0, 0}, {4, 0}, {4, 4}, {3, 1}});
   for (const glm::dvec3& x : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0.6, 0, 0.8)})
     for (const glm::dvec3& y : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)}) {
-      Points turned;
-      for (const glm::dvec3& p : dart) turned.push_back(x * p.x + (y + 0.1 * x) * p.y + 7.0);
-      EXPECT_EQ(trianglesOfPolygon(turned), trianglesOfPolygon(dart));
+      Points inPlane;
+      for (const glm::dvec3& p : dart) inPlane.push_back(x * p.x + (y + 0.1 * x) * p.y + 7.0);
+      EXPECT_EQ(trianglesOfPolygon(inPlane), trianglesOfPolygon(dart));
     }
 }
 

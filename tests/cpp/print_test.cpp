@@ -1,4 +1,4 @@
-// Printed nodes and modules, against text written by hand.
+// Printed nodes and modules, compared with text written by hand.
 #include "graph/print.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The product of a host's vector and a matrix is written as such if that is shorter than its sums.
-// The expected code is what a person would write.
+// The product of a host's vector and a matrix is written as a product if that is shorter than the
+// sums of its components. The expected code is what a person would write.
 #include "emit/products.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ class ProductsTest : public testing::Test {
   Value p = vector3(graph, "p"), q = vector3(graph, "q");
   Expression a = scalar(graph, "a"), b = scalar(graph, "b"), c = scalar(graph, "c");
 
-  // Three sums: `columns` has their entries, those of each sum together.
+  // Returns three sums: `columns` has the factors of the first one, then those of the second and
+  // third.
   Value times(const std::array<Expression, 9>& columns) {
     return fill(graph, vectorOf(3), [&](int i) {
       return columns[3 * i] * p[0] + columns[3 * i + 1] * p[1] + columns[3 * i + 2] * p[2];
@@ -29,7 +30,7 @@ class ProductsTest : public testing::Test {
   static bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
   }
-  // True if the code has a matrix.
+  // Returns true if the code contains a matrix.
   bool isProduct(const Value& v) { return has(unitText(v), "mat3("); }
 };
 
@@ -50,8 +51,8 @@ TEST_F(ProductsTest, MayHaveNegatedTerms) {
       << unitText(v);
 }
 
-// Sums of fewer products are shorter unchanged, and cross products are, if all entries are
-// cofactors.
+// If one product is missing, the sums are shorter. If all entries are cofactors, cross products are
+// shorter.
 TEST_F(ProductsTest, AreWrittenOnlyIfTheCodeIsShorter) {
   const Expression zero{&graph, graph.constant(0)};
   EXPECT_FALSE(isProduct(times({a, b, c, b, c, a, c, zero, b})));
@@ -73,7 +74,7 @@ TEST_F(ProductsTest, MultiplyOnlyOneVector) {
   EXPECT_FALSE(isProduct(constant));
 }
 
-// A term that another statement or a result reads has a name, which a matrix wouldn't use.
+// A term that another statement or a result reads has a name; a matrix product couldn't use that.
 TEST_F(ProductsTest, DoNotUseTermsThatAreReadElsewhere) {
   const Value v = times({a, b, c, b, c, a * b, c, a, b * c});
   const Value shared = normalize(v) + a * p[0];

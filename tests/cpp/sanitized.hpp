@@ -1,5 +1,5 @@
-// True under AddressSanitizer, where everything takes ten times as long: fewer numbers suffice to
-// find memory errors, and the native tests use all of them.
+// `isSanitized` is true under AddressSanitizer, where tests take ten times as long: fewer samples
+// are enough to find memory errors, and the build without sanitizers tests all of them.
 #pragma once
 
 namespace warpjet {

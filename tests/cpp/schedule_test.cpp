@@ -26,17 +26,17 @@ class ScheduleTest : public testing::Test {
     return static_cast<std::uint32_t>(work.tasks.size() - 1);
   }
 
-  // The max number of values that are alive between two statements.
+  // Returns the max number of values that are alive between two statements.
   std::size_t maxAlive(const Order& order) const {
     std::vector<std::size_t> lastReader(order.size());
-    for (std::size_t place = 0; place < order.size(); ++place) {
-      for (const std::uint32_t read : work.readsOf(order[place])) lastReader[read] = place;
+    for (std::size_t position = 0; position < order.size(); ++position) {
+      for (const std::uint32_t read : work.readsOf(order[position])) lastReader[read] = position;
     }
     std::size_t max = 0;
-    for (std::size_t place = 0; place < order.size(); ++place) {
+    for (std::size_t position = 0; position < order.size(); ++position) {
       std::size_t alive = 0;
-      for (std::size_t before = 0; before <= place; ++before)
-        alive += work.tasks[order[before]].isResult || lastReader[order[before]] > place;
+      for (std::size_t before = 0; before <= position; ++before)
+        alive += work.tasks[order[before]].isResult || lastReader[order[before]] > position;
       max = std::max(max, alive);
     }
     return max;
@@ -56,9 +56,9 @@ TEST_F(ScheduleTest, PutsLastUsesBeforeNewValues) {
   EXPECT_EQ(schedule(work), (Order{a, endOfA, b, endOfB}));
 }
 
-// Nested sines: each angle is read by the next one, and four together by a product of derivatives.
-// No chain is computed to its end before the other, which would make a processor wait for one sine
-// after the other.
+// Two chains of nested sines: each angle is read by the next one, and every four angles by a
+// product of derivatives. Neither chain is computed to its end before the other: then a processor
+// would have to wait for each sine before it could start the next one.
 TEST_F(ScheduleTest, InterleavesIndependentChains) {
   Order chains[2];
   for (Order& angles : chains) {
@@ -72,17 +72,18 @@ TEST_F(ScheduleTest, InterleavesIndependentChains) {
     }
   }
   const Order order = schedule(work);
-  const auto place = [&](std::uint32_t i) {
+  const auto positionOf = [&](std::uint32_t i) {
     return std::find(order.begin(), order.end(), i) - order.begin();
   };
   for (int i = 4; i < 16; ++i) {
-    EXPECT_LT(place(chains[0][i - 4]), place(chains[1][i])) << i;
-    EXPECT_LT(place(chains[1][i - 4]), place(chains[0][i])) << i;
+    EXPECT_LT(positionOf(chains[0][i - 4]), positionOf(chains[1][i])) << i;
+    EXPECT_LT(positionOf(chains[1][i - 4]), positionOf(chains[0][i])) << i;
   }
   EXPECT_LE(maxAlive(order), 12u);
 }
 
-// sum += sin(angle); slope += cos(angle), where the source has all sums before all slopes.
+// Computes sum += sin(angle) and slope += cos(angle) in a loop. The source has all sums before all
+// slopes.
 TEST_F(ScheduleTest, KeepsOneAngleAliveForASumAndItsSlope) {
   Order angles;
   std::uint32_t sum = add({}), slope = add({});
@@ -119,7 +120,7 @@ TEST_F(ScheduleTest, OrdersEachStatementOnceAfterTheValuesItReads) {
   }
 }
 
-// Statements share a list if their expressions read the same values.
+// Tasks share a list if their statements read the same values.
 TEST_F(ScheduleTest, TasksMayShareAListOfReads) {
   const auto a = add({});
   const auto b = add({a}, result);
@@ -127,8 +128,8 @@ TEST_F(ScheduleTest, TasksMayShareAListOfReads) {
   work.tasks.push_back(work.tasks[b]);
   EXPECT_EQ(schedule(work), (Order{a, b, b + 1, b + 2}));
   const Readers readers(work);
-  const auto ofA = readers.of(a);
-  EXPECT_EQ(Order(ofA.begin(), ofA.end()), (Order{b, b + 1, b + 2}));
+  const auto readersOfA = readers.of(a);
+  EXPECT_EQ(Order(readersOfA.begin(), readersOfA.end()), (Order{b, b + 1, b + 2}));
 }
 
 TEST_F(ScheduleTest, HandlesAHundredThousandStatements) {

@@ -18,7 +18,8 @@ inline void append(std::vector<float>& to, std::initializer_list<double> numbers
   for (const double number : numbers) to.push_back(static_cast<float>(number));
 }
 
-// A square from -size/2 to size/2 in x and y, facing z, with 2 steps² triangles; uvs 0 to 1.
+// Returns a square from -size/2 to size/2 in x and y, facing z, with 2 steps² triangles and uvs
+// from 0 to 1.
 inline Mesh gridPlane(int steps, double size) {
   Mesh mesh;
   for (int j = 0; j <= steps; ++j) {
@@ -40,7 +41,8 @@ inline Mesh gridPlane(int steps, double size) {
   return mesh;
 }
 
-// 12 triangles; each face has its own 4 vertices, with its own normals, uvs and color.
+// Returns a cube whose faces share no vertices: each has 4 vertices with their own normals, uvs and
+// color.
 inline Mesh cubeOfFaces(double size) {
   Mesh mesh;
   for (std::uint32_t face = 0; face < 6; ++face) {
@@ -64,7 +66,7 @@ inline Mesh cubeOfFaces(double size) {
   return mesh;
 }
 
-// 8 vertices, 12 triangles, no normals.
+// Returns a cube of 8 vertices and 12 triangles, without normals.
 inline Mesh cube(double size) {
   const Mesh faces = cubeOfFaces(size);
   Mesh mesh;
@@ -80,8 +82,8 @@ inline Mesh cube(double size) {
   return mesh;
 }
 
-// A sphere of rings and sectors as tools export it: uvs split along one meridian, a row of vertices
-// at each pole.
+// Returns a sphere of rings and sectors, as modeling tools export it: the uvs have a seam along one
+// meridian, and each pole is a row of vertices.
 inline Mesh sphereWithSeam(int sectors, int rings, double radius) {
   const double pi = std::numbers::pi;
   Mesh mesh;
@@ -110,8 +112,8 @@ inline Mesh sphereWithSeam(int sectors, int rings, double radius) {
   return mesh;
 }
 
-// An icosahedron whose triangles are split into four, `levels` times, and projected onto the
-// sphere.
+// Returns an icosahedron whose triangles are split into four, `levels` times, with the vertices
+// projected onto the sphere.
 inline Mesh icosphere(int levels, double radius) {
   using Corner = std::array<double, 3>;
   const double g = std::numbers::phi;

@@ -1,5 +1,5 @@
-// Random graphs, built with and without simplification, have the same values at every point, with
-// the exceptions that graph/simplify.hpp lists.
+// Random graphs, built with and without simplification, have the same values at every point, except
+// for the differences that graph/simplify.hpp lists.
 #include <gtest/gtest.h>
 
 #include "graph/simplify.hpp"
@@ -55,15 +55,15 @@ class Pair {
   }
   void apply(Op op, const std::array<std::size_t, ops::maxArity>& operands) {
     Step step{op, operands};
-    Operands<NodeId> on{}, off{};
+    Operands<NodeId> foldedNodes{}, unfoldedNodes{};
     for (int i = 0; i < ops::declaration(op).arity; ++i) {
       const Step& operand = steps[operands[i]];
-      on[i] = operand.folded;
-      off[i] = operand.unfolded;
+      foldedNodes[i] = operand.folded;
+      unfoldedNodes[i] = operand.unfolded;
       step.depth = std::max(step.depth, operand.depth + 1);
     }
-    step.folded = folded.apply(op, on);
-    step.unfolded = unfolded.apply(op, off);
+    step.folded = folded.apply(op, foldedNodes);
+    step.unfolded = unfolded.apply(op, unfoldedNodes);
     steps.push_back(step);
   }
   Operands<NodeId> foldedOperands(const Step& step) const {
@@ -73,8 +73,8 @@ class Pair {
   }
 };
 
-// Finds the exception that explains why an operation on simplified operands and its simplification
-// differ at a point.
+// Finds the permitted difference that explains why an operation and its simplification, on the same
+// operands, have different values at a point.
 class Judge {
  public:
   Judge(Graph& graph, const std::vector<double>& values) : graph_(graph), values_(values) {}
@@ -113,7 +113,8 @@ class Judge {
  private:
   double at(NodeId id) const { return values_[index(id)]; }
   bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
-  // A number as a condition is also such a step.
+  // Returns true if the value follows from constants that were rounded to float32, which matters
+  // for steps, and for numbers that are used as conditions.
   bool isStepOfConstants(Op op, const Operands<NodeId>& operands, double found) const {
     const ops::Declaration& info = ops::declaration(op);
     Operands<double> x{};
@@ -142,7 +143,7 @@ class Judge {
     return Unexplained;
   }
 
-  // The two constants of a sum, in either order of its operands.
+  // Checks for two constants in a sum, in either order of its operands.
   Difference judgeSum(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [a, b, unused] = operands;
     for (const auto& [sum, y] : {std::pair{a, b}, std::pair{b, a}}) {
@@ -156,7 +157,7 @@ class Judge {
     return Unexplained;
   }
 
-  // Zero, or the zero of a choice between 1 and 0 at this point.
+  // Returns true for zero, and for a choice between 1 and 0 that is 0 at this point.
   bool isZeroFactor(NodeId id) const {
     if (isKnown(id, 0)) return true;
     if (!graph_.is(id, IfElse) || at(id) != 0) return false;
@@ -164,7 +165,7 @@ class Judge {
     return (isKnown(yes, 1) && isKnown(no, 0)) || (isKnown(yes, 0) && isKnown(no, 1));
   }
 
-  // x / sqrt(x), which is NaN at zero and infinity, and otherwise rounded twice.
+  // Returns true for x / sqrt(x), which is NaN at zero and infinity, and otherwise rounded twice.
   bool isOverItsRoot(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [x, root, unused] = operands;
     if (!graph_.is(root, ops::find("sqrt")) || graph_.operand(root, 0) != x) return false;
@@ -187,21 +188,22 @@ class Judge {
 
   Difference judgeMix(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [x, y, t] = operands;
-    const Difference leftOut = std::isnan(expected) ? EndOfMix : Unexplained;
-    if (isKnown(t, 0)) return same(found, at(x)) ? leftOut : Unexplained;
-    if (isKnown(t, 1)) return same(found, at(y)) ? leftOut : Unexplained;
+    const Difference ifNaN = std::isnan(expected) ? EndOfMix : Unexplained;
+    if (isKnown(t, 0)) return same(found, at(x)) ? ifNaN : Unexplained;
+    if (isKnown(t, 1)) return same(found, at(y)) ? ifNaN : Unexplained;
     if (!isKnown(x, 0) && !isKnown(y, 0)) return Unexplained;
-    const Difference ofProduct =
+    const Difference productDifference =
         isKnown(x, 0) ? judge(Mult, {y, t}, found)
                       : judge(Mult, {x, graph_.apply(Sub, {graph_.constant(1), t})}, found);
-    return ofProduct == Nothing ? leftOut : ofProduct;
+    return productDifference == Nothing ? ifNaN : productDifference;
   }
 
   Graph& graph_;
   const std::vector<double>& values_;
 };
 
-// Chooses rows that have rules with this probability, in percent; any row otherwise.
+// Returns two graphs of random operations. With a probability of `percentRuled`, an operation is
+// one that has rules; otherwise it may be any.
 Pair randomPair(Chance& chance, std::size_t percentRuled) {
   constexpr int maxDepth = 6, operations = 14;
   constexpr std::array ruled{Neg, Add, Sub, Mult, Div, Pow, Mix, IfElse};
@@ -211,7 +213,7 @@ Pair randomPair(Chance& chance, std::size_t percentRuled) {
     pair.constant(value);
   const std::size_t inputs = 3, leaves = pair.steps.size();
 
-  // An input, any leaf, or a computed node.
+  // Picks an input, any leaf, or a computed node.
   const auto pick = [&] {
     for (;;) {
       const std::size_t computed = pair.steps.size() - leaves;
@@ -241,7 +243,7 @@ std::array<double, 3> randomPoint(Chance& chance) {
   return point;
 }
 
-// The values of all nodes, by index. The inputs are first.
+// Returns the values of all nodes, by index. The inputs are first.
 std::vector<double> valuesOf(const Graph& graph, const std::array<double, 3>& point) {
   std::vector<double> values(graph.size());
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
@@ -310,7 +312,7 @@ TEST_F(SimplifyRandom, SimplifiedGraphsHaveTheSameValues) {
     if (HasFailure()) return;
   }
   EXPECT_EQ(compared, std::size_t{graphs} * points * 14);
-  EXPECT_LT(exempted, compared / 20) << "the exceptions must not swallow the test";
+  EXPECT_LT(exempted, compared / 20) << "too few values are compared";
   for (int i = SignOfZero; i < Unexplained; ++i) EXPECT_GT(counts[i], 0u) << "no case of " << i;
   for (int i = Nothing; i < Unexplained; ++i)
     RecordProperty("difference" + std::to_string(i), static_cast<int>(counts[i]));

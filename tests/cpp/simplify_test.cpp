@@ -35,7 +35,7 @@ void expectValues(double folded, double unfolded, Formula formula, double x, dou
   EXPECT_TRUE(same(values.unfolded, unfolded)) << "unfolded: " << values.unfolded;
 }
 
-// Otherwise x + 0, x - y and 0 - x would have to remain, and shaders don't guarantee that sign.
+// Otherwise x + 0 and 0 - x could not be simplified; and shaders don't guarantee the sign of zero.
 TEST(SimplifyExceptions, TheSignOfZeroMayChange) {
   expectValues(
       -0.0, 0.0, [](auto x, auto) { return x + 0.0; }, -0.0);
@@ -55,13 +55,13 @@ TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
       0, NAN, [](auto x, auto) { return x * 0.0; }, infinity);
   expectValues(
       0, NAN, [](auto x, auto) { return x * 0.0; }, NAN);
-  const auto choose = [](auto x, auto) { return 1.0 / x * ifElse(gt(x, 0.0), 1.0, 0.0); };
-  expectValues(0, NAN, choose, 0);
-  const auto chosenNot = [](auto x, auto) { return ifElse(gt(x, 0.0), 0.0, 1.0) * x; };
-  expectValues(0, NAN, chosenNot, infinity);
+  const auto ifPositive = [](auto x, auto) { return 1.0 / x * ifElse(gt(x, 0.0), 1.0, 0.0); };
+  expectValues(0, NAN, ifPositive, 0);
+  const auto ifNotPositive = [](auto x, auto) { return ifElse(gt(x, 0.0), 0.0, 1.0) * x; };
+  expectValues(0, NAN, ifNotPositive, infinity);
 }
 
-// The same applies to a derivative of moved - position.
+// Otherwise the derivative of moved - position could not be simplified.
 TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return x - x; }, infinity);
@@ -71,7 +71,6 @@ TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
       0, NAN, [](auto x, auto) { return x - x; }, NAN);
 }
 
-// The same applies to the derivative of a quotient with a constant numerator.
 TEST(SimplifyExceptions, ANumberDividedByItsRootIsItsRoot) {
   const auto formula = [](auto x, auto) { return x / sqrt(x); };
   expectValues(0, std::nan(""), formula, 0);
@@ -85,6 +84,7 @@ TEST(SimplifyExceptions, SquaresOfSineAndCosineAddUpToOne) {
   expectValues(1, std::nan(""), formula, infinity);
 }
 
+// Otherwise the derivative of a quotient with a constant numerator could not be simplified.
 TEST(SimplifyExceptions, ZeroDividedByAnythingIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return 0.0 / x; }, 0);
@@ -113,7 +113,7 @@ TEST(SimplifyExceptions, InfinityAtTheUnusedEndOfAMixIsIgnored) {
       infinity, 1);
 }
 
-// A chain of constant factors, as produced by the chain rule, becomes one.
+// Several constant factors, as the chain rule produces them, become one factor.
 TEST(SimplifyExceptions, ConstantFactorsAreMultipliedFirst) {
   int different = 0;
   for (int i = 1; i <= 20; ++i) {
@@ -124,22 +124,22 @@ TEST(SimplifyExceptions, ConstantFactorsAreMultipliedFirst) {
   EXPECT_GT(different, 0);
 }
 
-// (x - 500) + 500 is x, with all its digits.
+// (x - 500) + 500 becomes x, without rounding.
 TEST(SimplifyExceptions, ConstantTermsAreAddedFirst) {
-  const auto there = [](auto x, auto) { return x - 500.0 + 500.0; };
-  const auto back = [](auto x, auto) { return x + 500.0 - 500.0; };
+  const auto subtractFirst = [](auto x, auto) { return x - 500.0 + 500.0; };
+  const auto addFirst = [](auto x, auto) { return x + 500.0 - 500.0; };
   for (const double x : {0.1, -0.3, 1e-5, 499.9}) {
-    EXPECT_EQ(both(there, x).folded, x);
-    EXPECT_EQ(both(back, x).folded, x);
-    EXPECT_NEAR(both(there, x).unfolded, x, 2e-13);
+    EXPECT_EQ(both(subtractFirst, x).folded, x);
+    EXPECT_EQ(both(addFirst, x).folded, x);
+    EXPECT_NEAR(both(subtractFirst, x).unfolded, x, 2e-13);
   }
-  EXPECT_NE(both(there, 0.1).unfolded, 0.1);
+  EXPECT_NE(both(subtractFirst, 0.1).unfolded, 0.1);
   const Both sum = both([](auto x, auto) { return x + 0.1 + 0.2 - 0.7; }, 3.3);
   EXPECT_NEAR(sum.folded, 2.9, 1e-15);
   EXPECT_NEAR(sum.unfolded, 2.9, 2e-15);
 }
 
-// One operation instead of two, and closer to the exact value.
+// The quotient is one operation instead of two, and closer to the exact value.
 TEST(SimplifyExceptions, AProductWithAReciprocalIsAQuotient) {
   for (const double y : {3.0, 49.0, -0.7, 1e10, 1e-10}) {
     const Both values = both([](auto a, auto b) { return a * (1.0 / b); }, 5, y);
@@ -160,7 +160,7 @@ TEST(SimplifyExceptions, IntegerPowersAreRoundedAfterEachProduct) {
   }
 }
 
-// WGSL rejects clamp with crossing constants, so none may remain.
+// WGSL rejects a clamp whose constant bounds are crossed, so none may remain.
 TEST(SimplifyExceptions, NaNClampedToCrossedBoundsIsTheUpperBound) {
   const auto clamped = [](auto x, auto) {
     Graph& graph = *x.graph;
@@ -170,7 +170,7 @@ TEST(SimplifyExceptions, NaNClampedToCrossedBoundsIsTheUpperBound) {
   expectValues(2, NAN, clamped, NAN);
 }
 
-// In double; float32 has its own range.
+// The values are computed in double, whose range is larger than that of float32.
 TEST(SimplifyExceptions, IntermediatesThatOverflowOrUnderflowAreAvoided) {
   const auto scaled = [](auto x, auto) { return x * 2.0 * 0.5; };
   expectValues(1e308, infinity, scaled, 1e308);
@@ -201,7 +201,7 @@ TEST(SimplifyExceptions, ComparisonsOfConstantsUseFloat32) {
       7, 5, [&](auto x, auto) { return choose(sum(x) * 1e-60); }, 0);
 }
 
-// x where y > 0 and zero elsewhere, or the reverse.
+// Returns x where y > 0 and zero elsewhere, or the reverse.
 template <class X, class Y>
 Expression choose(X x, Y y, bool ifPositive) {
   return ifPositive ? ifElse(gt(y, 0.0), x, 0.0) : ifElse(gt(y, 0.0), 0.0, x);
@@ -223,9 +223,8 @@ TEST(Simplify, MergesSumsOfChoicesWithOneCondition) {
   }
 }
 
-// A rotated point, its perpendicular, rotated back, or something that only resembles it: factors
-// and terms in any order, the second product with either sign. No angle remains where algebra
-// cancels it:
+// Rotates a point and then back, or computes something similar: factors and terms in any order, the
+// second product with either sign. No angle remains where algebra cancels it:
 //
 //   c (a c ± b s) + s (a s ∓ b c) = a     c (a s ± b c) - s (a c ∓ b s) = ±b
 TEST(Simplify, CancelsARotationAndItsInverse) {
@@ -236,7 +235,7 @@ TEST(Simplify, CancelsARotationAndItsInverse) {
     const bool swaps = choices[2], minus = choices[3], minus2 = choices[4];
     const bool isScaled = choices[5], isOpposite = choices[6], isOther = choices[9];
     const bool isMinus = (minus == isOpposite) != (isScaled && isOpposite);
-    const bool isTurnedBack = !isOther && minus != minus2 && isMinus == swaps;
+    const bool isRotatedBack = !isOther && minus != minus2 && isMinus == swaps;
     const auto formula = [&](Expression x, Expression y) {
       const bool order = choices[0], order2 = choices[1], isUnit = choices[7], reverse = choices[8];
       const Expression u = x * y + 1.0, a = isUnit ? x * 0.0 + 1.0 : x + 2.0, b = y - 3.0;
@@ -266,7 +265,7 @@ TEST(Simplify, CancelsARotationAndItsInverse) {
     const auto nodes = reachable(graph, {&root, 1});
     const bool hasNoAngle = std::none_of(nodes.begin(), nodes.end(),
                                          [&](NodeId id) { return graph.is(id, ops::find("cos")); });
-    EXPECT_EQ(hasNoAngle, isTurnedBack) << "formula " << i;
+    EXPECT_EQ(hasNoAngle, isRotatedBack) << "formula " << i;
     if (HasFailure()) return;
   }
 }

@@ -117,7 +117,7 @@ TEST(SubdivideAttributes, OppositeDirectionsGiveTheDirectionOfTheFirstVertex) {
   }
 }
 
-// The warp may read attributes: here each face of the cube moves independently.
+// The warp reads attributes: each face of the cube moves independently.
 TEST(SubdivideAttributes, WarpsThatReadAttributesLeaveTheUnwarpedSurfaceClosed) {
   const WarpFunction warp = [](const Mesh& vertices) {
     Moved moved{vertices.positions, vertices.normals};
@@ -161,7 +161,8 @@ TEST(SubdivideOddMeshes, AMeshWithoutIndicesGetsIndices) {
   EXPECT_EQ(eulerCharacteristic(result), 2);
 }
 
-// Three planes that meet in an edge, one of them twice; triangles without area; unused vertices.
+// Three triangles in different planes meet in an edge, one of them twice. Also has triangles
+// without area, and an unused vertex.
 TEST(SubdivideOddMeshes, AnEdgeOfManyTrianglesIsSplitForAllOfThem) {
   Mesh mesh;
   mesh.positions = {0, -50, 0, 0, 50, 0, 70, 0, 0, -70, 5, 0, 0, 0, 70, 9, 9, 9, 0, 50, 0};
@@ -179,7 +180,7 @@ TEST(SubdivideOddMeshes, AnEdgeOfManyTrianglesIsSplitForAllOfThem) {
     const auto& [a, b] = edge;
     if (a[0] != 0 || b[0] != 0 || a[2] != 0 || b[2] != 0) continue;
     ++pieces;
-    EXPECT_EQ(uses.first + uses.second, 4);  // those with two corners in one place are removed
+    EXPECT_EQ(uses.first + uses.second, 4);  // without the triangles that have no area
   }
   EXPECT_GT(pieces, 2);
 }
@@ -193,16 +194,17 @@ TEST(SubdivideOddMeshes, TrianglesWithoutAreaAreNotAllRemoved) {
   EXPECT_EQ(subdivideUniformly(slit, 2).mesh.indices, slit.indices);
 }
 
-TEST(SubdivideOddMeshes, ATJunctionInTheFileStaysClosed) {
-  Mesh mesh;  // the left triangle's side is split on the right at its middle
+TEST(SubdivideOddMeshes, ATJunctionOfTheMeshStaysClosed) {
+  Mesh
+      mesh;  // the middle of the left triangle's side is a corner of the two triangles on the right
   mesh.positions = {0, -50, 0, 0, 50, 0, -50, 0, 0, 0, 0, 0, 50, 0, 0};
   mesh.indices = {0, 1, 2, 0, 4, 3, 3, 4, 1};
   const PointWarp bent = [](const Point& p) { return p + Point{0, 0, 10 * std::cos(0.05 * p[1])}; };
   const Refined result = refineWith(mesh, bent);
   EXPECT_TRUE(result.reachedTolerance);
   for (const auto& [edge, uses] : edgeUses(result.mesh)) {
-    const bool isBetween = edge.first[0] == 0 && edge.second[0] == 0;
-    EXPECT_TRUE(!isBetween || uses == std::pair(1, 1));
+    const bool isShared = edge.first[0] == 0 && edge.second[0] == 0;
+    EXPECT_TRUE(!isShared || uses == std::pair(1, 1));
   }
 }
 
@@ -214,7 +216,7 @@ TEST(SubdivideOddWarps, DoesNotSplitTrianglesAtNaNOrInfinity) {
     });
     EXPECT_EQ(result.mesh.indices, mesh.indices);
   }
-  // Half of the cube is NaN, the other half is refined.
+  // The warp is NaN on one half of the cube; the other half is refined.
   const PointWarp logarithm = [](const Point& p) { return p + Point{0, 0, 20 * std::log(p[0])}; };
   const Refined result = subdivide(mesh, {0.5f, infinity, 20000}, onMeshes(logarithm));
   EXPECT_TRUE(isClosed(result.mesh));
@@ -257,10 +259,10 @@ TEST(SubdivideOddWarps, TerminatesForAnyTolerance) {
         subdivide(small, {tolerance, infinity, 1 << 18}, onMeshes([](const Point& p) {
                     return p + Point{0, 0, 1000 + 1e-4 * std::sin(1000 * p[0])};
                   }));
-    // Floats near 1000 are 6e-5 apart: there is no visible difference.
+    // Floats near 1000 are 6e-5 apart, so subdivision would not change the result visibly.
     EXPECT_EQ(result.mesh.triangleCount(), 12u) << tolerance;
   }
-  // Adjacent floats have no number in between.
+  // An edge between two adjacent floats has no float at its middle.
   Mesh sliver;
   sliver.positions = {1, 0, 0, std::nextafter(1.0f, 2.0f), 0, 0, 1, 1e-7f, 0};
   const Refined result = subdivide(sliver, {1e-30f, infinity, 1 << 18}, [](const Mesh& vertices) {

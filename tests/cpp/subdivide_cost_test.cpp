@@ -1,4 +1,4 @@
-// Subdivision of meshes that would take minutes if it searched all triangles for each of them.
+// Subdivision of meshes that would take minutes if all triangles were searched for each triangle.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Takes a second or so on a slow machine; it used to take minutes.
+// Fails a test that takes long: each one takes about a second on a slow machine.
 class SubdivideCost : public testing::Test {
  protected:
   void TearDown() override { EXPECT_LT(std::clock() - start_, 20 * CLOCKS_PER_SEC); }
@@ -22,7 +22,7 @@ class SubdivideCost : public testing::Test {
   std::clock_t start_ = std::clock();
 };
 
-// Occurs if the nodes of a file show one shape at the same place repeatedly.
+// Triangles coincide if several nodes of a file show one mesh at the same place.
 TEST_F(SubdivideCost, CoincidentTrianglesAreSplitLikeOne) {
   constexpr std::uint32_t copies = 25000;
   Mesh mesh;
@@ -43,8 +43,8 @@ TEST_F(SubdivideCost, CoincidentTrianglesAreSplitLikeOne) {
   EXPECT_EQ(triangles(mesh), copies * triangles(one));
 }
 
-// A fan whose spokes grow: splitting the first one makes the next one's triangle a worse sliver,
-// and so on to the last. Its triangles are in reverse order.
+// A fan whose spokes get longer and longer: splitting one makes the next triangle a worse sliver,
+// which is then split, and so on up to the last. The triangles are in reverse order.
 TEST_F(SubdivideCost, ACascadeOfSliversIsFast) {
   constexpr int spokes = 50000;
   Mesh mesh;
@@ -61,7 +61,7 @@ TEST_F(SubdivideCost, ACascadeOfSliversIsFast) {
   EXPECT_GE(result.mesh.triangleCount(), 2u * spokes);
 }
 
-// Triangles whose area overflows a float must not get more than their share of the samples.
+// Triangles whose area overflows a float must not get more samples than the mesh has for all.
 TEST_F(SubdivideCost, HugeTrianglesShareTheSamplesOfTheMesh) {
   Mesh mesh;
   for (const float size : {1e15f, 1e30f, 1e30f, 1e30f, 1e30f})

@@ -1,4 +1,4 @@
-// Subdivision reaches both of its goals, measured with more samples than it takes itself, and
+// Subdivision reaches both of its goals, measured with more samples than subdivision takes, and
 // reports goals that it can't reach.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-// Three octaves of products of sines, which never align.
+// Returns the sum of three octaves of products of sines, whose peaks never coincide.
 double rough(const Point& p) {
   double sum = 0, size = 1;
   for (int octave = 0; octave < 3; ++octave, size /= 2) {
@@ -38,7 +38,7 @@ TEST(SubdivideGoals, RoughSurfacesMeetTheTolerance) {
   }
 }
 
-TEST(SubdivideGoals, DetectsASpikeWithTheWidthOfA200thOfTheMesh) {
+TEST(SubdivideGoals, DetectsASpikeOfA200thOfTheMeshWidth) {
   for (const double x : {13.3, -31.7}) {
     const PointWarp spike = [&](const Point& p) {
       const double d = std::hypot(p[0] - x, p[1] - 7.1) / 0.25;
@@ -49,7 +49,7 @@ TEST(SubdivideGoals, DetectsASpikeWithTheWidthOfA200thOfTheMesh) {
   }
 }
 
-// From an issue: a tolerance that two triangles meet, and normals that are 1.5 radians off.
+// From an issue: two triangles met the tolerance, but their normals were 1.5 radians off.
 TEST(SubdivideGoals, RefinesForAnglesAfterTheToleranceIsMet) {
   const PointWarp ripples = [](const Point& p) {
     return p + Point{0, 0, 0.3 * std::sin(4 * p[0])};
@@ -101,7 +101,7 @@ TEST(SubdivideGoals, ReportsGoalsThatWereNotReached) {
   EXPECT_EQ(shortfallMessage(plane, {1, 0.17f}, sines), "0 messages");
 }
 
-TEST(SubdivideGoals, NormalsReturnedOnceAreNotReadAgain) {
+TEST(SubdivideGoals, AWarpMayReturnNormalsOnlyAtItsFirstCall) {
   int calls = 0;
   const Refined result = subdivide(gridPlane(4, 100), {0.5f}, [&](const Mesh& vertices) {
     Moved moved = onMeshes(sines)(vertices);

@@ -1,5 +1,5 @@
-// Tests the result of adaptive subdivision without its internals: there are no cracks, and the
-// warped triangles are close to the warped surface, which is sampled densely in double.
+// Tests only the results of adaptive subdivision: there are no cracks, and the warped triangles are
+// close to the warped surface, which is sampled densely in double.
 #include "mesh/refine/subdivide.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ struct Pair {
   const PointWarp& warp;
 };
 
-// All pairs of meshes and warps; with sanitizers every third of them, which still includes each
-// mesh and each warp.
+// Returns all pairs of meshes and warps; with sanitizers only every third pair, which still
+// includes each mesh and each warp.
 std::vector<Pair> pairsOf(const std::vector<NamedMesh>& meshes) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -111,7 +111,7 @@ TEST(Subdivide, MeetsTheTolerance) {
   }
 }
 
-// 8 waves on each edge, 0 at its ends, its middle, its quarters and eighths.
+// Each edge has 8 waves, which are 0 at its ends, its middle, its quarters and eighths.
 TEST(Subdivide, DetectsWavesThatAreZeroAtEdgeMidpoints) {
   const PointWarp warp = [](const Point& p) {
     const auto wave = [](double x) { return 3 * std::sin(2 * std::numbers::pi * 8 * x / 100); };
@@ -152,14 +152,14 @@ TEST(Subdivide, RefinesForNormalsWhereTheToleranceIsMet) {
   }
 }
 
-TEST(Subdivide, DoesNotSplitWhatStaysStraight) {
-  const PointWarp turn = [](const Point& p) { return rotateAboutY(p + Point{3, 70, -8}, 0.7); };
+TEST(Subdivide, DoesNotSplitUnderLinearWarps) {
+  const PointWarp rotate = [](const Point& p) { return rotateAboutY(p + Point{3, 70, -8}, 0.7); };
   const PointWarp shear = [](const Point& p) {
     return Point{2 * p[0] + p[1], p[1] - 3 * p[2] + 70, 0.5 * p[2]};
   };
   for (const auto& [name, mesh] : closedMeshes()) {
     for (const Refined& result :
-         {refineWith(mesh, turn, 1e-3f, 0.01f), refineWith(mesh, shear, 1e-3f)}) {
+         {refineWith(mesh, rotate, 1e-3f, 0.01f), refineWith(mesh, shear, 1e-3f)}) {
       EXPECT_EQ(result.mesh.indices, mesh.indices) << name;
       EXPECT_EQ(result.mesh.positions, mesh.positions) << name;
       EXPECT_TRUE(result.reachedTolerance) << name;
@@ -184,10 +184,10 @@ TEST(Subdivide, NeverExceedsMaxTriangles) {
 
 TEST(Subdivide, SplitsTheWorstTriangleFirst) {
   const PointWarp twoBumps = [](const Point& p) {
-    const auto at = [&](double x) {
+    const auto bumpAt = [&](double x) {
       return std::exp(-((p[0] - x) * (p[0] - x) + p[1] * p[1]) / 200);
     };
-    return p + Point{0, 0, 20 * at(-25) + 0.5 * at(25)};
+    return p + Point{0, 0, 20 * bumpAt(-25) + 0.5 * bumpAt(25)};
   };
   const Mesh plane = gridPlane(10, 100);
   const Refined result = subdivide(plane, {0.01f, infinity, 230}, onMeshes(twoBumps));
@@ -201,7 +201,7 @@ TEST(Subdivide, LocalWarpsNeedAtMostAThirdOfTheTriangles) {
   for (const auto& [name, warp] :
        {NamedWarp{"bump", bump}, {"twist near one end", twistNearOneEnd}, {"genie", genie}}) {
     const Refined adaptive = refineWith(mesh, warp, 0.2f);
-    // The finest one with less than three times as many.
+    // The finest uniform subdivision with less than three times as many triangles.
     const Mesh uniform = subdivideUniformly(mesh, 20, 3 * adaptive.mesh.triangleCount() - 1).mesh;
     EXPECT_GT(geometricError(uniform, warp), geometricError(adaptive.mesh, warp)) << name;
   }
@@ -222,10 +222,10 @@ TEST(Subdivide, EvaluatesTheWarpAFewTimesPerVertex) {
     evaluations += vertices.vertexCount();
     return warp(vertices);
   });
-  // Per vertex about 3 edges of 5 samples and 2 triangles of 4, and the vertex; split pieces were
-  // sampled a third as often before. And once, however fine the result, 320 points along and 320
-  // across its size, on 3.14 such squares: fewer could miss a spike with a width of a 200th of the
-  // mesh.
+  // Each vertex takes one evaluation itself, 5 on each of about 3 edges, and 4 in each of 2
+  // triangles. Edges and triangles that were split had been sampled before: a third as many again.
+  // In addition, a grid of 320 by 320 points per square of the mesh's size is evaluated once, here
+  // on 3.14 squares: a coarser grid could miss a spike with a width of a 200th of the mesh.
   EXPECT_GT(result.mesh.vertexCount(), 10000u);
   EXPECT_LT(evaluations, 32 * result.mesh.vertexCount() + 322000);
 }

@@ -1,5 +1,5 @@
-// Shared by the tests of several modules: a graph with inputs, and an evaluator of whole graphs in
-// double. It takes each operation's value from the table, which ops_test checks separately.
+// Shared by the tests of several modules: functions that make inputs of a graph, and that evaluate
+// graphs in double. They take each operation's value from the table, which ops_test checks.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace warpjet {
 
-// An input of any shape.
+// Returns an input of any shape.
 inline Value variable(Graph& graph, const std::string& name, Shape shape) {
   const std::uint32_t input = graph.input(name, shape);
   return fill(graph, shape, [&](int i) { return Expression{&graph, graph.component(input, i)}; });
@@ -34,31 +34,31 @@ inline Output result(const std::string& name, const Value& value) {
   return {name, value.shape(), {value.nodes().begin(), value.nodes().end()}};
 }
 
-// The statements for one scalar result named `y`.
+// Returns the statements for one scalar result named `y`.
 inline std::string code(Expression y, int maxDepth = 8, const Dialect& dialect = glsl300) {
   EmitOptions options;
   options.maxDepth = maxDepth;
   return emit(*y.graph, dialect, std::vector{result("y", y)}, options).code;
 }
 
-// The expression of `y` in those statements.
+// Returns the expression that is assigned to `y` in the statements of `code`.
 inline std::string body(Expression y, const Dialect& dialect = glsl300) {
   const std::string text = code(y, 8, dialect);
   const std::size_t start = text.find("y = ") + 4;
   return text.substr(start, text.find(';', start) - start);
 }
 
-// The number of the row with that name.
+// Returns the number of the row with that name.
 inline Op rowNamed(std::string_view name) {
   std::size_t i = 0;
   while (i < ops::count && ops::declarations[i].name != name) ++i;
   return Op{static_cast<std::uint8_t>(i)};
 }
 
-// Maps input node → its value.
+// Maps each input node to its value.
 using Inputs = std::map<NodeId, double>;
 
-// The values of all nodes that `roots` need, in double.
+// Returns the values of all nodes that `roots` need, in double.
 inline std::map<NodeId, double> evaluateNodes(const Graph& graph, std::span<const NodeId> roots,
                                               const Inputs& inputs) {
   std::map<NodeId, double> values;

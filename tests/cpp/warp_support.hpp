@@ -1,4 +1,4 @@
-// Fixtures that evaluate normals and tangents of warps: of a point of space, and of a torus.
+// Fixtures that evaluate warped normals and tangents, at a point of space and on a torus.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,9 +39,9 @@ class WarpTest : public testing::Test {
   }
 };
 
-// A torus by its angles, which are u and v, with the gradients of its normal (by the principal
-// curvatures, do Carmo, "Differential Geometry of Curves and Surfaces", section 3.3) and of the
-// angles.
+// A point of a torus at two angles, which are u and v; with the gradients of the angles and of the
+// normal, which follow from the principal curvatures (do Carmo, "Differential Geometry of Curves
+// and Surfaces", section 3.3).
 struct TorusPoint {
   Point position, normal;
   std::array<Point, 5> gradients;
@@ -77,29 +77,29 @@ class SurfaceTest : public WarpTest {
     return m;
   }
 
-  Inputs inputsAt(const TorusPoint& at) const {
-    Inputs inputs{{uv[0].id, at.u}, {uv[1].id, at.v}};
+  Inputs inputsAt(const TorusPoint& point) const {
+    Inputs inputs{{uv[0].id, point.u}, {uv[1].id, point.v}};
     for (int k = 0; k < 3; ++k) {
-      inputs[p[k].id] = at.position[k];
-      inputs[n[k].id] = at.normal[k];
-      for (std::size_t i = 0; i < 5; ++i) inputs[gradients[i][k].id] = at.gradients[i][k];
+      inputs[p[k].id] = point.position[k];
+      inputs[n[k].id] = point.normal[k];
+      for (std::size_t i = 0; i < 5; ++i) inputs[gradients[i][k].id] = point.gradients[i][k];
     }
     return inputs;
   }
 
-  Point at(const Value& value, const TorusPoint& point) const {
+  Point evaluateAt(const Value& value, const TorusPoint& point) const {
     const Inputs inputs = inputsAt(point);
     Point found;
     for (int i = 0; i < 3; ++i) found[i] = evaluateNode(graph, value[i].id, inputs);
     return found;
   }
 
-  // The normal of the moved surface, by differences along its angles.
+  // Returns the normal of the moved surface, by finite differences along its angles.
   Point movedNormal(const Value& offset, double a, double b) const {
     const double step = 1e-5;
     const auto slope = [&](double da, double db) {
       const TorusPoint after(a + da, b + db), before(a - da, b - db);
-      const Point x = at(p + offset, after), y = at(p + offset, before);
+      const Point x = evaluateAt(p + offset, after), y = evaluateAt(p + offset, before);
       return Point{(x[0] - y[0]) / (2 * step), (x[1] - y[1]) / (2 * step),
                    (x[2] - y[2]) / (2 * step)};
     };
@@ -110,12 +110,13 @@ class SurfaceTest : public WarpTest {
     return normal;
   }
 
-  void expectRight(const Value& offset) {
+  // Compares the warped normal with that of the moved surface.
+  void expectCorrectNormals(const Value& offset) {
     const Value m = surfaceDeformation(offset);
     const Value warped = warpNormal(m, n);
     for (double a = 0.1; a < 6; a += 0.9) {
       for (double b = 0.2; b < 6; b += 0.7) {
-        const Point found = at(warped, {a, b}), expected = movedNormal(offset, a, b);
+        const Point found = evaluateAt(warped, {a, b}), expected = movedNormal(offset, a, b);
         for (std::size_t i = 0; i < 3; ++i)
           EXPECT_NEAR(found[i], expected[i], 1e-8) << a << ", " << b;
       }

@@ -1,5 +1,4 @@
-// Normals and tangents of warps that move points of a surface by more than their position, on a
-// torus.
+// Normals and tangents of warps whose offset depends on more than the position, on a torus.
 #include <gtest/gtest.h>
 
 #include "warp_support.hpp"
@@ -8,19 +7,21 @@ namespace warpjet {
 namespace {
 
 TEST_F(SurfaceTest, UsesTheGradientOfTheNormal) {
-  expectRight(n * (sin(p[0] * 3.0) * 0.1 + cos(p[2] * 5.0) * p[1] * 0.05));
+  expectCorrectNormals(n * (sin(p[0] * 3.0) * 0.1 + cos(p[2] * 5.0) * p[1] * 0.05));
 }
 
 TEST_F(SurfaceTest, UsesTheGradientsOfTextureCoordinates) {
-  expectRight(vec3(zero, zero, sin(uv[0] * 3.0) * cos(uv[1] * 2.0) * 0.2));
+  expectCorrectNormals(vec3(zero, zero, sin(uv[0] * 3.0) * cos(uv[1] * 2.0) * 0.2));
 }
 
 TEST_F(SurfaceTest, CombinesGradientsOfPositionNormalAndUv) {
-  expectRight(vec3(n[0] * p[1] * 0.2 + n[1] * n[2] * 0.3, sin(uv[0] + n[2]) * 0.1 - p[0] * 0.5,
-                   uv[1] * uv[0] * 0.02 * n[1] + sin(p[2] * 2.0) * 0.1));
+  expectCorrectNormals(vec3(n[0] * p[1] * 0.2 + n[1] * n[2] * 0.3,
+                            sin(uv[0] + n[2]) * 0.1 - p[0] * 0.5,
+                            uv[1] * uv[0] * 0.02 * n[1] + sin(p[2] * 2.0) * 0.1));
 }
 
-// If the target is n itself, the position cancels: M is W alone, to the last digit.
+// The offset n - p moves each point to its normal, so the position cancels: M consists of the
+// gradients of the normal, without rounding.
 TEST_F(SurfaceTest, CancelsThePositionExactlyInTargetMinusPosition) {
   const Value m = surfaceDeformation(n - p);
   for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, gradients[i % 3][i / 3].id);
@@ -33,8 +34,8 @@ TEST_F(SurfaceTest, EqualsTheDeformationIfOnlyThePositionIsRead) {
   for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, known[i].id);
 }
 
-// Inwards past the middle of the tube, but not past that of the ring: one direction of the surface
-// is reversed, and the outer side becomes the inner side of the moved surface.
+// Moves the surface inwards past the middle of the tube, but not past that of the ring: one
+// direction of the surface is reversed, and its outer side becomes the inner one.
 TEST_F(SurfaceTest, TheDeterminantIsNegativeWhereTheSidesAreSwapped) {
   const auto sign = [&](double amount) {
     const Value m = surfaceDeformation(n * amount);
@@ -50,29 +51,30 @@ TEST_F(WholeWarpTest, CombinesPositionNormalAndTangent) {
   const Warp warp = makeWarp(differentiator, offset, inputs);
   expectSame(warp.position, p + offset);
   EXPECT_TRUE(warp.varies);
-  const Value along = vec3(t[0], t[1], t[2]);
+  const Value direction = vec3(t[0], t[1], t[2]);
   const auto expectParts = [&](const WarpedDirections& warped, const Value& m) {
     expectSame(warped.normal, warpNormal(m, n));
-    const Value tangent = warpTangent(m, along, warped.normal);
-    expectSame(warped.direction, multiply(m, along));
+    const Value tangent = warpTangent(m, direction, warped.normal);
+    expectSame(warped.direction, multiply(m, direction));
     EXPECT_EQ(warped.determinant.id, determinant(m).id);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(warped.tangent[i].id, tangent[i].id);
-    EXPECT_EQ(warped.tangent[3].id, t[3].id) << "the side of the bitangent stays";
+    EXPECT_EQ(warped.tangent[3].id, t[3].id) << "the sign of the bitangent is unchanged";
   };
   expectParts(*warp.flat, deformation(differentiator, offset, p));
   expectParts(*warp.surface, surfaceDeformation(offset));
 }
 
-// M t by differences of the moved curve p + s t, neither normalized nor orthogonal to the normal.
+// Compares M t, which is neither normalized nor orthogonal to the normal, with finite differences
+// along the moved curve p + s t.
 TEST_F(WholeWarpTest, TheDirectionIsTheTangentOfTheMovedCurve) {
   const Value offset = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
   const Warp warp = makeWarp(differentiator, offset, inputs);
-  const Point at{0.3, -0.7, 0.9}, along{0.6, 1.8, -0.4};
+  const Point position{0.3, -0.7, 0.9}, direction{0.6, 1.8, -0.4};
   const auto inputsAt = [&](double step) {
     Inputs all;
     for (std::size_t i = 0; i < 3; ++i) {
-      all[p[static_cast<int>(i)].id] = at[i] + step * along[i];
-      all[t[static_cast<int>(i)].id] = along[i];
+      all[p[static_cast<int>(i)].id] = position[i] + step * direction[i];
+      all[t[static_cast<int>(i)].id] = direction[i];
     }
     return all;
   };

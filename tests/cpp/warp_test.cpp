@@ -1,4 +1,4 @@
-// The warp's normal, against formulas derived by hand.
+// Warped normals and tangents, compared with formulas derived by hand.
 #include "warp/warp.hpp"
 
 #include <gtest/gtest.h>
@@ -33,13 +33,13 @@ TEST_F(WarpTest, TheNormalIsZeroWhereTheSurfaceCollapses) {
   expectNear(normalOf(flatten, {1, 2, 3}, {0, 0, 0}), {0, 0, 0});
 }
 
-// The paper's equation follows the surface as a mirror turns it inside out: cof(diag(-1, 1, 1)) =
-// diag(1, -1, -1). MirrorTest checks which side is the outer one.
+// A mirror turns the surface inside out, and the paper's equation follows it: cof(diag(-1, 1, 1)) =
+// diag(1, -1, -1). MirrorTest checks that the normals of a warp point outwards.
 TEST_F(WarpTest, ThePapersEquationFlipsTheNormalOfAMirror) {
   expectNear(normalOf(vec3(p[0] * -2.0, zero, zero), {0, 0, 0}, {0, 1, 0}), {0, -1, 0});
 }
 
-// x -> 0.5 x and y -> x: moved - position, where the ones of I + J cancel.
+// The offset is moved - position, so the ones of I + J cancel.
 TEST_F(WarpTest, CancelsThePositionInMovedMinusPosition) {
   const Value offset = vec3(p[0] * 0.5 - p[0], p[0] + (p[1] * 0.25 - p[1]), zero);
   expectNear(normalOf(offset, {1, 2, 3}, {1, 0, 0}), {1, 0, 0});
@@ -47,8 +47,7 @@ TEST_F(WarpTest, CancelsThePositionInMovedMinusPosition) {
   expectNear(normalOf(offset, {1, 2, 3}, {0, 1, 0}), {-1 / length, 0.5 / length, 0});
 }
 
-// cof(M) n = (M u) x (M v) for tangents with u x v = n, here for a warp that rotates, scales and
-// shears.
+// cof(M) n = (M u) x (M v) for tangents with u x v = n. The warp rotates, scales and shears.
 TEST_F(WarpTest, MatchesTheCrossProductOfWarpedTangents) {
   const Value offset = vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0] + cos(p[2]) * 0.5);
   const double x = 0.4, y = -0.8, z = 1.3;
@@ -75,7 +74,7 @@ TEST_F(WarpTest, TreatsOtherInputsAsConstant) {
   expectNear(normalOf(n * 2.0, {1, 2, 3}, {0.6, 0, 0.8}), {0.6, 0, 0.8});
 }
 
-// M = I + J of x -> x + sin(y) z, y -> y + 0.3 x^2, z -> z + x, by hand.
+// M = I + J of x -> x + sin(y) z, y -> y + 0.3 x^2, z -> z + x is computed by hand.
 TEST_F(WarpTest, TheDeformationIsTheIdentityPlusTheJacobian) {
   const Value m = deformation(differentiator, vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0]), p);
   const double x = 0.4, y = -0.8, z = 1.3;
@@ -89,42 +88,44 @@ TEST_F(WarpTest, TheDeformationIsTheIdentityPlusTheJacobian) {
   }
 }
 
-// A tangent by finite differences of the moved curve p + s t, orthogonalized to the warped normal;
-// and the bitangent with the same sign, also if the warp is a mirror.
+// Compares the tangent with finite differences along the moved curve p + s t, orthogonalized to the
+// warped normal. The bitangent keeps its sign, also if the warp is a mirror.
 TEST_F(WarpTest, TangentsFollowTheSurface) {
   const Value t = vector3(graph, "tangent");
   const Value wave = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
   const Value mirrored = vec3(sin(p[1] * 2.0) * 0.3 - p[0] * 2.0, p[0] * p[2] * 0.4, zero);
-  const Point at{0.3, -0.7, 0.9}, tangent{0.6, 0.8, 0}, normal{0, 0, 1}, bitangent{-0.8, 0.6, 0};
+  const Point position{0.3, -0.7, 0.9}, tangent{0.6, 0.8, 0}, normal{0, 0, 1},
+      bitangent{-0.8, 0.6, 0};
   for (const Value& offset : {wave, mirrored}) {
     const auto moved = [&](const Point& direction, double step) {
       Inputs inputs;
-      for (int i = 0; i < 3; ++i) inputs[p[i].id] = at[i] + step * direction[i];
+      for (int i = 0; i < 3; ++i) inputs[p[i].id] = position[i] + step * direction[i];
       Point result;
       for (int i = 0; i < 3; ++i)
         result[i] = inputs[p[i].id] + evaluateNode(graph, offset[i].id, inputs);
       return result;
     };
-    const auto along = [&](const Point& direction) {
+    const auto slopeAlong = [&](const Point& direction) {
       const Point a = moved(direction, 1e-6), b = moved(direction, -1e-6);
       return Point{(a[0] - b[0]) / 2e-6, (a[1] - b[1]) / 2e-6, (a[2] - b[2]) / 2e-6};
     };
     const auto dotProduct = [](const Point& a, const Point& b) {
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     };
-    const Point u = along(tangent), v = along(bitangent);
-    Point across{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double length = std::sqrt(dotProduct(across, across));
-    for (double& x : across) x /= length;
+    const Point u = slopeAlong(tangent), v = slopeAlong(bitangent);
+    Point movedNormal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                      u[0] * v[1] - u[1] * v[0]};
+    const double length = std::sqrt(dotProduct(movedNormal, movedNormal));
+    for (double& x : movedNormal) x /= length;
     Point expected;
-    for (int i = 0; i < 3; ++i) expected[i] = u[i] - across[i] * dotProduct(across, u);
+    for (int i = 0; i < 3; ++i) expected[i] = u[i] - movedNormal[i] * dotProduct(movedNormal, u);
     const double size = std::sqrt(dotProduct(expected, expected));
 
     const Value warped = warpNormal(deformation(differentiator, offset, p), n);
     const Value result = warpTangent(deformation(differentiator, offset, p), t, warped);
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
-      inputs[p[i].id] = at[i];
+      inputs[p[i].id] = position[i];
       inputs[n[i].id] = normal[i];
       inputs[t[i].id] = tangent[i];
     }
@@ -134,10 +135,10 @@ TEST_F(WarpTest, TangentsFollowTheSurface) {
       foundNormal[i] = evaluateNode(graph, warped[i].id, inputs);
       EXPECT_NEAR(found[i], expected[i] / size, 1e-8) << "component " << i;
     }
-    const Point side{foundNormal[1] * found[2] - foundNormal[2] * found[1],
-                     foundNormal[2] * found[0] - foundNormal[0] * found[2],
-                     foundNormal[0] * found[1] - foundNormal[1] * found[0]};
-    EXPECT_GT(dotProduct(side, v), 0) << "the bitangent is on the other side";
+    const Point foundBitangent{foundNormal[1] * found[2] - foundNormal[2] * found[1],
+                               foundNormal[2] * found[0] - foundNormal[0] * found[2],
+                               foundNormal[0] * found[1] - foundNormal[1] * found[0]};
+    EXPECT_GT(dotProduct(foundBitangent, v), 0) << "the bitangent has the wrong sign";
   }
 }
 

@@ -1,5 +1,5 @@
 // Warps written by hand for tests of the mesh module, and the distance of a warped surface from the
-// triangles that approximate it. Everything is in double, without any code of src/.
+// triangles that approximate it. Everything is computed in double, without code of src/.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline Point pointOf(const std::vector<float>& numbers, std::size_t vertex) {
   return {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
 }
 
-// Warps for meshes with a size of about 100.
+// The following warps are for meshes with a size of about 100.
 inline Point rotateAboutY(const Point& p, double angle) {
   return {p[0] * std::cos(angle) - p[2] * std::sin(angle), p[1],
           p[0] * std::sin(angle) + p[2] * std::cos(angle)};
@@ -42,28 +42,28 @@ inline Point rotateAboutY(const Point& p, double angle) {
 
 inline Point twist(const Point& p) { return rotateAboutY(p, 0.015 * p[1]); }
 
-// Nothing moves below y = 20.
+// Twists only the part above y = 20.
 inline Point twistNearOneEnd(const Point& p) {
   const double t = std::clamp((p[1] - 20) / 30, 0.0, 1.0);
   return rotateAboutY(p, 1.2 * t * t * (3 - 2 * t));
 }
 
-// The cube of figure 6.
+// The warp of the cube in figure 6 of the paper.
 inline Point sines(const Point& p) {
   return p + Point{22 * std::sin(0.035 * p[1]), 22 * std::sin(0.035 * p[2]),
                    22 * std::sin(0.035 * p[0])};
 }
 
-// Almost five waves over a length of 100.
+// Makes almost five waves over a length of 100.
 inline Point waves(const Point& p) { return p + Point{0, 0, 6 * std::sin(0.3 * p[0])}; }
 
-// About 40 wide, on the side where z = 50.
+// Adds a bump about 40 wide on the side where z = 50.
 inline Point bump(const Point& p) {
   const Point d = p - Point{20, 15, 50};
   return p + Point{0, 0, 20 * std::exp((d[0] * d[0] + d[1] * d[1] + 0.1 * d[2] * d[2]) / -200)};
 }
 
-// Pulls the mesh into a spout along a curve, nearest parts first.
+// Pulls the mesh along a curve into a spout, the nearest parts first.
 inline Point genie(const Point& p) {
   const Point spout{50, 93, 0}, above{75, 0, 0};
   const double s = std::clamp((0.8 - length(p - spout) / 240) / 0.5, 0.0, 1.0);
@@ -71,7 +71,8 @@ inline Point genie(const Point& p) {
   return (1 - t) * (1 - t) * p + 2 * t * (1 - t) * above + t * t * spout;
 }
 
-// The normal of the warped surface by central differences along two tangents of the normal's plane.
+// Returns the normal of the warped surface by central differences along two tangents of the
+// normal's plane.
 inline Point warpedNormal(const PointWarp& warp, const Point& p, const Point& n) {
   if (length(n) == 0) return {};
   const Point helper = std::abs(n[0]) < 0.6 * length(n) ? Point{1, 0, 0} : Point{0, 1, 0};
@@ -105,8 +106,8 @@ inline double distanceToSegment(const Point& p, const Point& a, const Point& b) 
   return length(p - (a + t * ab));
 }
 
-// The foot of the perpendicular has barycentric coordinates from a 2x2 system; outside of the
-// triangle, the nearest point is on a side.
+// Solves a 2x2 system for the barycentric coordinates of the foot of the perpendicular. If it is
+// outside of the triangle, the nearest point is on a side.
 inline double distanceToTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Point ab = b - a, ac = c - a, ap = p - a;
   const double bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
@@ -120,8 +121,8 @@ inline double distanceToTriangle(const Point& p, const Point& a, const Point& b,
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// The largest distance of the warped surface from the warped triangles, at (steps + 1)(steps + 2)/2
-// points of each triangle.
+// Returns the largest distance of the warped surface from the warped triangles, at (steps +
+// 1)(steps + 2)/2 points of each triangle.
 inline double geometricError(const Mesh& mesh, const PointWarp& warp, int steps = 5) {
   double largest = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -1,4 +1,4 @@
-// The front end of WGSL: tokens, types, constants, declarations, and messages.
+// The front end for WGSL: tokens, types, constants, declarations, and messages.
 #include "source/wgsl/wgsl.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::vector<std::string> textsOf(std::string_view source) {
   return texts;
 }
 
-// The message without its line, column and caret.
+// Returns the message without its line, column and caret.
 std::string problemOf(const std::string& text) {
   const std::string problem = Source(parse(text)).problem();
   const auto start = problem.find(": ");
@@ -28,7 +28,8 @@ std::string problemIn(const std::string& statements) {
   return problemOf("fn f(p: vec3f) -> f32 { " + statements + " return 1; }");
 }
 
-Listing listed(const std::string& text) {
+// Returns the listing of the last function.
+Listing lowerLast(const std::string& text) {
   Source source(parse(text));
   EXPECT_EQ(source.problem(), "") << text;
   if (!source.problem().empty()) return {};
@@ -37,9 +38,9 @@ Listing listed(const std::string& text) {
   return listing;
 }
 
-// The value of a function whose only result is a known number.
-double known(const std::string& body, const std::string& above = "") {
-  const Listing listing = listed(above + " fn f() -> f32 { " + body + " }");
+// Returns the value of a function whose only result is a known number.
+double evaluateConstant(const std::string& body, const std::string& above = "") {
+  const Listing listing = lowerLast(above + " fn f() -> f32 { " + body + " }");
   EXPECT_EQ(listing.words.size(), 2u) << body;
   return listing.constants.empty() ? -1 : listing.constants[0];
 }
@@ -77,30 +78,30 @@ TEST(WgslTokens, LocationsCountLinesInsideOfComments) {
 }
 
 TEST(WgslConstants, AbstractNumbersHave64Bits) {
-  EXPECT_EQ(known("return (1 << 40) / (1 << 38);"), 4);
-  EXPECT_EQ(known("return 1e300 / 1e299;"), static_cast<double>(10.0f));
-  EXPECT_EQ(known("return f32(7 / 2) + 7 / 2.0;"), 6.5);
-  EXPECT_EQ(known("return -7 % 4;"), -3);
-  EXPECT_EQ(known("return f32(0xFFFFFFFFu % 7) + f32(5u - 3);"), 5);
-  EXPECT_EQ(known("const a = array(1, 2.5); return a[1] * vec2(2, 3).y;"), 7.5);
+  EXPECT_EQ(evaluateConstant("return (1 << 40) / (1 << 38);"), 4);
+  EXPECT_EQ(evaluateConstant("return 1e300 / 1e299;"), static_cast<double>(10.0f));
+  EXPECT_EQ(evaluateConstant("return f32(7 / 2) + 7 / 2.0;"), 6.5);
+  EXPECT_EQ(evaluateConstant("return -7 % 4;"), -3);
+  EXPECT_EQ(evaluateConstant("return f32(0xFFFFFFFFu % 7) + f32(5u - 3);"), 5);
+  EXPECT_EQ(evaluateConstant("const a = array(1, 2.5); return a[1] * vec2(2, 3).y;"), 7.5);
   EXPECT_NE(problemIn("let i: i32 = 1.0;"), "");
   EXPECT_NE(problemIn("let i = 2147483648;"), "");
   EXPECT_NE(problemIn("let u: u32 = -1;"), "");
 }
 
 TEST(WgslConstants, DeclarationsMayBeInAnyOrder) {
-  EXPECT_EQ(known("return a + g();",
-                  "fn g() -> f32 { return S(b).x; } const a = b * 2; struct S { "
-                  "x: F } alias F = f32; const b = 1.5;"),
+  EXPECT_EQ(evaluateConstant("return a + g();",
+                             "fn g() -> f32 { return S(b).x; } const a = b * 2; struct S { "
+                             "x: F } alias F = f32; const b = 1.5;"),
             4.5);
   EXPECT_EQ(problemOf("const a = b; const b = a; fn f() { }"), "\"a\" depends on itself.");
 }
 
 TEST(WgslLoops, ContinuingReadsVariablesOfTheBody) {
-  EXPECT_EQ(
-      known("var s = 0.0; var i = 0; loop { if s > 100 { break; } let x = f32(i) + 1; if i == "
-            "2 { i += 2; continue; } continuing { s += x; i++; break if i > 6; } } return s;"),
-      1 + 2 + 3 + 6 + 7);
+  EXPECT_EQ(evaluateConstant(
+                "var s = 0.0; var i = 0; loop { if s > 100 { break; } let x = f32(i) + 1; if i == "
+                "2 { i += 2; continue; } continuing { s += x; i++; break if i > 6; } } return s;"),
+            1 + 2 + 3 + 6 + 7);
 }
 
 // Whether the body goes on after the break is known only when the shader runs.
@@ -112,8 +113,9 @@ TEST(WgslLoops, ContinuingReadsVariablesDeclaredAfterABreak) {
 }
 
 TEST(WgslPointers, KeepTheIndexOfTheirElement) {
-  EXPECT_EQ(known("var a = array(1f, 2, 3); var i = 1; let q = &a[i]; i = 2; *q = 7; return a[1] * "
-                  "10 + a[2];"),
+  EXPECT_EQ(evaluateConstant(
+                "var a = array(1f, 2, 3); var i = 1; let q = &a[i]; i = 2; *q = 7; return a[1] * "
+                "10 + a[2];"),
             73);
 }
 
@@ -129,7 +131,7 @@ TEST(WgslFunctions, MustReturnAtTheirEnd) {
         << body;
 }
 
-// Other functions of a whole shader don't matter.
+// Functions of a shader that aren't run may use features that no warp can use.
 TEST(WgslFunctions, FailOnlyForWhatTheyRun) {
   const std::string shader =
       "@group(0) @binding(0) var<storage, read_write> out: array<f32>; "
@@ -145,7 +147,7 @@ TEST(WgslFunctions, FailOnlyForWhatTheyRun) {
 }
 
 TEST(WgslInputs, AreOnlyThoseThatAreRead) {
-  const Listing listing = listed(
+  const Listing listing = lowerLast(
       "struct L { at: vec3f, on: u32 } struct U { time: f32, all: array<L, 2>, rest: mat4x4f } "
       "var<uniform> u: U; var<storage> s: array<vec2f>; "
       "fn f(i: i32) -> f32 { return u.time * u.all[1].at.y + s[7].x + u.all[i].at.x; }");

@@ -1,4 +1,4 @@
-// bounds() of a warp contains its positions.
+// The bounds of a warp contain its warped positions.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -19,8 +19,8 @@ describe('bounds', () => {
           const p = [i, j, k].map((n) => size * ((2 * n) / cells - 1))
           const normal = p.map((x) => Math.sign(x) / Math.sqrt(3))
           const uv = [i / cells, j / cells]
-          const here = { ...inputs, position: p, normal, uv, color: [0, 1, 0.5, 1] }
-          offset(p, here).forEach((x, axis) => {
+          const vertexInputs = { ...inputs, position: p, normal, uv, color: [0, 1, 0.5, 1] }
+          offset(p, vertexInputs).forEach((x, axis) => {
             truth.min[axis] = Math.min(truth.min[axis], p[axis] + x)
             truth.max[axis] = Math.max(truth.max[axis], p[axis] + x)
           })
@@ -28,7 +28,7 @@ describe('bounds', () => {
     return truth
   }
 
-  const holds = ({ min, max }, truth) =>
+  const contains = ({ min, max }, truth) =>
     [0, 1, 2].every((axis) => min[axis] <= truth.min[axis] && max[axis] >= truth.max[axis])
 
   for (const { name, compile, offset, size, reach, params, isGolden } of warps) {
@@ -39,7 +39,7 @@ describe('bounds', () => {
         const all = { ...moment, ...params }
         const bounds = warp.bounds(box(size), { uniforms: all })
         const truth = sampleBox(offset, size, all)
-        assert.ok(holds(bounds, truth), `${JSON.stringify([bounds, truth])}`)
+        assert.ok(contains(bounds, truth), `${JSON.stringify([bounds, truth])}`)
         for (let axis = 0; isGolden && axis < 3; axis++) {
           const extent = Math.max(truth.max[axis] - truth.min[axis], reach / 1000)
           const ratio = (bounds.max[axis] - bounds.min[axis]) / extent
@@ -59,7 +59,7 @@ describe('bounds', () => {
       const { min, max } = bounds
       const inwards = (ends, others) => ends.map((x, i) => x + 0.05 * (others[i] - x))
       const tooSmall = { min: inwards(min, max), max: inwards(max, min) }
-      return !holds(tooSmall, sampleBox(offset, size, inputs))
+      return !contains(tooSmall, sampleBox(offset, size, inputs))
     })
     assert.ok(detected.length >= 65, `only ${detected.length} of ${warps.length}`)
   })
@@ -78,13 +78,13 @@ describe('bounds', () => {
       glsl.vec3(uv.x(), color.x(), normal.x()),
     )
     const point = { min: [0, 0, 0], max: [0, 0, 0] }
-    const near = (found, expected) =>
-      found.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-3, `${found}`))
-    near(warp.bounds(point).min, [0, 0, -1])
-    near(warp.bounds(point).max, [1, 1, 1])
+    const assertNear = (actual, expected) =>
+      actual.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-3, `${actual}`))
+    assertNear(warp.bounds(point).min, [0, 0, -1])
+    assertNear(warp.bounds(point).max, [1, 1, 1])
     const wider = warp.bounds({ ...point, uvs: { min: [-2, 0], max: [5, 0] } })
-    near(wider.min, [-2, 0, -1])
-    near(wider.max, [5, 1, 1])
+    assertNear(wider.min, [-2, 0, -1])
+    assertNear(wider.max, [5, 1, 1])
   })
 })
 
@@ -102,8 +102,8 @@ describe('bounds of a warp that is NaN somewhere', () => {
     )
     assertAround([root.min[0], root.max[0]], [-1, 2])
     assertAround([root.min[1], root.max[1]], [-1, 1])
-    const far = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(3).asin(), 0))
-    assertAround([far.min[1], far.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
+    const arcSineBounds = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(3).asin(), 0))
+    assertAround([arcSineBounds.min[1], arcSineBounds.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
   })
 
   test('are infinite if the values are, and empty if there are none', () => {
@@ -116,7 +116,7 @@ describe('bounds of a warp that is NaN somewhere', () => {
   })
 })
 
-test('bounds of tan are finite between its poles, wherever they are', () => {
+test('bounds of tan are finite between any two poles', () => {
   const warp = compileWarp(({ glsl, position }) => glsl.vec3(0, position.x().tan(), 0))
   const { min, max } = warp.bounds({ min: [6.2, 0, 0], max: [6.4, 0, 0] })
   assert.ok(min[1] > Math.tan(6.2) - 0.01 && max[1] < Math.tan(6.4) + 0.01, `${min[1]} ${max[1]}`)

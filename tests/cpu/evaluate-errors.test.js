@@ -1,4 +1,4 @@
-// Messages of evaluate and the other methods of a warp on the CPU.
+// Tests the messages of evaluate and the other methods that evaluate a warp on the CPU.
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import { throwsWarpError } from '../support/warp-errors.js'
@@ -130,7 +130,7 @@ describe('errors for', () => {
   })
 
   test('warps that the CPU cannot evaluate, or that were compiled without normals', () => {
-    const own = compileWarp(({ glsl, position }) => {
+    const gpuOnly = compileWarp(({ glsl, position }) => {
       const bump = glsl.fn({
         name: 'bump',
         source: 'float bump(float x) { return x; }',
@@ -141,14 +141,14 @@ describe('errors for', () => {
     })
     for (const method of ['evaluate', 'foldover'])
       throwsWarpError(
-        () => own[method]({ positions }),
+        () => gpuOnly[method]({ positions }),
         new RegExp(
           `${method}: this warp calls a function of glsl\\.fn or reads an image by glsl\\.texture, which only the GPU can do`,
         ),
       )
-    const bare = compileWarp(({ position }) => position, { normals: false })
+    const withoutNormals = compileWarp(({ position }) => position, { normals: false })
     throwsWarpError(
-      () => bare.foldover({ positions }),
+      () => withoutNormals.foldover({ positions }),
       /foldover: the warp was compiled with "normals: false"/,
     )
   })

@@ -1,4 +1,4 @@
-// The garbage that a call of `evaluate` into arrays of the caller creates, and the references that it keeps.
+// Tests that a call of `evaluate` into arrays of the caller creates no garbage, and keeps no references to them.
 import assert from 'node:assert/strict'
 import { Session } from 'node:inspector/promises'
 import { describe, test } from 'node:test'
@@ -17,8 +17,8 @@ const towards = ({ position, uniforms: { center, amount } }) =>
   position.sub(center).sin().mult(amount)
 
 /**
- * Returns the bytes of JavaScript's heap that a call allocates, collected or not. It is the minimum of some rounds, since the engine
- * compiles at any time, and then allocates its own objects; allocations of every call are in every round.
+ * Returns the bytes of JavaScript's heap that a call allocates, whether or not they are collected. It is the minimum of several rounds: the
+ * engine may compile in any round, and then allocates objects of its own, but what every call allocates is in every round.
  */
 async function bytesOf(call, calls) {
   let min = Infinity
@@ -40,7 +40,7 @@ async function bytesInRound(call, calls) {
   const { profile } = await session.post('HeapProfiler.stopSampling')
   session.disconnect()
   const total = ({ selfSize, children }) =>
-    children.reduce((sum, each) => sum + total(each), selfSize)
+    children.reduce((sum, child) => sum + total(child), selfSize)
   return total(profile.head) / calls
 }
 
@@ -61,18 +61,18 @@ describe('evaluate into arrays of the caller allocates nothing, whatever the num
   }
   for (const [name, [warp, uniforms]] of Object.entries(cases))
     test(name, async () => {
-      const calling = (vertices) => {
+      const makeCall = (vertices) => {
         const mesh = arrays(vertices)
         const options = { uniforms, out: arrays(vertices) }
         return () => warp.evaluate(mesh, options)
       }
-      // Enough calls for the optimizing compiler of the engine, and for machine code of the warp.
-      const few = calling(8)
-      for (let i = 0; i < 20_000; i++) few()
+      // Calls often enough that the engine optimizes the code, and that the warp is compiled to machine code.
+      const smallCall = makeCall(8)
+      for (let i = 0; i < 20_000; i++) smallCall()
       const sizes = {}
       // The last size needs several batches of machine code, of which one is not full.
       for (const vertices of [8, 80, 2000, 9000])
-        sizes[vertices] = await bytesOf(calling(vertices), vertices > 1000 ? 1000 : 4000)
+        sizes[vertices] = await bytesOf(makeCall(vertices), vertices > 1000 ? 1000 : 4000)
       // The smallest object takes 16 bytes, and an array another 16; occasional smaller allocations are the engine's own.
       for (const bytes of Object.values(sizes)) assert.ok(bytes < 16, JSON.stringify(sizes))
     })
@@ -99,12 +99,12 @@ test('the function of a uniform, or a getter, may evaluate the same warp', () =>
   const other = arrays(9)
   let isNested = false
   let amount = 0.5
-  const inner = []
+  const nestedResults = []
   let warp
   const nested = () => {
     if (isNested || !warp) return
     isNested = true
-    inner.push(warp.evaluate(other, { uniforms: { amount: 0.25 }, out: arrays(9) }))
+    nestedResults.push(warp.evaluate(other, { uniforms: { amount: 0.25 }, out: arrays(9) }))
     isNested = false
   }
   warp = compileWarp(towards, {
@@ -114,7 +114,7 @@ test('the function of a uniform, or a getter, may evaluate the same warp', () =>
   for (const _ of [1, 2, 3]) {
     const plain = compileWarp(towards, { uniforms: { center: [1, 2, 3], amount } })
     const expected = plain.evaluate(mesh)
-    const getting = {
+    const meshWithGetter = {
       positions: mesh.positions,
       get normals() {
         nested()
@@ -122,9 +122,9 @@ test('the function of a uniform, or a getter, may evaluate the same warp', () =>
       },
     }
     assert.deepEqual(warp.evaluate(mesh, { out: arrays(7) }), expected)
-    assert.deepEqual(warp.evaluate(getting, { out: arrays(7) }), expected)
+    assert.deepEqual(warp.evaluate(meshWithGetter, { out: arrays(7) }), expected)
     const expectedInside = plain.evaluate(other, { uniforms: { amount: 0.25 } })
-    for (const result of inner.splice(0)) assert.deepEqual(result, expectedInside)
+    for (const result of nestedResults.splice(0)) assert.deepEqual(result, expectedInside)
     amount += 0.25
   }
 })
@@ -173,7 +173,7 @@ test('arrays of the caller are not retained', async () => {
     collect()
   }
   assert.deepEqual(
-    references.map((each) => each.deref()?.length),
+    references.map((reference) => reference.deref()?.length),
     references.map(() => undefined),
   )
   assert.ok(warp.evaluate(arrays(3), { uniforms: { millis: 5 } }))

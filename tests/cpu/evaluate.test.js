@@ -1,5 +1,5 @@
-// Warps on the CPU: results, bounds, and errors. tests/compile/normals.browser.test.js compares all numbers with an oracle, and with
-// those of the GPU.
+// Tests the results of warps on the CPU, and which arrays they read and write. tests/compile/normals.browser.test.js compares all numbers
+// with an oracle, and with those of the GPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
@@ -27,17 +27,17 @@ describe('evaluate', () => {
   test('writes into arrays of the caller, also into its own input', () => {
     const { positions, normals } = wave.evaluate(plane, { uniforms })
     const out = { positions: new Float32Array(9).fill(7), normals: new Float32Array(6) }
-    const given = wave.evaluate(plane, { uniforms, out })
-    assert.equal(given.positions, out.positions)
-    assert.equal(given.normals, out.normals)
-    assert.deepEqual(given.positions, Float32Array.of(...positions, 7, 7, 7))
-    assert.deepEqual(given.normals, normals)
-    const own = {
+    const result = wave.evaluate(plane, { uniforms, out })
+    assert.equal(result.positions, out.positions)
+    assert.equal(result.normals, out.normals)
+    assert.deepEqual(result.positions, Float32Array.of(...positions, 7, 7, 7))
+    assert.deepEqual(result.normals, normals)
+    const inPlace = {
       positions: new Float32Array(plane.positions),
       normals: new Float32Array(plane.normals),
     }
-    wave.evaluate(own, { uniforms, out: own })
-    assert.deepEqual(own, { positions, normals })
+    wave.evaluate(inPlace, { uniforms, out: inPlace })
+    assert.deepEqual(inPlace, { positions, normals })
     const expectRejected = (wrong, message) =>
       assert.throws(() => wave.evaluate(plane, { uniforms, out: wrong }), {
         name: 'WarpError',
@@ -58,44 +58,44 @@ describe('evaluate', () => {
     const count = 3 * 10_000
     const mesh = { positions: new Float32Array(count), normals: new Float32Array(count) }
     const out = { positions: new Float32Array(count), normals: new Float32Array(count) }
-    const largest = (options) => {
-      const plain = Float32Array
+    const largestAllocation = (options) => {
+      const OriginalArray = Float32Array
       const lengths = []
       const construct = (target, from) => {
-        const made = Reflect.construct(target, from)
-        if (typeof from[0] === 'number') lengths.push(made.length)
-        return made
+        const allocated = Reflect.construct(target, from)
+        if (typeof from[0] === 'number') lengths.push(allocated.length)
+        return allocated
       }
-      globalThis.Float32Array = new Proxy(plain, { construct })
+      globalThis.Float32Array = new Proxy(OriginalArray, { construct })
       try {
         wave.evaluate(mesh, options)
       } finally {
-        globalThis.Float32Array = plain
+        globalThis.Float32Array = OriginalArray
       }
       return Math.max(0, ...lengths)
     }
-    assert.equal(largest({ uniforms }), count)
-    for (let i = 0; i < 3; i++) assert.ok(largest({ uniforms, out }) < 1000)
+    assert.equal(largestAllocation({ uniforms }), count)
+    for (let i = 0; i < 3; i++) assert.ok(largestAllocation({ uniforms, out }) < 1000)
   })
 
   test('checks a Float32Array when it is passed for the first time, and none of its own results', () => {
-    const tooManyNumbers = {
+    const notFinite = {
       name: 'WarpError',
       message: /expected a finite number for positions\[0\].*, got NaN/,
     }
     const positions = Float32Array.of(NaN, 0, 0)
-    assert.throws(() => wave.evaluate({ positions }, { uniforms }), tooManyNumbers)
-    assert.throws(() => wave.evaluate({ positions }, { uniforms }), tooManyNumbers)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), notFinite)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), notFinite)
     positions[0] = 1
-    const { positions: made } = wave.evaluate({ positions }, { uniforms })
-    for (const array of [positions, made]) {
+    const { positions: result } = wave.evaluate({ positions }, { uniforms })
+    for (const array of [positions, result]) {
       array[0] = NaN
       assert.ok(Number.isNaN(wave.evaluate({ positions: array }, { uniforms }).positions[0]))
     }
     const list = [1, 0, 0]
     wave.evaluate({ positions: list }, { uniforms })
     list[0] = NaN
-    assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), tooManyNumbers)
+    assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), notFinite)
   })
 
   test('accepts any number of vertices, including 0', () => {
@@ -224,7 +224,7 @@ describe('inputs and results that share memory', () => {
   const positions = values.slice(0, 3 * count)
   const expected = bend.evaluate({ positions, normals, tangents })
 
-  /** Makes an array of `values` in a buffer with room on both sides. */
+  /** Makes a Float32Array of `numbers` in a buffer, which starts `at` floats after the start of the buffer. */
   function arrayInBuffer(buffer, at, numbers) {
     const view = new Float32Array(buffer, 4 * at, numbers.length)
     view.set(numbers)
@@ -327,16 +327,16 @@ describe('unused uniforms', () => {
   for (const perFrame of [false, true])
     test(`may be passed, ${perFrame ? 'with' : 'without'} frame constants`, () => {
       for (const body of sources) {
-        const text = glslOffset(`uniform float amount;\nvec3 offset(vec3 p) { ${body} }`)
-        for (const more of [{}, { uniforms: { amount: 2 } }]) {
-          const warp = compileWarp(text, { perFrame, ...more })
+        const offset = glslOffset(`uniform float amount;\nvec3 offset(vec3 p) { ${body} }`)
+        for (const declared of [{}, { uniforms: { amount: 2 } }]) {
+          const warp = compileWarp(offset, { perFrame, ...declared })
           callAll(warp, { amount: 3 })
           assert.throws(() => warp.evaluateAt([1, 2, 3], { uniforms: { amout: 3 } }), /"amout"/)
           assert.throws(
             () => warp.evaluateAt([1, 2, 3], { uniforms: { amount: [1, 2] } }),
             /"amount"/,
           )
-          if (more.uniforms || !body.includes('amount')) callAll(warp, {})
+          if (declared.uniforms || !body.includes('amount')) callAll(warp, {})
         }
       }
       const built = compileWarp(

@@ -1,4 +1,4 @@
-// inverseAt: finds positions that a warp moves to a point, against inverses derived by hand.
+// Tests inverseAt, which finds a position that a warp moves to a given point, against inverses derived by hand.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -8,13 +8,13 @@ const twist = compileWarp(({ glsl, position }) =>
 )
 
 /** Makes a warp that moves x by an offset that depends on x alone. */
-const along = (offset) =>
+const warpOfX = (offset) =>
   compileWarp(({ glsl, position }) => glsl.vec3(offset(position.x(), glsl), 0, 0))
 
-const isClose = (found, expected, bound) =>
+const assertClose = (actual, expected, bound) =>
   assert.ok(
-    Math.hypot(...found.map((x, i) => x - expected[i])) <= bound,
-    `${found} is not ${expected}`,
+    Math.hypot(...actual.map((x, i) => x - expected[i])) <= bound,
+    `${actual} is not ${expected}`,
   )
 
 test('a twist is undone by the opposite twist, from anywhere', () => {
@@ -22,38 +22,38 @@ test('a twist is undone by the opposite twist, from anywhere', () => {
     const from = [Math.sin(i), Math.cos(2.1 * i), Math.sin(3.7 * i + 1)].map((x) => 3 * x)
     const [x, y, z] = from
     const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
-    // Rotates about y in the direction that evaluateAt shows.
+    // evaluateAt shows in which direction the warp rotates about y.
     const [moved] = twist.evaluateAt(from).position
     const to =
       Math.abs(moved - (c * x + s * z)) < 1e-5
         ? [c * x + s * z, y, -s * x + c * z]
         : [c * x - s * z, y, s * x + c * z]
-    const found = twist.inverseAt(to, { near: [0, y + 0.01, 0] })
-    isClose(found.position, from, 1e-9)
-    const alone = twist.inverseAt(to)
-    isClose(alone.position, from, 1e-9)
+    const actual = twist.inverseAt(to, { near: [0, y + 0.01, 0] })
+    assertClose(actual.position, from, 1e-9)
+    const withoutNear = twist.inverseAt(to)
+    assertClose(withoutNear.position, from, 1e-9)
   }
 })
 
 test('a wave that does not fold has one position, and is not folded', () => {
-  const wave = along((x) => x.sin().mult(0.9))
+  const wave = warpOfX((x) => x.sin().mult(0.9))
   for (let i = -40; i <= 40; i++) {
     const from = i / 4
-    const found = wave.inverseAt([from + 0.9 * Math.sin(from), 1, -2])
-    isClose(found.position, [from, 1, -2], 1e-9)
-    assert.equal(found.isFolded, false)
+    const actual = wave.inverseAt([from + 0.9 * Math.sin(from), 1, -2])
+    assertClose(actual.position, [from, 1, -2], 1e-9)
+    assert.equal(actual.isFolded, false)
   }
 })
 
 describe('a wave that folds', () => {
-  const wave = along((x) => x.sin().mult(-3))
+  const wave = warpOfX((x) => x.sin().mult(-3))
 
   test('has several inverse positions, of which the option near selects one', () => {
     // x - 3 sin x is 0 at x = 0, where space is inside out, and at one position on each side.
     const side = 2.27886266
     for (const near of [0.1, 2.2, -2.2]) {
       const { position, isFolded } = wave.inverseAt([0, 0, 0], { near: [near, 0, 0] })
-      isClose(position, [Math.round(near / 2.2) * side, 0, 0], 1e-7)
+      assertClose(position, [Math.round(near / 2.2) * side, 0, 0], 1e-7)
       assert.equal(isFolded, near === 0.1)
     }
   })
@@ -72,18 +72,18 @@ describe('a wave that folds', () => {
 })
 
 test('a mirror is inside out everywhere, though it moves only one position to each point', () => {
-  const mirror = along((x) => x.mult(-2))
+  const mirror = warpOfX((x) => x.mult(-2))
   for (const near of [-9, 0, 5]) {
     const { position, isFolded } = mirror.inverseAt([3, 1, 2], { near: [near, 0, 0] })
-    isClose(position, [-3, 1, 2], 1e-12)
+    assertClose(position, [-3, 1, 2], 1e-12)
     assert.equal(isFolded, true)
   }
 })
 
 test('there is no result for a point that nothing is moved to', () => {
-  const parabola = along((x) => x.mult(x))
+  const parabola = warpOfX((x) => x.mult(x))
   assert.equal(parabola.inverseAt([-1, 0, 0]), undefined)
-  isClose(parabola.inverseAt([0.75, 0, 0], { near: [1, 0, 0] }).position, [0.5, 0, 0], 1e-9)
+  assertClose(parabola.inverseAt([0.75, 0, 0], { near: [1, 0, 0] }).position, [0.5, 0, 0], 1e-9)
   const flat = compileWarp(({ glsl, position }) => glsl.vec3(0, position.y().mult(-1), 0))
   assert.equal(flat.inverseAt([1, 1, 1]), undefined)
 })
@@ -95,9 +95,9 @@ test('uniforms can be values or functions, and other inputs can be passed', () =
     { uniforms: { amount: 2 } },
   )
   const { position } = moving.inverseAt([5, 5, 5], { normal: [0, 1, 0], uniforms: { millis: 500 } })
-  isClose(position, [4.5, 3, 5], 1e-12)
+  assertClose(position, [4.5, 3, 5], 1e-12)
   const other = { normal: [0, 1, 0], uniforms: { millis: 0, amount: 1 } }
-  isClose(moving.inverseAt([5, 5, 5], other).position, [5, 4, 5], 1e-12)
+  assertClose(moving.inverseAt([5, 5, 5], other).position, [5, 4, 5], 1e-12)
 })
 
 test('invalid arguments throw', () => {
@@ -130,41 +130,44 @@ const quadraticOf = ([x, y, z]) => [x + y * y, y + x * z, z + x * x]
 
 const sizeOf = (numbers) => Math.hypot(...numbers)
 
-/** The documented properties of a result, computed from the warp in double precision. */
+/** Checks that a warp moves a position to the target, within the documented bound. `placeOf` evaluates the warp in double precision. */
 function assertReaches(placeOf, position, target, slack = 1) {
-  const left = sizeOf(placeOf(position).map((x, i) => x - target[i]))
+  const error = sizeOf(placeOf(position).map((x, i) => x - target[i]))
   const bound = 1e-9 * sizeOf(target) + 1e-14 * Math.min(sizeOf(position), 1e4)
-  assert.ok(left <= slack * bound, `${position} comes to ${placeOf(position)}, not ${target}`)
+  assert.ok(error <= slack * bound, `${position} is moved to ${placeOf(position)}, not ${target}`)
 }
 
 test('a result is moved to the target, also by a warp that leads the search far away', () => {
   const target = [1.3524719, 2.9967473, 2.3314333]
   assertReaches(quadraticOf, quadratic.inverseAt(target).position, target)
-  let found = 0
+  let foundCount = 0
   for (let i = 0; i < 200; i++) {
     const from = [0, 1, 2].map((k) => 3 * Math.sin(1.7 * i * (k + 1) + k))
     const target = quadraticOf(from)
     const inverse = quadratic.inverseAt(target)
     if (!inverse) continue
-    found++
+    foundCount++
     assertReaches(quadraticOf, inverse.position, target)
   }
-  assert.ok(found > 190, `${found} of 200 are found, of which each has a place`)
+  assert.ok(
+    foundCount > 190,
+    `${foundCount} of 200 targets have a result, though all have an inverse`,
+  )
 })
 
 test('a wrong result is not accepted because the start is far away', () => {
-  const flat = along((x) => x.mult(x).sub(x))
+  const flat = warpOfX((x) => x.mult(x).sub(x))
   for (const near of [1, 1e3, 1e6, 1e9, 1e12, 1e20, -1e30]) {
     assert.equal(flat.inverseAt([-1e-3, 0, 0], { near: [near, near, near] }), undefined)
     const target = [4, 5, 6]
     const inverse = flat.inverseAt(target, { near: [near, -near, near] })
-    isClose([Math.abs(inverse.position[0]), ...inverse.position.slice(1)], [2, 5, 6], 1e-8)
+    assertClose([Math.abs(inverse.position[0]), ...inverse.position.slice(1)], [2, 5, 6], 1e-8)
   }
 })
 
 describe('random warps, targets and starts', () => {
   const randomOf = (seed) => () => ((seed = (seed * 1664525 + 1013904223) >>> 0), seed / 2 ** 32)
-  /** Makes a warp of the coordinates x, y and z and, independently, its warped position in double precision. */
+  /** Each kind makes an offset and, independently, `placeOf`, which returns the warped position in double precision. */
   const kinds = {
     quadratic(number, size) {
       const rows = [0, 1, 2].map(() => Array.from({ length: 6 }, () => number(0.7)))
@@ -218,7 +221,7 @@ describe('random warps, targets and starts', () => {
         const random = randomOf(7 + Math.round(size))
         const number = (max) => max * (2 * random() - 1)
         const point = (max) => [number(max), number(max), number(max)]
-        let found = 0
+        let foundCount = 0
         for (let i = 0; i < 30; i++) {
           const { offset, placeOf } = make(number, size)
           const warp = compileWarp(offset)
@@ -227,11 +230,14 @@ describe('random warps, targets and starts', () => {
             const near = [undefined, point(2 * size), point(50 * size), point(1e9)][k]
             const inverse = warp.inverseAt(target, { near })
             if (!inverse) continue
-            found++
-            // Rounding differs from that of the warp.
+            foundCount++
+            // `placeOf` rounds differently from the warp.
             assertReaches(placeOf, inverse.position, target, 2)
           }
         }
-        assert.ok(found > 110, `${found} of 120 are found, of which each has a place`)
+        assert.ok(
+          foundCount > 110,
+          `${foundCount} of 120 targets have a result, though all have an inverse`,
+        )
       })
 })

@@ -1,5 +1,5 @@
-// Warps compiled to machine code on the CPU return the same bits as the interpreter, which handles the first call; and unused code is freed.
-// NaNs may differ in their bits, which WebAssembly does not define.
+// Warps compiled to machine code on the CPU return the same bits as the interpreter, which handles the first call; and unused code is
+// freed. NaNs may differ in their bits, which WebAssembly does not define.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { setTimeout } from 'node:timers/promises'
@@ -11,17 +11,17 @@ import { noises, propertiesOf } from '../operations/noise.js'
 setFlagsFromString('--expose-gc')
 const collect = runInNewContext('gc')
 
-let made = 0
+let moduleCount = 0
 const { Module } = WebAssembly
 WebAssembly.Module = function (bytes) {
-  made++
+  moduleCount++
   return new Module(bytes)
 }
 
 const { compileWarp } = await import('../../dist/warpjet.js')
 await import('../../dist/glsl.js')
 const { evaluationMemoryInUse } = await import('../../dist/memory.js')
-const { above, randomFunction } = await import('../glsl/generate.js')
+const { sharedDeclarations, randomFunction } = await import('../glsl/generate.js')
 const { moments } = await import('../support/browser/compare.js')
 const { seededRandom } = await import('../warps/random.js')
 const { warps } = await import('../warps/index.js')
@@ -50,7 +50,10 @@ function meshOf(vertices, numberAt) {
 const random = seededRandom(7)
 const ordinary = meshOf(1000, () => 2 * random() - 1)
 
-/** Numbers at which formulas switch: zeros, denormals, the limits of float32, and arguments too large for the formula of a sine. */
+/**
+ * Numbers at which formulas switch between cases: zeros, denormals, the limits of float32, and arguments too large for the formula of a
+ * sine.
+ */
 const extremes = [
   0,
   -0,
@@ -84,15 +87,15 @@ const extreme = meshOf(extremes.length ** 2, (i, array) => {
   return extremes[[first, second, first + second + array][i % 3] % extremes.length]
 })
 
-const first = (mesh, vertices) =>
+const firstVertices = (mesh, vertices) =>
   Object.fromEntries(
     Object.entries(mesh).map(([name, all]) => [name, all.subarray(0, vertices * sizes[name])]),
   )
 
 const bits = (floats) => new Uint32Array(floats.buffer, floats.byteOffset, floats.length)
 
-function assertSame(found, expected, message) {
-  for (const [name, floats] of Object.entries(found)) {
+function assertSame(actual, expected, message) {
+  for (const [name, floats] of Object.entries(actual)) {
     const [a, b] = [bits(floats), bits(expected[name])]
     for (let i = 0; i < a.length; i++)
       if (a[i] !== b[i] && !(Number.isNaN(floats[i]) && Number.isNaN(expected[name][i])))
@@ -100,13 +103,19 @@ function assertSame(found, expected, message) {
   }
 }
 
-/** Evaluates a new warp with the interpreter, and then with machine code, with a number of vertices at a time. */
+/**
+ * Evaluates a new warp with the interpreter, then with machine code for each number of vertices in `counts`; all must return the same bits.
+ */
 function assertBothSame(warp, mesh, uniforms, counts, message) {
   const expected = warp.evaluate(mesh, { uniforms })
-  const before = made
+  const before = moduleCount
   for (const count of counts)
-    assertSame(warp.evaluate(first(mesh, count), { uniforms }), expected, `${message}, ${count}`)
-  assert.equal(made, before + 1, `${message}: machine code is made once`)
+    assertSame(
+      warp.evaluate(firstVertices(mesh, count), { uniforms }),
+      expected,
+      `${message}, ${count}`,
+    )
+  assert.equal(moduleCount, before + 1, `${message}: machine code is made once`)
 }
 
 const counts = [1, 3, 5, 17, 1000]
@@ -142,16 +151,16 @@ describe('machine code returns the same bits as the interpreter', () => {
       for (const isUniform of arity ? [false, true] : [false])
         test(`for ${name} of ${['a position', 'a number', 'two numbers', 'three numbers'][arity]}${isUniform ? ' that all vertices share' : ''}`, () => {
           const offset = ({ glsl, position, millis, mouseX, mouseY }) => {
-            const given = isUniform
+            const operands = isUniform
               ? [millis, mouseX, mouseY]
               : ['x', 'y', 'z'].map((c) => position[c]())
-            const all = arity ? glsl[name](...given.slice(0, arity)) : position[name]()
-            const value = propertiesOf[name]?.size > 1 ? all.x() : all
+            const result = arity ? glsl[name](...operands.slice(0, arity)) : position[name]()
+            const value = propertiesOf[name]?.size > 1 ? result.x() : result
             return glsl.vec3(glsl.ifElse(glsl.gt(value, 3e38), 7, value), 0, 0)
           }
           for (const millis of isUniform ? extremes.slice(0, 16) : [0]) {
             const uniforms = { millis, mouse: [millis / 3, 2 - millis] }
-            const mesh = isUniform ? first(extreme, 3) : extreme
+            const mesh = isUniform ? firstVertices(extreme, 3) : extreme
             assertBothSame(
               compileWarp(offset),
               mesh,
@@ -162,12 +171,14 @@ describe('machine code returns the same bits as the interpreter', () => {
           }
         })
 
-  const texts = isRun('every random expression') ? 400 : 100
-  test(`for ${texts} random functions in GLSL, with loops, conditions and integers`, () => {
-    for (let seed = 1; seed <= texts; seed++) {
+  const functionCount = isRun('every random expression') ? 400 : 100
+  test(`for ${functionCount} random functions in GLSL, with loops, conditions and integers`, () => {
+    for (let seed = 1; seed <= functionCount; seed++) {
       const { glsl: text } = randomFunction(seed)
-      const warp = compileWarp(({ glsl, position }) => glsl.source(above + text)(position))
-      assertBothSame(warp, first(ordinary, 37), {}, [1, 37], `function ${seed}`)
+      const warp = compileWarp(({ glsl, position }) =>
+        glsl.source(sharedDeclarations + text)(position),
+      )
+      assertBothSame(warp, firstVertices(ordinary, 37), {}, [1, 37], `function ${seed}`)
     }
   })
 
@@ -210,52 +221,52 @@ describe('machine code returns the same bits as the interpreter', () => {
   })
 })
 
-const offsets =
+const makeOffset =
   (i) =>
   ({ glsl, position }) =>
     glsl.vec3(position.y().mult(i).sin(), position.z().add(i).exp(), 0)
 
 test('code of unreachable warps is freed', async () => {
   const count = isRun('thousands of warps') ? 3000 : 300
-  const mesh = first(ordinary, 64)
-  compileWarp(offsets(0)).evaluate(mesh) // the evaluation module has started
+  const mesh = firstVertices(ordinary, 64)
+  compileWarp(makeOffset(0)).evaluate(mesh) // starts the evaluation module
   const { Instance } = WebAssembly
   const instances = []
-  WebAssembly.Instance = function (...given) {
-    const instance = new Instance(...given)
+  WebAssembly.Instance = function (...args) {
+    const instance = new Instance(...args)
     instances.push(new WeakRef(instance))
     return instance
   }
-  const inside = evaluationMemoryInUse()
+  const memoryBefore = evaluationMemoryInUse()
   let last
   for (let i = 0; i < count; i++) {
-    last = compileWarp(offsets(i))
+    last = compileWarp(makeOffset(i))
     for (let k = 0; k < 2; k++) last.evaluate(mesh)
   }
   WebAssembly.Instance = Instance
   assert.equal(instances.length, count)
-  assert.equal(evaluationMemoryInUse(), inside)
+  assert.equal(evaluationMemoryInUse(), memoryBefore)
   for (let i = 0; i < 5; i++) {
     collect()
     await setTimeout(20)
   }
-  const left = instances.filter((instance) => instance.deref()).length
-  assert.ok(left >= 1 && left < 20, `${left} of ${count} are left`)
+  const alive = instances.filter((instance) => instance.deref()).length
+  assert.ok(alive >= 1 && alive < 20, `${alive} of ${count} are still in memory`)
   assert.ok(last.evaluate(mesh), 'the last warp still works')
 })
 
 // Must be the last test: no code is compiled after it.
 test('if compiling is forbidden, the interpreter takes over', () => {
-  const allowed = compileWarp(offsets(1))
+  const allowed = compileWarp(makeOffset(1))
   const expected = [1, 2].map(() => allowed.evaluate(ordinary))[1]
   let tried = 0
   WebAssembly.Module = function () {
     tried++
     throw new WebAssembly.CompileError('Wasm code generation disallowed by embedder')
   }
-  const forbidden = compileWarp(offsets(1))
+  const forbidden = compileWarp(makeOffset(1))
   for (let i = 0; i < 3; i++) assertSame(forbidden.evaluate(ordinary), expected, 'forbidden')
-  const other = compileWarp(offsets(1))
+  const other = compileWarp(makeOffset(1))
   for (let i = 0; i < 3; i++) assertSame(other.evaluate(ordinary), expected, 'another')
   assert.equal(tried, 1, 'it is not tried again')
 })

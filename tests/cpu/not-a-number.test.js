@@ -24,28 +24,28 @@ describe('a warp with frame constants', () => {
   test('does not mistake a division by 0 for a missing uniform', () => {
     for (const offset of [beat, drift])
       for (const millis of [0, 1200]) {
-        const made = compileWarp(offset, options)
-        const frame = Object.values(made.frameUniforms({ millis })).flat()
+        const compiled = compileWarp(offset, options)
+        const frame = Object.values(compiled.frameUniforms({ millis })).flat()
         assert.ok(frame.some((number) => !Number.isFinite(number)))
         const uniforms = { millis }
-        const { position } = made.evaluateAt([1, 2, 3], { uniforms })
+        const { position } = compiled.evaluateAt([1, 2, 3], { uniforms })
         assert.deepEqual([position[0], position[2]], [1, 3])
         assert.ok(!Number.isFinite(position[1]))
         assert.ok(
-          !Number.isFinite(made.evaluate({ positions: [1, 2, 3] }, { uniforms }).positions[1]),
+          !Number.isFinite(compiled.evaluate({ positions: [1, 2, 3] }, { uniforms }).positions[1]),
         )
-        assert.equal(made.inverseAt([1, 2, 3], { uniforms }), undefined)
-        assert.equal(made.foldover({ positions: [1, 2, 3] }, { uniforms }).mask.length, 1)
-        const { min, max } = made.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { uniforms })
+        assert.equal(compiled.inverseAt([1, 2, 3], { uniforms }), undefined)
+        assert.equal(compiled.foldover({ positions: [1, 2, 3] }, { uniforms }).mask.length, 1)
+        const { min, max } = compiled.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { uniforms })
         assert.ok(min[0] <= 0 && max[0] >= 1 && min[2] <= 0 && max[2] >= 1)
       }
   })
 
   test('names a missing input in its message, whatever the other values are', () => {
-    const made = compileWarp(beat, options)
+    const compiled = compileWarp(beat, options)
     const missing = (method) => new RegExp(`^WarpError: ${method}: the warp reads "millis"`)
-    assert.throws(() => made.frameUniforms({}), missing('frameUniforms'))
-    assert.throws(() => made.bounds({ min: [0, 0, 0], max: [1, 1, 1] }), missing('bounds'))
+    assert.throws(() => compiled.frameUniforms({}), missing('frameUniforms'))
+    assert.throws(() => compiled.bounds({ min: [0, 0, 0], max: [1, 1, 1] }), missing('bounds'))
     const pointed = compileWarp(
       ({ glsl, position, mouse, uniforms }) =>
         glsl.vec3(mouse.x.div(uniforms.period).add(position.x).sin(), 0, 0),
@@ -56,18 +56,18 @@ describe('a warp with frame constants', () => {
   })
 
   test('a declared uniform can be passed to each method', () => {
-    const made = compileWarp(
+    const compiled = compileWarp(
       ({ glsl, millis, uniforms: { isOn, center } }) =>
         glsl.vec3(center.x.mult(millis), isOn.mult(millis), 0),
       { perFrame: true, uniforms: { isOn: false, center: [1, 2] } },
     )
-    const given = { millis: 3, isOn: true, center: { x: 5, y: 6, z: 0 } }
-    assert.deepEqual(made.evaluateAt([0, 0, 0], { uniforms: given }).position, [15, 3, 0])
-    assert.ok(Object.values(made.frameUniforms(given)).flat().includes(15))
+    const values = { millis: 3, isOn: true, center: { x: 5, y: 6, z: 0 } }
+    assert.deepEqual(compiled.evaluateAt([0, 0, 0], { uniforms: values }).position, [15, 3, 0])
+    assert.ok(Object.values(compiled.frameUniforms(values)).flat().includes(15))
   })
 })
 
-/** Tests whether three.js draws an object. */
+/** Returns whether three.js draws an object, rather than culling it. */
 function isSeen(object) {
   const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 100)
   camera.position.z = 6
@@ -79,15 +79,15 @@ function isSeen(object) {
   )
   return new THREE.Frustum().setFromProjectionMatrix(view).intersectsObject(object)
 }
-const down = () =>
+const downwardRay = () =>
   new THREE.Raycaster(new THREE.Vector3(0.21, 0.13, 5), new THREE.Vector3(0, 0, -1))
 const plane = () => new THREE.PlaneGeometry(2, 2, 8, 8)
 const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
 const lift = ({ glsl, position }) => glsl.vec3(0, 0, position.x.sin().mult(0.2))
 const spaces = ['local', 'rest', 'world']
 
-/** A vertex in a corner, far from the ray. */
-function broken(geometry, number, attribute = 'position') {
+/** Sets the first number of an attribute, which belongs to a vertex in a corner, far from the ray. */
+function breakVertex(geometry, number, attribute = 'position') {
   geometry.attributes[attribute].array[0] = number
   return geometry
 }
@@ -107,13 +107,13 @@ describe('three.js', () => {
           warped.uniforms.period.value = period
           warped.update(millis)
           assert.equal(isSeen(mesh), true)
-          const hits = down().intersectObject(mesh)
+          const hits = downwardRay().intersectObject(mesh)
           assert.ok(hits.length === 0 || period !== 0)
           warped.bounds()
         }
         warped.uniforms.period.value = 200
         warped.update(0)
-        assert.equal(down().intersectObject(mesh).length, 1)
+        assert.equal(downwardRay().intersectObject(mesh).length, 1)
         warped.dispose()
       }
     })
@@ -139,10 +139,10 @@ describe('three.js', () => {
     test(`a vertex of ${kind} without a finite position neither throws nor hides the others`, () => {
       for (const space of spaces)
         for (const number of [NaN, Infinity, -Infinity, 1e39]) {
-          const object = make(broken(plane(), number))
+          const object = make(breakVertex(plane(), number))
           const warped = warp(object, lift, { space })
           assert.equal(isSeen(object), true, `${number} ${space}`)
-          const hits = down().intersectObject(object)
+          const hits = downwardRay().intersectObject(object)
           if (object.isMesh) assert.equal(hits.length, 1, `${number} ${space}`)
           const { min, max } = warped.bounds()
           assert.ok(min.x === -Infinity && max.x === Infinity)
@@ -150,14 +150,14 @@ describe('three.js', () => {
         }
     })
 
-  test('a non-finite texture coordinate or batch geometry neither throws nor hides the others', () => {
+  test('a texture coordinate that is not finite, or such a vertex in a batch, neither throws nor hides the others', () => {
     const along = ({ glsl, position, uv }) => glsl.vec3(0, 0, uv.x.mult(0.1).add(position.x))
-    const mesh = new THREE.Mesh(broken(plane(), NaN, 'uv'), material)
+    const mesh = new THREE.Mesh(breakVertex(plane(), NaN, 'uv'), material)
     warp(mesh, along)
     assert.equal(isSeen(mesh), true)
-    assert.equal(down().intersectObject(mesh).length, 1)
+    assert.equal(downwardRay().intersectObject(mesh).length, 1)
     for (const space of spaces) {
-      const geometry = broken(plane(), NaN)
+      const geometry = breakVertex(plane(), NaN)
       const batch = new THREE.BatchedMesh(2, 1000, 2000, material)
       batch.addInstance(batch.addGeometry(geometry))
       warp(batch, lift, { space })
@@ -169,7 +169,10 @@ describe('three.js', () => {
 
   test('the bounds of a group with a non-finite part are infinite, not NaN', () => {
     const group = new THREE.Group()
-    group.add(new THREE.Mesh(plane(), material), new THREE.Mesh(broken(plane(), NaN), material))
+    group.add(
+      new THREE.Mesh(plane(), material),
+      new THREE.Mesh(breakVertex(plane(), NaN), material),
+    )
     group.children[1].position.x = 3
     group.updateMatrixWorld(true)
     const { min, max } = warp(group, lift).bounds()
@@ -183,7 +186,7 @@ describe('three.js', () => {
     const mesh = new THREE.Mesh(plane(), material)
     warp(mesh, ({ glsl, position }) => glsl.vec3(position.x.abs().add(1).neg().sqrt(), 0, 0))
     assert.equal(isSeen(mesh), true)
-    assert.equal(down().intersectObject(mesh).length, 0)
+    assert.equal(downwardRay().intersectObject(mesh).length, 0)
   })
 })
 
@@ -199,8 +202,8 @@ describe('Babylon.js', () => {
       scene,
     )
     mesh.material = new StandardMaterial('material', scene)
-    const made = new BabylonWarp(mesh.material, offset, options)
-    return { scene, camera, mesh, made }
+    const babylonWarp = new BabylonWarp(mesh.material, offset, options)
+    return { scene, camera, mesh, babylonWarp }
   }
   const isDrawn = ({ scene, camera, mesh }) => {
     scene.updateTransformMatrix(true)
@@ -211,27 +214,27 @@ describe('Babylon.js', () => {
   test('draws a warp that divides by 0', () => {
     for (const offset of [beat, drift])
       for (const millis of [0, 1200]) {
-        const there = sceneWith(offset, { uniforms: { period: 0 } })
-        there.made.millis = millis
-        there.made.refresh(there.mesh)
-        assert.equal(isDrawn(there), true)
-        there.scene.pick(0, 0)
-        there.scene.dispose()
+        const view = sceneWith(offset, { uniforms: { period: 0 } })
+        view.babylonWarp.millis = millis
+        view.babylonWarp.refresh(view.mesh)
+        assert.equal(isDrawn(view), true)
+        view.scene.pick(0, 0)
+        view.scene.dispose()
       }
   })
 
   test('a vertex without a finite position neither throws nor hides the others', () => {
     for (const number of [NaN, Infinity]) {
-      const there = sceneWith(({ glsl }) => glsl.vec3(0, 0.5, 0), {})
-      const positions = there.mesh.getVerticesData('position')
+      const view = sceneWith(({ glsl }) => glsl.vec3(0, 0.5, 0), {})
+      const positions = view.mesh.getVerticesData('position')
       positions[0] = number
-      there.mesh.setVerticesData('position', positions, true)
-      there.made.refresh(there.mesh)
-      assert.equal(isDrawn(there), true)
-      const { minimum, maximum } = there.mesh.getBoundingInfo().boundingBox
+      view.mesh.setVerticesData('position', positions, true)
+      view.babylonWarp.refresh(view.mesh)
+      assert.equal(isDrawn(view), true)
+      const { minimum, maximum } = view.mesh.getBoundingInfo().boundingBox
       for (const corner of [minimum, maximum])
         assert.ok([corner.x, corner.y, corner.z].every(Number.isFinite))
-      there.scene.dispose()
+      view.scene.dispose()
     }
   })
 })

@@ -68,7 +68,7 @@ describe('chain', () => {
     for (const x of [-80, 0, 30]) {
       const slope = x / 100
       const length = Math.hypot(1, slope)
-      const { offset, derivatives, turned } = evaluate({
+      const { offset, derivatives, warpedNormal } = evaluate({
         position: [x, 0, 7],
         normal: [0, 1, 0],
         millis: 0,
@@ -77,7 +77,7 @@ describe('chain', () => {
       // The derivatives of these offsets with respect to x. A parallel surface has the same normals as the original.
       const byX = [-0.3 / length ** 3, slope - (0.3 * slope) / length ** 3, 0]
       assertClose(derivatives.slice(0, 3), byX, 1e-9)
-      assertClose(turned, [-slope / length, 1 / length, 0], 1e-9)
+      assertClose(warpedNormal, [-slope / length, 1 / length, 0], 1e-9)
     }
   })
 
@@ -90,7 +90,7 @@ describe('chain', () => {
     )
     const noNormals = (glsl) => ({
       ...glsl,
-      adjustNormal: () => assert.fail('a normal was made'),
+      adjustNormal: () => assert.fail('a normal was computed'),
     })
     compileWarp((inputs) => warp({ ...inputs, glsl: noNormals(inputs.glsl) }))
     assert.throws(
@@ -98,7 +98,7 @@ describe('chain', () => {
         compileWarp((inputs) =>
           chain(warp, inflate())({ ...inputs, glsl: noNormals(inputs.glsl) }),
         ),
-      /a normal was made/,
+      /a normal was computed/,
     )
   })
 
@@ -182,10 +182,10 @@ test('mask multiplies a warp by a weight, and accounts for the derivative of the
     (p, i) => times(twisted[1](p, i), i.w),
     { w: -2 },
   )
-  const near = (p) => Math.exp(-dot(p, p) / 5000)
+  const weight = (p) => Math.exp(-dot(p, p) / 5000)
   agree(
     mask(twisted[0], ({ position }) => position.dot(position).div(-5000).exp()),
-    (p, inputs) => times(twisted[1](p, inputs), near(p)),
+    (p, inputs) => times(twisted[1](p, inputs), weight(p)),
   )
   // In a chain, the previous warp has already moved the points.
   agree(
@@ -195,7 +195,7 @@ test('mask multiplies a warp by a weight, and accounts for the derivative of the
     ),
     (p, inputs) => {
       const moved = plus(p, waved[1](p, inputs))
-      return plus(subtract(moved, p), times(bent[1](moved, inputs), near(moved)))
+      return plus(subtract(moved, p), times(bent[1](moved, inputs), weight(moved)))
     },
   )
 })

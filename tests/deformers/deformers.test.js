@@ -84,10 +84,10 @@ const cases = {
   ],
 }
 
-/** Step of the differences. */
+/** The step of the finite differences. */
 const step = 0.02
 
-/** Maps a deformer to its option that makes it move nothing. */
+/** Returns the option of a deformer with which, if it is 0, the deformer moves nothing. */
 const amountOf = (name) => (name === 'twist' || name === 'bend' ? 'angle' : 'amount')
 
 function assertClose(actual, expected, tolerance, message) {
@@ -103,10 +103,10 @@ const vertices = Array.from({ length: 60 }, (_, i) => ({
   millis: [0, 777, 5000][i % 3],
 }))
 
-for (const [name, list] of Object.entries(cases))
+for (const [name, optionSets] of Object.entries(cases))
   describe(name, () => {
     const make = deformers[name]
-    for (const options of list) {
+    for (const options of optionSets) {
       const title = JSON.stringify(options)
       const oracle = oracles[name](options)
 
@@ -132,7 +132,7 @@ for (const [name, list] of Object.entries(cases))
           const uniforms = warp.uniforms.some(({ name }) => name === 'millis')
             ? { millis: vertex.millis }
             : {}
-          const { turned } = evaluate(vertex)
+          const { warpedNormal } = evaluate(vertex)
           const { position, normal } = warp.evaluateAt(vertex.position, {
             normal: vertex.normal,
             uniforms,
@@ -140,13 +140,13 @@ for (const [name, list] of Object.entries(cases))
           const size = Math.hypot(150, ...expected.position)
           assertClose(position, expected.position, 2e-6 * size)
           if (expected.normal.some(Boolean)) {
-            const angle = angleBetween(turned, expected.normal)
+            const angle = angleBetween(warpedNormal, expected.normal)
             assert.ok(angle < 1e-6 * expected.sensitivity, `${angle}° at ${vertex.position}`)
             const inFloat = angleBetween(normal, expected.normal)
             assert.ok(inFloat < 0.005 * expected.sensitivity, `${inFloat}° at ${vertex.position}`)
           } else if (typeof options.axis === 'string')
             // Along other axes, rounding leaves traces of collapsed normals.
-            assert.deepEqual([turned, normal].flat().filter(Boolean), [])
+            assert.deepEqual([warpedNormal, normal].flat().filter(Boolean), [])
         }
       })
     }
@@ -163,14 +163,14 @@ for (const [name, list] of Object.entries(cases))
     })
 
     test('accepts options as constants, functions, expressions, and uniforms', () => {
-      const full = list.at(-1)
+      const full = optionSets.at(-1)
       const isComputable = ([, value]) => typeof value === 'number' || Array.isArray(value)
       const computable = Object.fromEntries(Object.entries(full).filter(isComputable))
       const withEach = (map) => ({
         ...full,
         ...Object.fromEntries(Object.entries(computable).map(([key, x]) => [key, map(x, key)])),
       })
-      const read = (glsl, value, key) =>
+      const readParam = (glsl, value, key) =>
         typeof value === 'number' ? glsl.param(key) : glsl.vec3Param(key)
       const warps = [
         make(withEach((value) => () => value)),
@@ -178,10 +178,10 @@ for (const [name, list] of Object.entries(cases))
           withEach(
             (value, key) =>
               ({ glsl }) =>
-                read(glsl, value, key),
+                readParam(glsl, value, key),
           ),
         ),
-        (inputs) => make(withEach((value, key) => read(inputs.glsl, value, key)))(inputs),
+        (inputs) => make(withEach((value, key) => readParam(inputs.glsl, value, key)))(inputs),
         (inputs) =>
           make(
             withEach((value) =>
@@ -201,16 +201,19 @@ for (const [name, list] of Object.entries(cases))
     })
 
     test('is finite at its centre, on its axis, and far away', () => {
-      for (const options of [...list, { [amountOf(name)]: ({ glsl }) => glsl.param('much') }]) {
+      for (const options of [
+        ...optionSets,
+        { [amountOf(name)]: ({ glsl }) => glsl.param('much') },
+      ]) {
         const warp = compileWarp(make(options))
         const middle = options.center ?? (name === 'genie' ? [0, 200, 0] : [0, 0, 0])
         const along = Array.isArray(options.axis) ? options.axis : [1, 0, 0]
         const points = [middle, middle.map((x, i) => x + 50 * along[i]), [0, 0, 1e5], [0, 50, 0]]
         for (const much of [-3, -1, 0, 1e-30, 0.5, 1, 3])
           for (const point of points) {
-            const known = { millis: 100, much }
+            const values = { millis: 100, much }
             const uniforms = Object.fromEntries(
-              warp.uniforms.map(({ name }) => [name, known[name]]),
+              warp.uniforms.map(({ name }) => [name, values[name]]),
             )
             const moved = warp.evaluateAt(point, { normal: [0, 0.6, 0.8], uniforms })
             for (const x of [...moved.position, ...moved.normal])
@@ -233,15 +236,17 @@ test('is finite for computed options outside their valid range', () => {
     stretch: { amount: -1, keepVolume: true },
   }
   for (const [name, options] of Object.entries(strange)) {
-    const read = ([key, value]) => [
+    const readEntry = ([key, value]) => [
       key,
       value === true
         ? value
         : ({ glsl }) => (typeof value === 'number' ? glsl.param(key) : glsl.vec3Param(key)),
     ]
-    const warp = compileWarp(deformers[name](Object.fromEntries(Object.entries(options).map(read))))
-    const known = { ...options, millis: 50 }
-    const uniforms = Object.fromEntries(warp.uniforms.map(({ name }) => [name, known[name]]))
+    const warp = compileWarp(
+      deformers[name](Object.fromEntries(Object.entries(options).map(readEntry))),
+    )
+    const values = { ...options, millis: 50 }
+    const uniforms = Object.fromEntries(warp.uniforms.map(({ name }) => [name, values[name]]))
     const { position, normal } = warp.evaluateAt([3, 4, 5], { normal: [0, 1, 0], uniforms })
     for (const x of [...position, ...normal])
       assert.ok(Number.isFinite(x), `${name}: ${position} ${normal}`)
@@ -273,8 +278,8 @@ test('twist preserves volume, and so does stretch with keepVolume', () => {
   for (const warp of [twist({ axis: oblique }), stretch({ keepVolume: true, amount: 0.7 })]) {
     const { evaluate } = compile((glsl) => {
       const position = glsl.vec3Param('position')
-      const turned = warp({ glsl, position }).jacobian(position).add(glsl.mat3(1))
-      return { volume: turned.determinant() }
+      const jacobian = warp({ glsl, position }).jacobian(position).add(glsl.mat3(1))
+      return { volume: jacobian.determinant() }
     })
     for (const { position } of vertices.slice(0, 9))
       assertClose([evaluate({ position }).volume], [1], 1e-12)

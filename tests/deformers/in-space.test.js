@@ -57,8 +57,8 @@ const spaces = {
   'a mirror': product(translation(1, 2, 3), scaling(-1, 1, 2)),
 }
 
-/** The inverse transform of directions. */
-function backward(matrix, v) {
+/** Transforms a direction by the inverse of a matrix. */
+function transformBack(matrix, v) {
   const [a, b, c] = matrix.slice(0, 3).map((row) => row.slice(0, 3))
   const determinant = dot(a, cross(b, c))
   const inverse = [cross(b, c), cross(c, a), cross(a, b)]
@@ -66,8 +66,8 @@ function backward(matrix, v) {
     (i) => (inverse[0][i] * v[0] + inverse[1][i] * v[1] + inverse[2][i] * v[2]) / determinant,
   )
 }
-const inside = (matrix, oracle) => (p, inputs) =>
-  backward(
+const oracleInSpace = (matrix, oracle) => (p, inputs) =>
+  transformBack(
     matrix,
     oracle(transformPoint(matrix, p), {
       ...inputs,
@@ -86,22 +86,25 @@ describe('inSpace', () => {
         ({ glsl }) => glsl.mat4(...flat),
       ])
         if (!(form instanceof Float32Array))
-          agree(inSpace(form, twisted[0]), inside(matrix, twisted[1]))
+          agree(inSpace(form, twisted[0]), oracleInSpace(matrix, twisted[1]))
         else assert.equal(typeof inSpace(form, twisted[0]), 'function')
       agree(
         inSpace(({ glsl }) => glsl.mat4Param('m'), bent[0]),
-        inside(matrix, bent[1]),
+        oracleInSpace(matrix, bent[1]),
         { m: flat },
       )
       agree(
         (inputs) => inSpace(inputs.glsl.mat4(...flat), bent[0])(inputs),
-        inside(matrix, bent[1]),
+        oracleInSpace(matrix, bent[1]),
       )
     })
 
     test(`transforms normals into the space and back: ${name}`, () => {
       const flat = columnMajor(matrix)
-      agree(inSpace(flat, inflate({ amount: 8 })), inside(matrix, oracles.inflate({ amount: 8 })))
+      agree(
+        inSpace(flat, inflate({ amount: 8 })),
+        oracleInSpace(matrix, oracles.inflate({ amount: 8 })),
+      )
       // A normal points outwards, and an offset along it has an outward component, also under a mirror.
       const evaluate = inDouble(inSpace(flat, inflate({ amount: 8 })))
       for (const vertex of vertices) assert.ok(dot(evaluate(vertex).offset, vertex.normal) > 0)
@@ -118,7 +121,7 @@ describe('inSpace', () => {
         const place = transformPoint(matrix, plus(p, before))
         const within = twisted[1](place, vertex)
         const turned = normalAfter(twisted[1], place, { ...vertex, normal })
-        const expected = plus(before, backward(matrix, plus(within, times(turned, 8))))
+        const expected = plus(before, transformBack(matrix, plus(within, times(turned, 8))))
         assertClose(evaluate(vertex).offset, expected, 1e-5)
       }
     })
@@ -129,11 +132,11 @@ describe('inSpace', () => {
     const numbers = [0, 1, 2].flatMap((i) => matrix.slice(0, 3).map((row) => row[i]))
     agree(
       inSpace(({ glsl }) => glsl.mat3(...numbers), twisted[0]),
-      inside(matrix, twisted[1]),
+      oracleInSpace(matrix, twisted[1]),
     )
     agree(
       inSpace(({ glsl }) => glsl.mat3Param('m'), twisted[0]),
-      inside(matrix, twisted[1]),
+      oracleInSpace(matrix, twisted[1]),
       { m: numbers },
     )
   })
@@ -150,7 +153,7 @@ describe('inSpace', () => {
   })
 })
 
-test('deformers and compositions compile to one piece of code in all three languages', () => {
+test('deformers and compositions compile together in all three languages', () => {
   const all = chain(
     blend(taper(), stretch({ keepVolume: true }), 0.4),
     mask(add(bulge(), shear()), ({ position }) => position.y().mult(0.01).sin()),

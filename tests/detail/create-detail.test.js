@@ -5,7 +5,7 @@ import * as THREE from 'three'
 import { compileWarp } from 'warpjet'
 import { createDetail } from 'warpjet/detail'
 import { edgesNotUsed } from '../support/deviation.js'
-import { quantile, screenErrors } from '../support/screen-error.js'
+import { pixelsOf, quantile, screenErrors } from '../support/screen-error.js'
 
 const { cos, sin } = Math
 
@@ -17,6 +17,12 @@ const twist = ({ glsl, position: p, uniforms }) => {
   return glsl.vec3(x, p.y(), p.x().mult(s).add(p.z().mult(c))).sub(p)
 }
 const warp = compileWarp(twist, { uniforms: { turn: 0.01 } })
+
+/** Adds 0 times a noise, which takes so long that only samples that a view may show are warped. */
+const costlyTwist = (inputs) => {
+  const { glsl, position, uniforms } = inputs
+  return twist(inputs).add(glsl.fbm(position.mult(0.01)).mult(uniforms.none))
+}
 
 /** Makes the same warp in plain numbers. */
 const twistBy = (turn) => (vertices) => {
@@ -80,6 +86,53 @@ test('several views are served together', () => {
   divided.update([near, other])
   for (const view of [near, other]) assert.ok(quantile(errorsOf(divided, 0.01, view), 0.999) <= 1)
   divided.dispose()
+})
+
+/** Returns the numbers of the triangles that the twisted surface turns to the eye. */
+function findFacing(divided, turn, view) {
+  const warped = twistBy(turn)(divided)
+  return all(divided).filter((t) => {
+    const corners = [0, 1, 2].map((i) => pixelsOf(warped, 3 * divided.indices[3 * t + i], view))
+    if (!corners.every(Boolean)) return false
+    const [[ax, ay], [bx, by], [cx, cy]] = corners
+    return (bx - ax) * (cy - ay) > (cx - ax) * (by - ay)
+  })
+}
+
+test('what faced away or was outside of the view is within a pixel once it is seen', () => {
+  const costly = compileWarp(costlyTwist, { uniforms: { turn: 0.01, none: 0 } })
+  const divided = createDetail(mesh, costly)
+  for (const place of [
+    [300, 200, 400],
+    [-300, -200, -400],
+    [100, 500, -100],
+    [150, 90, 170],
+  ]) {
+    const view = { ...viewFrom(...place), side: 'front' }
+    divided.update(view)
+    const errors = screenErrors(divided, twistBy(0.01), view, findFacing(divided, 0.01, view))
+    assert.ok(errors.length > 500)
+    assert.ok(quantile(errors, 0.999) <= 1, `${place}: ${quantile(errors, 0.999)}`)
+    // Samples that were not warped would bend so much that there would be many more triangles.
+    const fresh = createDetail(mesh, costly)
+    fresh.update(view)
+    assert.ok(divided.indices.length < 2 * fresh.indices.length)
+    fresh.dispose()
+  }
+  divided.dispose()
+})
+
+test('the function of a uniform has one value for all samples of an update', () => {
+  const count = (turn) => {
+    const divided = createDetail(mesh, compileWarp(costlyTwist, { uniforms: { turn, none: 0 } }))
+    divided.update({ ...near, side: 'front' })
+    const { length } = divided.indices
+    divided.dispose()
+    return length
+  }
+  let calls = 0
+  const alternating = count(() => (calls++ % 2 ? 0.004 : 0.01))
+  assert.ok([0.004, 0.01].map((turn) => count(turn)).includes(alternating), `${alternating}`)
 })
 
 test('update says whether arrays changed, and follows uniforms', () => {

@@ -32,8 +32,8 @@ void append(FileBytes& file, std::size_t word) {
     file.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// Parses a GLB as far as its lengths are valid.
-std::optional<Glb> glbOf(const FileBytes& file) {
+// Parses a GLB up to the end of the file, if its lengths are too large.
+std::optional<Glb> parseGlb(const FileBytes& file) {
   constexpr std::size_t start = headerSize + chunkHeaderSize;
   if (file.size() < start || !std::equal(file.begin(), file.begin() + 4, "glTF")) return {};
   const auto text = file.begin() + start;
@@ -45,7 +45,7 @@ std::optional<Glb> glbOf(const FileBytes& file) {
   return glb;
 }
 
-FileBytes bytesOf(Glb glb) {
+FileBytes writeGlb(Glb glb) {
   glb.text.resize((glb.text.size() + 3) / 4 * 4, ' ');
   glb.binary.resize((glb.binary.size() + 3) / 4 * 4);
   FileBytes file{'g', 'l', 'T', 'F'};
@@ -63,7 +63,7 @@ FileBytes bytesOf(Glb glb) {
 }
 
 // Parses JSON that is shallow enough for recursion; nullopt otherwise.
-std::optional<json> parsed(const std::string& text) {
+std::optional<json> parseShallow(const std::string& text) {
   const auto isShallow = [](int depth, json::parse_event_t, json&) { return depth < 40; };
   json tree = json::parse(text, isShallow, false);
   if (!tree.is_structured()) return {};
@@ -77,7 +77,7 @@ void collect(json& tree, std::vector<json*>& values) {
   }
 }
 
-// Values that have broken file readers.
+// Returns a value of those that are known to break readers of files.
 json oddValue(Random& random) {
   static const std::array<json, 24> values = {nullptr,
                                               true,
@@ -107,7 +107,7 @@ json oddValue(Random& random) {
 }
 
 // Makes one change to one value.
-void change(json& tree, Random& random) {
+void changeOneValue(json& tree, Random& random) {
   std::vector<json*> values;
   collect(tree, values);
   if (values.empty()) return;
@@ -129,7 +129,7 @@ void change(json& tree, Random& random) {
       else
         value = oddValue(random);
       break;
-    case 3:  // one element twice
+    case 3:  // duplicates an element
       if (value.is_array() && !value.empty()) {
         const json copy = value[below(random, value.size())];
         value.push_back(copy);
@@ -151,9 +151,9 @@ void change(json& tree, Random& random) {
 }
 
 void mutateText(std::string& text, std::size_t maxSize, Random& random, const MutateBytes& mutate) {
-  auto tree = below(random, 8) == 0 ? std::nullopt : parsed(text);
+  auto tree = below(random, 8) == 0 ? std::nullopt : parseShallow(text);
   if (tree) {
-    for (std::size_t n = 1 + below(random, 3); n > 0; --n) change(*tree, random);
+    for (std::size_t n = 1 + below(random, 3); n > 0; --n) changeOneValue(*tree, random);
     text = tree->dump(-1, ' ', false, json::error_handler_t::replace);
     return;
   }
@@ -164,23 +164,23 @@ void mutateText(std::string& text, std::size_t maxSize, Random& random, const Mu
 
 }  // namespace
 
-FileBytes mutatedFile(FileBytes file, std::size_t maxSize, unsigned seed,
-                      const MutateBytes& mutate) {
+FileBytes mutateFile(FileBytes file, std::size_t maxSize, unsigned seed,
+                     const MutateBytes& mutate) {
   Random random(seed);
   FileBytes mutated = file;
   const bool isText = !file.empty() && file[0] == '{';
-  auto glb = glbOf(file);
+  auto glb = parseGlb(file);
   const std::size_t kind = below(random, 16);
   if (glb && kind > 0) {
     if (kind < 5 && !glb->binary.empty()) {
-      // The description knows its size.
+      // The JSON contains the size of the binary chunk.
       const std::size_t size = glb->binary.size();
       mutate(glb->binary, maxSize);
       glb->binary.resize(size);
     } else {
       mutateText(glb->text, maxSize, random, mutate);
     }
-    mutated = bytesOf(std::move(*glb));
+    mutated = writeGlb(std::move(*glb));
   } else if (isText && kind > 0) {
     std::string text(file.begin(), file.end());
     mutateText(text, maxSize, random, mutate);

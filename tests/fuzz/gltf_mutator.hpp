@@ -10,14 +10,12 @@ namespace warpjet {
 
 using FileBytes = std::vector<std::uint8_t>;
 
-// Changes some bytes; the result has at most that many.
+// Changes some bytes; the result has at most `maxSize` bytes.
 using MutateBytes = std::function<void(FileBytes&, std::size_t maxSize)>;
 
-// Returns another file of at most `maxSize` bytes. For a GLB, changes either the description or the
-// binary chunk and updates the lengths in its headers; for a .gltf, changes the description.
-// Descriptions are changed as JSON trees, or as text. Some files, and all other formats, are
-// changed byte by byte.
-FileBytes mutatedFile(FileBytes file, std::size_t maxSize, unsigned seed,
-                      const MutateBytes& mutate);
+// Returns a changed file of at most `maxSize` bytes. In a GLB, changes either the JSON or the
+// binary chunk, and updates the lengths in the headers; in a .gltf, changes the JSON. Changes JSON
+// as a tree, or as text. Changes some files, and all other formats, byte by byte.
+FileBytes mutateFile(FileBytes file, std::size_t maxSize, unsigned seed, const MutateBytes& mutate);
 
 }  // namespace warpjet

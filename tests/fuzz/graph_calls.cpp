@@ -55,7 +55,7 @@ constexpr std::array names{"x",      "y",           "position", "position.x", "p
 constexpr std::array shapes{scalarShape,    vectorOf(2),    vectorOf(3),   vectorOf(4),
                             matrixOf(2, 2), matrixOf(3, 3), matrixOf(4, 4)};
 
-// The number of operands that an operation takes, or two if it takes any number.
+// Returns the number of operands that an operation takes, or two if it takes any number.
 std::size_t arityOf(const Operation& operation) {
   using Source = Operation::Source;
   switch (operation.source) {
@@ -72,65 +72,67 @@ std::size_t arityOf(const Operation& operation) {
 
 }  // namespace
 
-int operationNamed(std::string_view name) {
+int findOperation(std::string_view name) {
   std::size_t i = 0;
   while (i < operations.size() && operations[i].name != name) ++i;
   require(i < operations.size(), "there is such an operation", std::string(name));
   return static_cast<int>(i);
 }
 
-void requireProblem(const Builder& builder) { requireSentence(builder.problem()); }
+void requireProblem(const Builder& builder) { requireMessage(builder.problem()); }
 
-void requireSentence(const std::string& problem) {
+void requireMessage(const std::string& problem) {
   require(problem.size() > 1 && problem.ends_with('.'), "a problem ends with a full stop", problem);
 }
 
 void GraphCalls::run() {
-  keep(builder_.input("vec3Param", "position", vectorOf(3)));
-  keep(builder_.input("param", "time", scalarShape));
+  record(builder_.input("vec3Param", "position", vectorOf(3)));
+  record(builder_.input("param", "time", scalarShape));
   while (!reader_.isAtEnd() && builder_.graph().size() < maxNodes && values_.size() < maxValues)
-    step();
+    runStep();
   for (; !repeats_.empty(); repeats_.pop_back()) builder_.dropRepeat();
 }
 
-void GraphCalls::keep(int handle) {
+void GraphCalls::record(int handle) {
   if (handle >= 0)
     values_.push_back(handle);
   else
     requireProblem(builder_);
 }
 
-// Prefers recent values.
-int GraphCalls::value() {
+// Returns a recorded value; recent ones are more likely.
+int GraphCalls::pickValue() {
   const std::size_t back = reader_.byte();
-  const std::size_t least = back < 128 ? back / 16 : back - 120;
-  return values_[values_.size() - 1 - least % values_.size()];
+  const std::size_t distance = back < 128 ? back / 16 : back - 120;
+  return values_[values_.size() - 1 - distance % values_.size()];
 }
 
-int GraphCalls::valueLike(int handle) {
-  const int found = value();
-  if (builder_.shape(found) == builder_.shape(handle)) return found;
+// Returns a recorded value with the shape of another one, which it returns if there is no other.
+int GraphCalls::pickValueLike(int handle) {
+  const int picked = pickValue();
+  if (builder_.shape(picked) == builder_.shape(handle)) return picked;
   for (std::size_t i = values_.size(); i-- > 0;) {
-    if (values_[i] < found && builder_.shape(values_[i]) == builder_.shape(handle))
+    if (values_[i] < picked && builder_.shape(values_[i]) == builder_.shape(handle))
       return values_[i];
   }
   return handle;
 }
 
-std::string GraphCalls::name() {
+std::string GraphCalls::pickName() {
   const int which = reader_.byte();
   if (which < 224) return names[static_cast<std::size_t>(which) % names.size()];
   hasForeignText_ = true;
   return reader_.text(static_cast<std::size_t>(which - 224));
 }
 
-// Numbers that JavaScript accepts: 0, or within the range of float32 and nonzero there.
+// Adds a number that JavaScript accepts: 0, or within the range of float32 and nonzero there.
 void GraphCalls::constant(double value) {
-  const bool isHeld = std::abs(value) <= largest && (value == 0 || static_cast<float>(value) != 0);
-  if (isHeld) keep(builder_.constant(value));
+  const bool isAccepted =
+      std::abs(value) <= largest && (value == 0 || static_cast<float>(value) != 0);
+  if (isAccepted) record(builder_.constant(value));
 }
 
-void GraphCalls::step() {
+void GraphCalls::runStep() {
   switch (static_cast<Step>(reader_.below(static_cast<std::size_t>(Step::count)))) {
     case Step::Constant:
       constant(constants[static_cast<std::size_t>(reader_.byte()) % constants.size()]);
@@ -143,7 +145,7 @@ void GraphCalls::step() {
       break;
     case Step::Input: {
       const Shape shape = shapes[static_cast<std::size_t>(reader_.below(shapes.size()))];
-      keep(builder_.input("param", name(), shape));
+      record(builder_.input("param", pickName(), shape));
       break;
     }
     case Step::Call:
@@ -153,18 +155,18 @@ void GraphCalls::step() {
       call(true);
       break;
     case Step::Swizzle: {
-      const int of = value(), count = 1 + reader_.below(4);
-      keep(builder_.swizzle(of, count, reader_.byte()));
+      const int vector = pickValue(), count = 1 + reader_.below(4);
+      record(builder_.swizzle(vector, count, reader_.byte()));
       break;
     }
     case Step::Derivative:
-      derivative();
+      callDerivative();
       break;
     case Step::Function: {
-      const std::string of = name();
+      const std::string functionName = pickName();
       const int arity = 1 + reader_.below(4);
-      const int function =
-          builder_.addFunction(of, {{"glsl", "float " + of + "(float a) { return a; }"}}, arity);
+      const int function = builder_.addFunction(
+          functionName, {{"glsl", "float " + functionName + "(float a) { return a; }"}}, arity);
       if (function < 0) requireProblem(builder_);
       if (function >= 0) arities_[function] = arity;
       break;
@@ -173,22 +175,22 @@ void GraphCalls::step() {
       callFunction();
       break;
     case Step::Noise:
-      noise();
+      callNoise();
       break;
     case Step::Comment:
-      builder_.comment(name());
+      builder_.comment(pickName());
       break;
     case Step::Output:
-      output();
+      callOutput();
       break;
     case Step::Build: {
       if (!builder_.finish()) {
         requireProblem(builder_);
         break;
       }
-      const ShaderTextResult made =
+      const ShaderTextResult result =
           write(builder_.module(), glsl300, {.emit = {1 + reader_.byte()}});
-      if (!made.text) requireSentence(made.problem);
+      if (!result.text) requireMessage(result.problem);
       break;
     }
     case Step::Position:
@@ -205,14 +207,14 @@ void GraphCalls::step() {
   }
 }
 
-// The last number of steps exceeds the limit.
 void GraphCalls::openRepeat() {
+  // The last number exceeds the limit.
   constexpr std::array counts{0, 1, 2, 3, 7, 10'001};
   const int steps = counts[static_cast<std::size_t>(reader_.below(counts.size()))];
   const int count = 1 + reader_.below(3);
-  for (int i = 0; i < count; ++i) builder_.push(value());
+  for (int i = 0; i < count; ++i) builder_.push(pickValue());
   const int step = builder_.openRepeat(steps);
-  for (int i = 0; i <= count; ++i) keep(step == Builder::failed ? step : step + i);
+  for (int i = 0; i <= count; ++i) record(step == Builder::failed ? step : step + i);
   if (step != Builder::failed) repeats_.push_back({step + 1, count});
 }
 
@@ -220,24 +222,26 @@ void GraphCalls::closeRepeat() {
   if (repeats_.empty()) return;
   const auto [first, count] = repeats_.back();
   repeats_.pop_back();
-  // Whatever a sketch returns from the body; usually states of the right shapes.
+  // A sketch may return anything from the body. We pass states of the right shapes unless the byte
+  // is above 240.
   const bool isOdd = reader_.byte() > 240;
-  for (int i = 0; i < count; ++i) builder_.push(isOdd ? value() : valueLike(first + i));
+  for (int i = 0; i < count; ++i) builder_.push(isOdd ? pickValue() : pickValueLike(first + i));
   const int outcome = builder_.closeRepeat();
-  for (int i = 0; i < count; ++i) keep(outcome == Builder::failed ? outcome : outcome + i);
+  for (int i = 0; i < count; ++i) record(outcome == Builder::failed ? outcome : outcome + i);
 }
 
-// Called like in JavaScript: on any value, with an integer seed, and with numbers.
-void GraphCalls::noise() {
+// Calls noise like JavaScript does: on any value, with an integer seed, and with numbers as
+// options.
+void GraphCalls::callNoise() {
   const auto kind = NoiseKind(reader_.below(noises.size())), base = NoiseKind(reader_.below(3));
   const Noise noise{kind, base, 1 + reader_.below(3)};
-  std::vector<int> operands{value(), builder_.constant(reader_.byte())};
+  std::vector<int> operands{pickValue(), builder_.constant(reader_.byte())};
   if (isFractal(kind)) {
-    operands.push_back(valueLike(operands[1]));
+    operands.push_back(pickValueLike(operands[1]));
     operands.push_back(builder_.constant(0.5));
   }
   for (const int operand : operands) builder_.push(operand);
-  keep(builder_.callNoise(noise, true));
+  record(builder_.callNoise(noise, true));
 }
 
 void GraphCalls::call(bool isSameShape) {
@@ -248,16 +252,16 @@ void GraphCalls::call(bool isSameShape) {
   const bool isMethod = (style & 1) != 0 && count > 0 && !called.isConstructor();
   std::vector<int> operands;
   for (std::size_t i = 0; i < count; ++i)
-    operands.push_back(isSameShape && i > 0 ? valueLike(operands[0]) : value());
+    operands.push_back(isSameShape && i > 0 ? pickValueLike(operands[0]) : pickValue());
   callOperation(operation, operands, isMethod);
 }
 
 void GraphCalls::callOperation(int operation, const std::vector<int>& operands, bool isMethod) {
-  // Repeated like JavaScript does, but with fewer attempts.
+  // Repeats the call like JavaScript does, but with fewer attempts.
   for (int attempt = 0; attempt < 4; ++attempt) {
     for (const int operand : operands) builder_.push(operand);
     const int result = builder_.call(operation, isMethod);
-    if (result != Builder::needsPartials) return keep(result);
+    if (result != Builder::needsPartials) return record(result);
     givePartials();
   }
 }
@@ -267,39 +271,39 @@ void GraphCalls::givePartials() {
   require(!pending.empty(), "there are calls without partials");
   for (const NodeId call : pending) {
     const int function = builder_.functionOfCall(call);
-    require(arities_.contains(function), "it calls a function that there is");
+    require(arities_.contains(function), "a call calls an existing function");
     std::vector<int> partials;
     for (int i = 0; i < arities_[function]; ++i) {
       const int argument = builder_.argumentOfCall(call, i);
-      partials.push_back(reader_.byte() & 1 ? argument : value());
+      partials.push_back(reader_.byte() & 1 ? argument : pickValue());
     }
     for (const int partial : partials) builder_.push(partial);
     if (!builder_.setPartials(call)) requireProblem(builder_);
   }
 }
 
-void GraphCalls::derivative() {
-  static const std::array byPosition{operationNamed("jacobian"),
-                                     operationNamed("gradient"),
-                                     operationNamed("adjustNormal"),
-                                     operationNamed("derivative"),
+void GraphCalls::callDerivative() {
+  static const std::array byPosition{findOperation("jacobian"),
+                                     findOperation("gradient"),
+                                     findOperation("adjustNormal"),
+                                     findOperation("derivative"),
                                      -1,
-                                     operationNamed("adjustTangent")};
+                                     findOperation("adjustTangent")};
   const std::size_t which = static_cast<std::size_t>(reader_.below(byPosition.size()));
-  const int of = value(), position = values_[0];
+  const int operand = pickValue(), position = values_[0];
   if (which == 4)
-    warp(of);
+    warp(operand);
   else if (which == 2)
-    callOperation(byPosition[which], {of, value(), position}, false);
+    callOperation(byPosition[which], {operand, pickValue(), position}, false);
   else if (which == 5)
-    callOperation(byPosition[which], {of, value(), value(), position}, false);
+    callOperation(byPosition[which], {operand, pickValue(), pickValue(), position}, false);
   else if (which == 3)
-    callOperation(byPosition[which], {of, values_[1]}, false);
+    callOperation(byPosition[which], {operand, values_[1]}, false);
   else
-    callOperation(byPosition[which], {of, position}, false);
+    callOperation(byPosition[which], {operand, position}, false);
 }
 
-// A whole warp; JavaScript only accepts a vec3 as offset.
+// Builds a whole warp from an offset, for which JavaScript only accepts a vec3.
 void GraphCalls::warp(int offset) {
   if (builder_.shape(offset) != vectorOf(3)) return;
   const auto input = [&](const char* name, int size) {
@@ -325,14 +329,14 @@ void GraphCalls::callFunction() {
   if (arities_.empty()) return;
   const auto [function, arity] = *std::next(arities_.begin(), reader_.below(arities_.size()));
   const int count = reader_.byte() < 240 ? arity : 2;
-  for (int i = 0; i < count; ++i) builder_.push(value());
-  keep(builder_.callFunction(function));
+  for (int i = 0; i < count; ++i) builder_.push(pickValue());
+  record(builder_.callFunction(function));
 }
 
-void GraphCalls::output() {
-  const std::string as =
-      reader_.byte() & 1 ? "out" + std::to_string(builder_.module().outputs.size()) : name();
-  builder_.output("output", as, value());
+void GraphCalls::callOutput() {
+  const std::string outputName =
+      reader_.byte() & 1 ? "out" + std::to_string(builder_.module().outputs.size()) : pickName();
+  builder_.output("output", outputName, pickValue());
 }
 
 }  // namespace warpjet

@@ -38,34 +38,34 @@ class GraphCalls {
  public:
   GraphCalls(Builder& builder, Reader& reader) : builder_(builder), reader_(reader) {}
 
-  // Runs until the bytes end, or the time limit of a run is likely to be reached.
+  // Calls the builder until the bytes end, or the graph is at the limit that keeps a run short.
   void run();
 
-  // The results of calls, by handle.
+  // The handles of the results of all calls.
   const std::vector<int>& values() const { return values_; }
   // True if a name or a text was taken from the bytes, so that the shader code may contain
   // anything.
   bool hasForeignText() const { return hasForeignText_; }
 
  private:
-  void step();
-  void keep(int handle);
-  int value();
-  int valueLike(int handle);
-  std::string name();
+  void runStep();
+  void record(int handle);
+  int pickValue();
+  int pickValueLike(int handle);
+  std::string pickName();
   void constant(double value);
   void call(bool isSameShape);
   void callOperation(int operation, const std::vector<int>& operands, bool isMethod);
   void givePartials();
-  void derivative();
+  void callDerivative();
   void warp(int offset);
   void callFunction();
-  void noise();
-  void output();
+  void callNoise();
+  void callOutput();
   void openRepeat();
   void closeRepeat();
 
-  // The handles of the states of a repeat whose body is being recorded.
+  // A repeat whose body is being recorded: the first handle of its states, and their number.
   struct OpenRepeat {
     int first, count;
   };
@@ -73,15 +73,15 @@ class GraphCalls {
   Builder& builder_;
   Reader& reader_;
   std::vector<int> values_;
-  std::map<int, int> arities_;       // of functions of the host, by number
+  std::map<int, int> arities_;       // of user functions, by number
   std::vector<OpenRepeat> repeats_;  // the innermost last
   bool hasForeignText_ = false;
 };
 
-int operationNamed(std::string_view name);
+int findOperation(std::string_view name);
 
-// Every problem must be one message.
+// Requires a problem to be a message that ends with a full stop.
 void requireProblem(const Builder& builder);
-void requireSentence(const std::string& problem);
+void requireMessage(const std::string& problem);
 
 }  // namespace warpjet

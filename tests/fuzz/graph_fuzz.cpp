@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t vertices = 5, maxResults = 12;
 constexpr std::uint32_t maxInstructions = 1500;
 
-// Every number in shader code must be finite as a float.
+// Requires every number in shader code to be finite as a float.
 void checkNumbers(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     if (isWordPart(text[i]) && !isDigit(text[i])) {
@@ -41,7 +41,7 @@ void checkNumbers(const std::string& text) {
 void checkText(const std::string& text) {
   for (const std::string_view word : identifiers(text)) {
     require(word != "nan" && word != "inf" && word != "NaN" && word != "Infinity",
-            "no literal is odd", text);
+            "no literal is NaN or infinite", text);
   }
   for (const auto& [open, close] : {std::pair{'(', ')'}, {'{', '}'}, {'[', ']'}}) {
     require(
@@ -51,34 +51,35 @@ void checkText(const std::string& text) {
   checkNumbers(text);
 }
 
-// Results under their own names may hide each other; numbered ones don't.
-ShaderTextOptions numbered(const Module& module) {
+// Returns options that number the results: under their own names, they may hide each other.
+ShaderTextOptions numberResults(const Module& module) {
   ShaderTextOptions options;
   for (std::uint32_t i = 0; i < module.outputs.size(); ++i)
     options.results.push_back({i, "warpjetResult" + std::to_string(i)});
   return options;
 }
 
-// A serialized module gives the same shader code as the module itself, in every language.
+// Requires valid shader code or a message in every language, and the same again from the serialized
+// module.
 void checkTexts(const Module& module, bool hasForeignText) {
-  const Module kept = load(save(module));
+  const Module reloaded = load(save(module));
   for (const Dialect* dialect : dialects()) {
-    for (const ShaderTextOptions& options : {ShaderTextOptions{}, numbered(module)}) {
-      const ShaderTextResult made = write(kept, *dialect, options);
-      require(made.text.has_value() == made.problem.empty(), "there is a text or a problem",
-              made.problem);
-      if (!made.text) requireSentence(made.problem);
-      if (made.text && !hasForeignText) checkText(made.text->emitted.code);
-      const ShaderTextResult again = write(load(save(kept)), *dialect, options);
-      require(made.problem == again.problem &&
-                  (!made.text || made.text->emitted.code == again.text->emitted.code),
-              "what is kept twice is the same");
+    for (const ShaderTextOptions& options : {ShaderTextOptions{}, numberResults(module)}) {
+      const ShaderTextResult result = write(reloaded, *dialect, options);
+      require(result.text.has_value() == result.problem.empty(), "there is a text or a problem",
+              result.problem);
+      if (!result.text) requireMessage(result.problem);
+      if (result.text && !hasForeignText) checkText(result.text->emitted.code);
+      const ShaderTextResult repeated = write(load(save(reloaded)), *dialect, options);
+      require(result.problem == repeated.problem &&
+                  (!result.text || result.text->emitted.code == repeated.text->emitted.code),
+              "a module that is serialized twice gives the same code");
     }
   }
 }
 
-// The numbers of all inputs, vertex by vertex, within a range each; uniform ones are equal.
-struct Given {
+// The values of all inputs at each vertex, each within its range; uniforms have one value.
+struct InputValues {
   std::vector<Range> ranges;
   std::vector<bool> isUniform;             // by number
   std::vector<std::vector<float>> values;  // by input
@@ -100,10 +101,10 @@ float oddNumber(std::minstd_rand& random) {
   return odd[random() % std::size(odd)];
 }
 
-Given givenInputs(const Graph& graph, unsigned style) {
+InputValues makeInputs(const Graph& graph, unsigned style) {
   std::minstd_rand random(style + 1);
   const bool isOdd = style & 1;
-  Given given;
+  InputValues inputs;
   for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
     const auto size = static_cast<std::size_t>(graph.input(i).shape.size());
     const bool isUniform = (style >> (1 + i % 7) & 1) != 0;
@@ -113,18 +114,18 @@ Given givenInputs(const Graph& graph, unsigned style) {
       values.push_back(isOdd ? oddNumber(random) : number);
     }
     for (std::size_t k = 0; k < size; ++k) {
-      given.isUniform.push_back(isUniform);
+      inputs.isUniform.push_back(isUniform);
       const double value = values[k];
-      given.ranges.push_back(isUniform || isOdd ? Range{value, value} : Range{-2, 2});
+      inputs.ranges.push_back(isUniform || isOdd ? Range{value, value} : Range{-2, 2});
     }
-    given.values.push_back(std::move(values));
-    given.streams.push_back(
-        {given.values.back().data(), static_cast<std::uint32_t>(size), isUniform});
+    inputs.values.push_back(std::move(values));
+    inputs.streams.push_back(
+        {inputs.values.back().data(), static_cast<std::uint32_t>(size), isUniform});
   }
-  return given;
+  return inputs;
 }
 
-// The latest results, by number, and the count of their numbers.
+// The indices of the last results, and the total number of their components.
 struct Latest {
   std::vector<std::uint32_t> results;
   std::size_t size = 0;
@@ -151,7 +152,7 @@ std::string nameOf(const Words& words, std::uint32_t instruction) {
   return index(op) < ops::count ? std::string(ops::declaration(op).name) : "a leaf";
 }
 
-// The program, extended by a result for each instruction.
+// Returns the words of a program, extended by a result for each instruction.
 std::vector<std::uint32_t> withAllResults(const Program& program) {
   std::vector<std::uint32_t> words(
       program.words.begin(), program.words.begin() + program.instructions * Words::perInstruction);
@@ -159,16 +160,16 @@ std::vector<std::uint32_t> withAllResults(const Program& program) {
   return words;
 }
 
-// Far from overflow and underflow of float32, which bounds don't track.
+// Returns whether a value is far from overflow and underflow of float32, which bounds don't track.
 bool isOrdinaryFloat(double value) {
   return value == 0 || (std::abs(value) > 1e-30 && std::abs(value) < 1e30);
 }
 
-void requireWithin(const Range& range, double value, const std::string& of) {
+void requireWithin(const Range& range, double value, const std::string& name) {
   require(!std::isfinite(value) || (range.low <= value && value <= range.high),
-          "bounds hold every value",
-          of + " is " + exactly(value) + ", not from " + exactly(range.low) + " to " +
-              exactly(range.high));
+          "bounds contain every value",
+          name + " is " + printExactly(value) + ", not from " + printExactly(range.low) + " to " +
+              printExactly(range.high));
 }
 
 void checkEvaluation(const Module& module, unsigned style) {
@@ -176,35 +177,36 @@ void checkEvaluation(const Module& module, unsigned style) {
   const auto program = warpjet::program(module, latest).program;
   if (!program || program->instructions > maxInstructions) return;
   const Words words(program->words, program->instructions);
-  std::vector<std::uint32_t> wanted;
+  std::vector<std::uint32_t> checked;
   for (std::uint32_t i = 0; i < results; ++i) {
-    if (isNumber(words, words.result(i))) wanted.push_back(i);
+    if (isNumber(words, words.result(i))) checked.push_back(i);
   }
-  if (wanted.empty()) return;
+  if (checked.empty()) return;
 
-  const Given given = givenInputs(module.graph, style);
+  const InputValues inputs = makeInputs(module.graph, style);
   BlockEvaluator evaluator(
-      allocateRegisters(program->words, program->instructions, wanted, given.isUniform),
-      given.streams);
-  std::vector<float> found(vertices * wanted.size());
-  const Sink sinks[] = {{found.data(), static_cast<std::uint32_t>(wanted.size())}};
-  evaluator.run(vertices, given.streams, sinks);
+      allocateRegisters(program->words, program->instructions, checked, inputs.isUniform),
+      inputs.streams);
+  std::vector<float> blockResults(vertices * checked.size());
+  const Sink sinks[] = {{blockResults.data(), static_cast<std::uint32_t>(checked.size())}};
+  evaluator.run(vertices, inputs.streams, sinks);
 
-  const std::vector<Range> outer = bounds(program->words, program->instructions, given.ranges,
-                                          wanted, {.tolerance = 0.02, .budget = 5'000});
-  require(outer.size() == wanted.size(), "each result has bounds");
+  const std::vector<Range> ranges = bounds(program->words, program->instructions, inputs.ranges,
+                                           checked, {.tolerance = 0.02, .budget = 5'000});
+  require(ranges.size() == checked.size(), "each result has bounds");
   if (style & 1) return;
   std::vector<double> values(program->instructions);
-  const std::vector<std::uint32_t> everything = withAllResults(*program);
+  const std::vector<std::uint32_t> allResults = withAllResults(*program);
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-    evaluate(everything, program->instructions, given.numbers(vertex), values);
+    evaluate(allResults, program->instructions, inputs.numbers(vertex), values);
     const bool isOrdinary = std::all_of(values.begin(), values.end(), isOrdinaryFloat);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const std::uint32_t instruction = words.result(wanted[i]);
+    for (std::size_t i = 0; i < checked.size(); ++i) {
+      const std::uint32_t instruction = words.result(checked[i]);
       const std::string name = nameOf(words, instruction);
-      requireWithin(outer[i], values[instruction], name);
+      requireWithin(ranges[i], values[instruction], name);
       if (isOrdinary)
-        requireWithin(outer[i], double{found[vertex * wanted.size() + i]}, name + " in float32");
+        requireWithin(ranges[i], double{blockResults[vertex * checked.size() + i]},
+                      name + " in float32");
     }
   }
 }

@@ -15,21 +15,21 @@ std::size_t numberOf(std::string_view operation) {
   return i;
 }
 
-// Refers to values by the number of values after them, 7 at most.
+// Writes the bytes of calls. Operands are given by the number of values after them, 7 at most.
 class Calls {
  public:
   Calls(std::size_t dialect, std::size_t style) : bytes_{byte(dialect), byte(style)} {}
 
-  Calls& add(Step step, const std::vector<std::size_t>& then = {}) {
+  Calls& add(Step step, const std::vector<std::size_t>& arguments = {}) {
     bytes_.push_back(byte(static_cast<std::size_t>(step)));
-    for (const std::size_t number : then) bytes_.push_back(byte(number));
+    for (const std::size_t number : arguments) bytes_.push_back(byte(number));
     return *this;
   }
 
   Calls& call(std::size_t operation, const std::vector<std::size_t>& operands) {
-    std::vector<std::size_t> then{operation, 0};
-    for (const std::size_t back : operands) then.push_back(16 * back);
-    return add(Step::Call, then);
+    std::vector<std::size_t> arguments{operation, 0};
+    for (const std::size_t back : operands) arguments.push_back(16 * back);
+    return add(Step::Call, arguments);
   }
   Calls& call(std::string_view name, const std::vector<std::size_t>& operands) {
     return call(numberOf(name), operands);
@@ -40,11 +40,12 @@ class Calls {
   Calls& component(std::size_t back, std::size_t i) {
     return add(Step::Swizzle, {16 * back, 0, i});
   }
-  // 0 jacobian, 1 gradient, 2 adjustNormal, 3 derivative, 4 a whole warp, 5 adjustTangent.
+  // `which` is 0 jacobian, 1 gradient, 2 adjustNormal, 3 derivative, 4 a whole warp, 5
+  // adjustTangent.
   Calls& derivative(std::size_t which, const std::vector<std::size_t>& operands) {
-    std::vector<std::size_t> then{which};
-    for (const std::size_t back : operands) then.push_back(16 * back);
-    return add(Step::Derivative, then);
+    std::vector<std::size_t> arguments{which};
+    for (const std::size_t back : operands) arguments.push_back(16 * back);
+    return add(Step::Derivative, arguments);
   }
   Calls& output() { return add(Step::Output, {1, 0}); }
 
@@ -54,7 +55,7 @@ class Calls {
   std::vector<std::uint8_t> bytes_;
 };
 
-// A row on numbers, and on vectors.
+// Adds calls of an operation, on numbers and on vectors.
 void addRow(Calls& calls, std::size_t operation) {
   const auto arity = static_cast<std::size_t>(ops::declarations[operations[operation].index].arity);
   std::vector<std::size_t> operands{2, 1, 0};
@@ -91,7 +92,7 @@ Calls matrices(std::size_t dialect) {
   return calls;
 }
 
-// The warp of a twist, as a whole and by its parts.
+// A twist as a whole warp, and the operations that such a warp consists of.
 Calls warp(std::size_t dialect) {
   Calls calls(dialect, 2);
   calls.position().component(0, 1).call("sin", {0}).call("mult", {0, 1});
@@ -107,7 +108,7 @@ Calls warp(std::size_t dialect) {
 }
 
 // noise(position.x, position.y) and its derivatives, which the builder requests.
-Calls ownFunctions(std::size_t dialect) {
+Calls userFunctions(std::size_t dialect) {
   constexpr std::size_t noise = 13;
   Calls calls(dialect, 2);
   calls.add(Step::Function, {noise, 1}).position().component(0, 0).component(1, 1);
@@ -161,7 +162,7 @@ void writeGraphSeeds() {
     write("vectors", vectors(dialect));
     write("matrices", matrices(dialect));
     write("warp", warp(dialect));
-    write("functions", ownFunctions(dialect));
+    write("functions", userFunctions(dialect));
     write("noises", everyNoise(dialect));
     write("repeats", repeats(dialect));
     write("oddities", oddities(dialect));

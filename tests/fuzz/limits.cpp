@@ -1,4 +1,4 @@
-// Low enough for mutated files to reach it within libFuzzer's limits of time and memory.
+// This limit is so low that mutated files reach it within libFuzzer's limits of time and memory.
 #include "mesh/files.hpp"
 
 const std::size_t warpjet::maxMeshBytes = std::size_t{1} << 22;

@@ -20,14 +20,14 @@ namespace {
 // Keeps a run far below libFuzzer's limits.
 constexpr std::size_t maxTrianglesHere = 2000, maxRefined = 200;
 
-void requireSentence(const std::string& text) {
+void requireMessage(const std::string& text) {
   require(!text.empty() && text.ends_with('.') && text.find('\n') == text.npos,
-          "a problem or warning is one sentence", text);
+          "a problem or warning is one line that ends with a full stop", text);
 }
 
-void requireRight(const Mesh& mesh, std::string_view whose) {
+void requireValid(const Mesh& mesh, std::string_view what) {
   const std::string problem = problemOf(mesh);
-  require(problem.empty(), whose, problem);
+  require(problem.empty(), what, problem);
 }
 
 bool isUnitOrZero(const float* v) {
@@ -44,20 +44,21 @@ void checkNormals(const Mesh& mesh) {
                 std::to_string(normals[i + 2]));
 }
 
-// A mesh without triangles can't be exported.
+// Requires an exported mesh to be the same when it is loaded. A mesh without triangles can't be
+// exported.
 void checkExport(const Mesh& mesh) {
   if (mesh.triangleCount() == 0) return;
   const std::vector<std::uint8_t> bytes = exportGlb(mesh);
-  const Loaded again = loadMesh(bytes);
-  require(again.mesh.has_value(), "what was written is read", again.problem);
-  require(again.mesh->triangleCount() == mesh.triangleCount(), "no triangle gets lost");
-  require(again.mesh->positions == mesh.positions, "positions are written as they are");
-  require(again.mesh->indices == mesh.indices, "triangles are written as they are");
-  require(exportGlb(*again.mesh) == bytes, "what was read is written the same");
+  const Loaded loaded = loadMesh(bytes);
+  require(loaded.mesh.has_value(), "an exported mesh can be loaded", loaded.problem);
+  require(loaded.mesh->triangleCount() == mesh.triangleCount(), "no triangle gets lost");
+  require(loaded.mesh->positions == mesh.positions, "positions are written as they are");
+  require(loaded.mesh->indices == mesh.indices, "triangles are written as they are");
+  require(exportGlb(*loaded.mesh) == bytes, "a loaded mesh is exported as the same bytes");
 }
 
-// Four warps: smooth, identity, one with holes, one that overflows floats.
-Moved warped(const Mesh& vertices, unsigned which) {
+// Moves vertices by one of four warps: smooth, identity, one with holes, one that overflows floats.
+Moved moveVertices(const Mesh& vertices, unsigned which) {
   Moved moved{vertices.positions, which & 1 ? vertices.normals : std::vector<float>{}};
   for (float& x : moved.positions) {
     if (which == 0) x += 0.3f * std::sin(5 * x);
@@ -68,18 +69,20 @@ Moved warped(const Mesh& vertices, unsigned which) {
 }
 
 void checkSubdivision(const Mesh& mesh, unsigned which) {
-  const auto warp = [which](const Mesh& vertices) { return warped(vertices, which); };
-  const std::size_t most = std::max(mesh.triangleCount(), maxRefined);
+  const auto warp = [which](const Mesh& vertices) { return moveVertices(vertices, which); };
+  const std::size_t maxTriangles = std::max(mesh.triangleCount(), maxRefined);
   const Refined refined = subdivide(mesh, {1e-3f, 0.2f, maxRefined}, warp);
-  requireRight(refined.mesh, "a refined mesh is right");
-  require(refined.mesh.triangleCount() <= most, "there are not more triangles than asked for");
-  require(!std::isnan(refined.worst), "the distance that is left is a number");
+  requireValid(refined.mesh, "a refined mesh is valid");
+  require(refined.mesh.triangleCount() <= maxTriangles,
+          "there are not more triangles than allowed");
+  require(!std::isnan(refined.worst), "the remaining distance is a number");
   const Mesh uniform = subdivideUniformly(mesh, 3, maxRefined).mesh;
-  requireRight(uniform, "a subdivided mesh is right");
-  require(uniform.triangleCount() <= most, "there are not more triangles than asked for");
+  requireValid(uniform, "a subdivided mesh is valid");
+  require(uniform.triangleCount() <= maxTriangles, "there are not more triangles than allowed");
 }
 
-// Fills `size` bytes by repeating the packed ones: a decoder may return anything.
+// Replaces a decoder, which may return anything: fills `size` bytes by repeating the packed
+// ones.
 std::vector<std::uint8_t> guess(Bytes packed, std::size_t size) {
   std::vector<std::uint8_t> bytes(size);
   for (std::size_t i = 0; i < size && !packed.empty(); ++i) bytes[i] = packed[i % packed.size()];
@@ -88,26 +91,27 @@ std::vector<std::uint8_t> guess(Bytes packed, std::size_t size) {
 
 Pieces guessPieces(const PackedPart& part) {
   const nlohmann::json plan = nlohmann::json::parse(part.plan);
-  const std::size_t some = part.bytes.empty() ? 0 : part.bytes[0];
+  const std::size_t count = part.bytes.empty() ? 0 : part.bytes[0];
   if (plan["codec"] == "meshopt")
     return {guess(part.bytes,
                   plan["count"].get<std::size_t>() * plan["byteStride"].get<std::size_t>())};
-  // Sometimes the corners of three vertices; at most `some` vertices of four floats.
-  Pieces pieces{some % 2 ? std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}
-                         : guess(part.bytes, some)};
+  // The indices are those of three vertices if `count` is odd, otherwise any bytes. `count`
+  // vertices of four floats follow for each attribute.
+  Pieces pieces{count % 2 ? std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}
+                          : guess(part.bytes, count)};
   for (std::size_t i = 0; i < plan["attributes"].size(); ++i)
-    pieces.push_back(guess(part.bytes, some * 16));
+    pieces.push_back(guess(part.bytes, count * 16));
   return pieces;
 }
 
-// Loads with arbitrary contents of the compressed parts.
+// Loads a file with arbitrary contents of its compressed parts.
 Loaded loadUnpacked(const SplitFiles& file) {
   ModelFile model(file.bytes);
   try {
     const std::vector<PackedPart> parts = model.packedParts(file.externals);
     for (std::size_t i = 0; i < parts.size(); ++i) model.unpack(i, guessPieces(parts[i]));
   } catch (const FileProblem& problem) {
-    requireSentence(problem.what());
+    requireMessage(problem.what());
   }
   return model.load(file.externals);
 }
@@ -115,13 +119,14 @@ Loaded loadUnpacked(const SplitFiles& file) {
 void check(const SplitFiles& file) {
   const Loaded loaded = loadUnpacked(file);
   require(loaded.mesh.has_value() == loaded.problem.empty(), "there is a mesh or a problem");
-  for (const std::string& warning : loaded.warnings) requireSentence(warning);
+  for (const std::string& warning : loaded.warnings) requireMessage(warning);
   if (!loaded.mesh) {
-    requireSentence(loaded.problem);
-    require(loaded.problem.starts_with("loadMesh: "), "a problem has its place", loaded.problem);
+    requireMessage(loaded.problem);
+    require(loaded.problem.starts_with("loadMesh: "), "a problem names the function",
+            loaded.problem);
     return;
   }
-  requireRight(*loaded.mesh, "a mesh that loads is right");
+  requireValid(*loaded.mesh, "a loaded mesh is valid");
   if (loaded.mesh->triangleCount() > maxTrianglesHere) return;
   checkNormals(*loaded.mesh);
   checkExport(*loaded.mesh);
@@ -136,17 +141,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t maxSize);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t most, unsigned seed) {
+                                               std::size_t maxSize, unsigned seed) {
   const auto mutate = [](std::vector<std::uint8_t>& bytes, std::size_t room) {
     const std::size_t old = bytes.size();
     bytes.resize(std::max(old, room));
     bytes.resize(LLVMFuzzerMutate(bytes.data(), old, bytes.size()));
   };
   const std::vector<std::uint8_t> mutated =
-      warpjet::mutatedFile({data, data + size}, most, seed, mutate);
+      warpjet::mutateFile({data, data + size}, maxSize, seed, mutate);
   std::copy(mutated.begin(), mutated.end(), data);
   return mutated.size();
 }

@@ -1,4 +1,4 @@
-// Mesh files: each way of glTF, OBJ and STL to store a few triangles.
+// Writes mesh files, one for each way in which glTF, OBJ and STL can store a few triangles.
 #include "cpp/gltf_builder.hpp"
 #include "fuzz/seeds.hpp"
 
@@ -15,11 +15,11 @@ const std::vector<std::uint16_t> corners{0, 1, 2, 0, 2, 3};
 
 const File png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 13};
 
-GltfBuilder squareFile(const json& more = {}) {
+GltfBuilder squareFile(const json& primitiveMembers = {}) {
   GltfBuilder file;
   const int positions = file.floats(square, "VEC3");
   json primitive = {{"indices", file.accessor(corners, "SCALAR")}};
-  if (more.is_object()) primitive.update(more);
+  if (primitiveMembers.is_object()) primitive.update(primitiveMembers);
   file.mesh({{"POSITION", positions}}, primitive);
   file.node({{"mesh", 0}});
   return file;
@@ -72,26 +72,27 @@ GltfBuilder sparse() {
   return file;
 }
 
-json replaced(int indices, int componentType, int values) {
+json sparseReplacement(int indices, int componentType, int values) {
   return {{"count", 1},
           {"indices", {{"bufferView", indices}, {"componentType", componentType}}},
           {"values", {{"bufferView", values}}}};
 }
 
-// Numbers with sparse replacements, for each type.
-template <typename T, typename Place>
+// Makes accessors with sparse replacements, whose numbers have type T and whose indices type Index.
+template <typename T, typename Index>
 GltfBuilder sparseOf() {
   GltfBuilder file;
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_mesh_quantization"};
-  const int places = file.view<Place>({2}), values = file.view<T>({1, 2, 3, 0});
-  const int position = file.view<Place>({1});
+  const int vertexIndex = file.view<Index>({2}), values = file.view<T>({1, 2, 3, 0});
+  const int position = file.view<Index>({1});
   const int positions = file.accessor<T>(
       {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC3",
-      {{"count", 3}, {"sparse", replaced(places, componentTypeOf<Place>(), values)}});
+      {{"count", 3}, {"sparse", sparseReplacement(vertexIndex, componentTypeOf<Index>(), values)}});
   file.tree["bufferViews"].back()["byteStride"] = 4 * sizeof(T);
-  const int corner = file.view<Place>({1});
-  const int indices = file.accessor<Place>(
-      {0, 0, 2}, "SCALAR", {{"sparse", replaced(position, componentTypeOf<Place>(), corner)}});
+  const int corner = file.view<Index>({1});
+  const int indices = file.accessor<Index>(
+      {0, 0, 2}, "SCALAR",
+      {{"sparse", sparseReplacement(position, componentTypeOf<Index>(), corner)}});
   const int uvs =
       file.accessor<std::uint16_t>({0, 0, 65535, 0, 0, 65535}, "VEC2", {{"normalized", true}});
   file.mesh({{"POSITION", positions}, {"TEXCOORD_0", uvs}}, {{"indices", indices}});
@@ -158,11 +159,11 @@ GltfBuilder ignored() {
 GltfBuilder morphed() {
   GltfBuilder file = squareFile();
   const int place = file.view<std::uint8_t>({2}), value = file.view<float>({0, 0, 2});
-  const int target =
-      file.add("accessors", {{"componentType", 5126},
-                             {"count", 4},
-                             {"type", "VEC3"},
-                             {"sparse", replaced(place, componentTypeOf<std::uint8_t>(), value)}});
+  const int target = file.add(
+      "accessors", {{"componentType", 5126},
+                    {"count", 4},
+                    {"type", "VEC3"},
+                    {"sparse", sparseReplacement(place, componentTypeOf<std::uint8_t>(), value)}});
   file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", target}}};
   file.tree["meshes"][0]["weights"] = {0.5};
   file.tree["nodes"][0]["weights"] = {-1};
@@ -225,8 +226,8 @@ File binaryStl(const std::string& header) {
   return file;
 }
 
-// See split_files.hpp.
-File split(const std::vector<File>& externals, const File& file) {
+// Joins a file and its external files in the format of split_files.hpp.
+File joinFiles(const std::vector<File>& externals, const File& file) {
   File all{static_cast<std::uint8_t>(externals.size())};
   for (const File& external : externals) {
     all.push_back(static_cast<std::uint8_t>(external.size()));
@@ -261,7 +262,7 @@ void writeMeshSeeds() {
   write("embedded.gltf", allAttributes().embedded());
   GltfBuilder pictured = textured();
   pictured.tree["images"] = {{{"uri", "a%20picture.png"}}};
-  write("external", split({pictured.binary, png}, pictured.external("a.bin")));
+  write("external", joinFiles({pictured.binary, png}, pictured.external("a.bin")));
   write("missing.gltf", squareFile().external("a.bin"));
 
   write("morphed.glb", morphed().glb());
@@ -277,9 +278,9 @@ void writeMeshSeeds() {
   write("solid.stl", binaryStl("solid a"));
   const File materials = bytesOf("newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 a.png\nnewmtl b\nKd 0.5\n");
   write("materials",
-        split({materials, png},
-              bytesOf("\xEF\xBB\xBFmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan 0 0\n"
-                      "usemtl red\nf 1//1 2//1 3//1\nusemtl b\nf 1 3 2\n")));
+        joinFiles({materials, png},
+                  bytesOf("\xEF\xBB\xBFmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan 0 0\n"
+                          "usemtl red\nf 1//1 2//1 3//1\nusemtl b\nf 1 3 2\n")));
   File wide{0xFF, 0xFE};
   for (const char c : std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"))
     wide.insert(wide.end(), {static_cast<std::uint8_t>(c), 0});

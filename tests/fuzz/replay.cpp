@@ -7,9 +7,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-// Nothing is mutated here.
+// libFuzzer mutates bytes in this function; we return them unchanged.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* /*data*/, std::size_t size,
-                                        std::size_t /*most*/) {
+                                        std::size_t /*maxSize*/) {
   return size;
 }
 

@@ -9,15 +9,15 @@
 
 namespace warpjet {
 
-inline void require(bool holds, std::string_view what, const std::string& found = {}) {
+inline void require(bool holds, std::string_view what, const std::string& actual = {}) {
   if (holds) return;
   std::fprintf(stderr, "NOT TRUE: %.*s; %s\n", static_cast<int>(what.size()), what.data(),
-               found.c_str());
+               actual.c_str());
   std::abort();
 }
 
-// Prints all digits.
-inline std::string exactly(double value) {
+// Returns a number with all its digits.
+inline std::string printExactly(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;

@@ -13,25 +13,26 @@
 
 namespace warpjet::source {
 
-inline void requireSentence(const std::string& problem) {
+inline void requireMessage(const std::string& problem) {
   require(problem.starts_with("line "), "a message starts with its line", problem);
   require(problem.find(", column ") != problem.npos, "a message has its column", problem);
-  const bool ends = problem.find(".\n") != problem.npos || problem.find("?\n") != problem.npos;
-  require(ends, "a message ends with a caret", problem);
-  require(problem.ends_with('^'), "a caret stands under the place", problem);
+  const bool isEnded = problem.find(".\n") != problem.npos || problem.find("?\n") != problem.npos;
+  require(isEnded, "the first line of a message ends with . or ?", problem);
+  require(problem.ends_with('^'), "a message ends with a caret", problem);
   require(problem.size() < 2000, "a message is short", std::to_string(problem.size()));
 }
 
 // Checks a listing: each operand precedes its use, and nothing that belongs to a loop or a function
 // is used outside of it.
-class Order {
+class ListingCheck {
  public:
-  explicit Order(const Listing& listing) : words_(listing.words), constants_(listing.constants) {
-    while (at_ < words_.size()) read(static_cast<Code>(next()));
+  explicit ListingCheck(const Listing& listing)
+      : words_(listing.words), constants_(listing.constants) {
+    while (at_ < words_.size()) readOperation(static_cast<Code>(next()));
     require(folds_.empty() && !isInRoutine_, "loops and functions end");
-    for (const std::uint32_t result : listing.results) before(result);
+    for (const std::uint32_t result : listing.results) requireDefined(result);
     for (const double value : constants_)
-      require(value >= -3.5e38 && value <= 3.5e38, "a constant is a float", exactly(value));
+      require(value >= -3.5e38 && value <= 3.5e38, "a constant is a float", printExactly(value));
   }
 
  private:
@@ -44,73 +45,73 @@ class Order {
     std::uint32_t arguments, results;
   };
 
-  void read(Code code) {
+  void readOperation(Code code) {
     switch (code) {
       case Code::Constant:
       case Code::Whole:
-        require(next() < constants_.size(), "a constant is there");
-        return make(1);
+        require(next() < constants_.size(), "a constant exists");
+        return define(1);
       case Code::Argument:
       case Code::Uniform:
         at_ += 3;
-        return make(1);
+        return define(1);
       case Code::Parameter:
-        require(next() < routines_.back().arguments, "a parameter is there");
-        return make(1);
+        require(next() < routines_.back().arguments, "a parameter exists");
+        return define(1);
       case Code::Component:
-        before(next());
+        requireDefined(next());
         at_ += 2;
-        return make(1);
+        return define(1);
       case Code::ImageSize:
         ++at_;
-        return make(1);
+        return define(1);
       case Code::Texel:
       case Code::FetchedTexel:
         ++at_;
-        before(next());
-        return make(1);
+        requireDefined(next());
+        return define(1);
       case Code::Fold: {
         require(next() > 0, "a loop has steps");
         const std::uint32_t states = next();
-        operands(states);
-        folds_.push_back({isSeen_.size(), states});
-        return make(states + 1);
+        readOperands(states);
+        folds_.push_back({isDefined_.size(), states});
+        return define(states + 1);
       }
       case Code::Next: {
         require(!folds_.empty(), "a loop has begun");
         const auto [first, states] = folds_.back();
         folds_.pop_back();
-        operands(states);
-        std::fill(isSeen_.begin() + static_cast<std::ptrdiff_t>(first), isSeen_.end(), false);
-        return make(states);
+        readOperands(states);
+        std::fill(isDefined_.begin() + static_cast<std::ptrdiff_t>(first), isDefined_.end(), false);
+        return define(states);
       }
       case Code::Define: {
-        require(!isInRoutine_ && isSeen_.empty(), "functions stand first");
+        require(!isInRoutine_ && isDefined_.empty(), "functions come first");
         const std::uint32_t arguments = next();
         routines_.push_back({arguments, 0});
-        require(next() <= arguments, "a function has derivatives by arguments");
+        require(next() <= arguments, "a function cannot have more derivatives than arguments");
         isInRoutine_ = true;
         return;
       }
       case Code::End:
         require(isInRoutine_ && folds_.empty(), "a function has begun");
         isInRoutine_ = false;
-        operands(routines_.back().results = next());
-        isSeen_.clear();
+        readOperands(routines_.back().results = next());
+        isDefined_.clear();
         return;
       case Code::Call: {
         const std::uint32_t routine = next();
-        require(routine < routines_.size() - isInRoutine_, "a function stands before its calls");
+        require(routine < routines_.size() - isInRoutine_, "a function precedes its calls");
         const std::uint32_t count = next();
         require(count == routines_[routine].arguments, "a call has every argument");
-        operands(count);
-        return make(routines_[routine].results);
+        readOperands(count);
+        return define(routines_[routine].results);
       }
       default:
         require(codeNames[static_cast<std::size_t>(code)][0] != '\0', "an operation has a name",
                 std::to_string(static_cast<int>(code)));
-        operands(next());
-        return make(1);
+        readOperands(next());
+        return define(1);
     }
   }
 
@@ -118,33 +119,32 @@ class Order {
     require(at_ < words_.size(), "a listing ends with an operation");
     return words_[at_++];
   }
-  void make(std::uint32_t count) { isSeen_.resize(isSeen_.size() + count, true); }
-  void operands(std::uint32_t count) {
-    while (count-- > 0) before(next());
+  void define(std::uint32_t count) { isDefined_.resize(isDefined_.size() + count, true); }
+  void readOperands(std::uint32_t count) {
+    while (count-- > 0) requireDefined(next());
   }
-  void before(std::uint32_t operand) {
-    require(operand < isSeen_.size() && isSeen_[operand],
-            "an operand stands before what it is used in",
-            std::to_string(operand) + " of " + std::to_string(isSeen_.size()));
+  void requireDefined(std::uint32_t operand) {
+    require(operand < isDefined_.size() && isDefined_[operand], "an operand precedes its use",
+            std::to_string(operand) + " of " + std::to_string(isDefined_.size()));
   }
 
   std::span<const std::uint32_t> words_;
   std::span<const double> constants_;
   std::size_t at_ = 0;
-  std::vector<bool> isSeen_;
+  std::vector<bool> isDefined_;
   std::vector<Fold> folds_;
   bool isInRoutine_ = false;
   std::vector<Routine> routines_;
 };
 
 inline void check(Source source) {
-  if (!source.problem().empty()) return requireSentence(source.problem());
+  if (!source.problem().empty()) return requireMessage(source.problem());
   const std::vector<FunctionHead> functions = source.functions();
   if (functions.empty()) return;
   // The last function, since it can call all others.
   const Listing listing = source.lower(static_cast<int>(functions.back().number), 3);
-  if (!source.problem().empty()) return requireSentence(source.problem());
-  Order{listing};
+  if (!source.problem().empty()) return requireMessage(source.problem());
+  ListingCheck{listing};
 }
 
 }  // namespace warpjet::source

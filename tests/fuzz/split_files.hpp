@@ -10,7 +10,7 @@
 
 namespace warpjet {
 
-// In memory of exactly its size, so that the sanitizer detects any read outside.
+// `bytes` is in memory of exactly its size, so that the sanitizer detects any read outside.
 struct SplitFiles {
   std::vector<std::uint8_t> bytes;
   Files externals;

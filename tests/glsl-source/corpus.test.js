@@ -1,4 +1,5 @@
-// The sources of the corpus: packages whose licence allows us to run their functions; each is used, none is shipped.
+// Tests the packages whose functions are in the corpus: their licence allows us to run the functions, each package is used, none is
+// shipped.
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import { test } from 'node:test'
@@ -15,7 +16,7 @@ for (const name of Object.keys(packages))
     const folder = `${root}node_modules/${name}`
     const { license, version } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'))
     assert.equal(license, 'MIT')
-    const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each))
+    const file = readdirSync(folder).find((name) => /^licen[cs]e/i.test(name))
     assert.match(
       readFileSync(`${folder}/${file}`, 'utf8').replace(/\s+/g, ' '),
       /Permission is hereby granted, free of charge, to any person obtaining a copy/,
@@ -23,13 +24,13 @@ for (const name of Object.keys(packages))
     assert.equal(devDependencies[name], version)
     assert.ok(!(name in dependencies))
     assert.ok(
-      corpus.some((each) => each.name.startsWith(`${name}/`)),
-      'the corpus has none of it',
+      corpus.some((source) => source.name.startsWith(`${name}/`)),
+      'the corpus has no function of the package',
     )
   })
 
 test('every development package with GLSL is in the corpus', () => {
-  // @shaderfrog is the independent parser.
+  // This excludes @shaderfrog/glsl-parser, the independent parser.
   const all = Object.keys(devDependencies).filter((name) => /^glsl-/.test(name))
   assert.deepEqual(all.sort(), Object.keys(packages).sort())
 })

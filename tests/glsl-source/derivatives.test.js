@@ -1,4 +1,5 @@
-// Compares the Jacobian of every function of the corpus with finite differences in double, from an interpreter with its own parser.
+// Compares the Jacobian of every function of the corpus with finite differences in double precision, by an interpreter with a parser of its
+// own.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
@@ -10,20 +11,20 @@ import { derivative } from '../random/differences.js'
 
 const points = pointsOfCube(12)
 
-/** Functions that are staircases with steps finer than any difference: since they compute with integers, their derivative is zero. */
+/** Functions that compute with integers: their derivative is zero, but they have steps finer than any finite difference. */
 const isStairs = new Set([
   'a hash of bits',
   'bits of floats',
-  'halves',
-  'halves go to the even',
-  'halves of a uint',
+  'half floats',
+  'roundEven of numbers halfway between integers',
+  'packed 16-bit numbers',
 ])
 
 /** The maximum estimated error of a finite difference that is compared; at a kink or a jump the error is larger. */
-const sure = 1e-4
+const maxError = 1e-4
 
-/** Excludes values that GLSL leaves undefined, such as the root of a negative number. */
-const isPromised = Number.isFinite
+/** Returns whether GLSL defines a value: the root of a negative number, for instance, is not defined. */
+const isDefined = Number.isFinite
 
 const compared = { slopes: 0, kinks: 0 }
 
@@ -38,22 +39,22 @@ for (const { name, text } of corpus)
     let [slopes, kinks] = [0, 0]
     for (const p of points) {
       const { value, jacobian } = compiled.evaluate({ p })
-      const wanted = f(p)
-      const steepest = Math.max(1, ...Array.from(jacobian, Math.abs).filter(isPromised))
-      wanted.forEach((x, i) => {
-        if (!isPromised(x)) return
+      const expected = f(p)
+      const steepest = Math.max(1, ...Array.from(jacobian, Math.abs).filter(isDefined))
+      expected.forEach((x, i) => {
+        if (!isDefined(x)) return
         const isNear = Math.abs(value[i] - x) <= 2e-5 * steepest * Math.max(1, Math.abs(x))
         assert.ok(isNear, `value ${i} at ${p}: ${value[i]}, not ${x}`)
       })
       for (let k = 0; k < 3; k++) {
         const by = [{ name: 'p', index: k }]
-        derivative((point) => f(point.p), { p }, by, wanted).forEach(({ value, error }, i) => {
+        derivative((point) => f(point.p), { p }, by, expected).forEach(({ value, error }, i) => {
           const ours = jacobian[3 * k + i]
           if (isStairs.has(name)) return assert.equal(ours, 0)
           const size = Math.max(1, Math.abs(value))
-          if (!(error <= sure * size)) return kinks++
+          if (!(error <= maxError * size)) return kinks++
           slopes++
-          const isNear = Math.abs(ours - value) <= 10 * sure * size
+          const isNear = Math.abs(ours - value) <= 10 * maxError * size
           return assert.ok(isNear, `slope ${i} by ${'xyz'[k]} at ${p}: ${ours}, not ${value}`)
         })
       }
@@ -63,7 +64,7 @@ for (const { name, text } of corpus)
     compared.kinks += kinks
   })
 
-test('few of the points are at a kink', () => {
+test('enough derivatives are compared, since few points are at a kink', () => {
   assert.ok(compared.slopes > 100 * (corpus.length - isStairs.size), `${compared.slopes} slopes`)
   assert.ok(compared.kinks < compared.slopes / 100, `${compared.kinks} kinks`)
 })

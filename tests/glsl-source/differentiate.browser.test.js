@@ -1,5 +1,5 @@
-// The output of `differentiate` on every pipeline: gradients and Jacobians against differences in double by an interpreter over
-// an independent parser.
+// Runs the output of `differentiate` on every pipeline: compares gradients and Jacobians with finite differences in double precision, by an
+// interpreter with an independent parser.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { differentiate } from '../../dist/glsl.js'
@@ -12,35 +12,36 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines.close())
 
-/**
- * Functions `f`, with the argument for each parameter, as code and as numbers at a point `p`; `by` is the index of the parameter
- * with respect to which `f` is differentiated.
- */
-const whole = {
+// Arguments of the functions below, as code in each language and as a function from a point `p` to numbers.
+const integer = {
   glsl: 'int(floor(p.z * 4.0))',
   wgsl: 'i32(floor(p.z * 4.0))',
-  of: ([, , z]) => [Math.floor(z * 4)],
+  numbersAt: ([, , z]) => [Math.floor(z * 4)],
 }
-const natural = {
+const unsigned = {
   glsl: 'uint(floor(p.z * 4.0) + 4.0)',
   wgsl: 'u32(floor(p.z * 4.0) + 4.0)',
-  of: ([, , z]) => [Math.floor(z * 4) + 4],
+  numbersAt: ([, , z]) => [Math.floor(z * 4) + 4],
 }
-const condition = { glsl: 'p.y > 0.1', of: ([, y]) => [y > 0.1] }
+const condition = { glsl: 'p.y > 0.1', numbersAt: ([, y]) => [y > 0.1] }
 const [x, xy, xyz, xyzx] = ['x', 'xy', 'xyz', 'xyzx'].map((letters) => ({
   glsl: `p.${letters}`,
-  of: (p) => [...letters].map((letter) => p['xyz'.indexOf(letter)]),
+  numbersAt: (p) => [...letters].map((letter) => p['xyz'.indexOf(letter)]),
 }))
 const matrix = {
   glsl: 'mat2(1.0, 2.0, p.z, 0.5)',
   wgsl: 'mat2x2f(1.0, 2.0, p.z, 0.5)',
-  of: ([, , z]) => [1, 2, z, 0.5],
+  numbersAt: ([, , z]) => [1, 2, z, 0.5],
 }
 
 const turn = `vec2 f(vec2 p, float a) {
   float c = cos(a * p.y), s = sin(a * p.x);
   return mat2(c, s, -s, c) * p;
 }`
+/**
+ * Maps a title → a function `f`, the index of the parameter with respect to which it is differentiated, an argument for each parameter, and
+ * whether it uses bit operations.
+ */
 const cases = {
   'a distance field, with respect to its point': [
     'float f(vec3 p) { return length(p * p.yzx + 0.3) - p.x; }',
@@ -51,7 +52,7 @@ const cases = {
   'a float function of a vec2, with an int and a bool': [
     'float f(int n, vec2 p, bool isOn) { return isOn ? sin(p.x * float(n)) : p.y * p.y * float(abs(n) % 3); }',
     1,
-    [whole, xy, condition],
+    [integer, xy, condition],
   ],
   'a vec2 function of a vec2': [turn, 0, [xy, x]],
   'a vec2 function of a float': [turn, 1, [xy, x]],
@@ -62,12 +63,12 @@ const cases = {
       return isOn ? q : q * p.x;
     }`,
     0,
-    [xyz, whole, condition],
+    [xyz, integer, condition],
   ],
   'a vec3 function of a vec3, with the bits of a uint': [
     'vec3 f(vec3 p, uint n) { return p.zxy * p * float((n & 3u) + (n >> 1)); }',
     0,
-    [xyz, natural],
+    [xyz, unsigned],
     true,
   ],
   'a vec4 function of a vec4': [
@@ -88,14 +89,14 @@ const cases = {
 const sizes = { float: 1, vec2: 2, vec3: 3, vec4: 4 }
 const points = pointsOfCube(40)
 
-/** Changes the argument directly, so that the point can stay where it is. */
-function wantedAt(text, by, operands, p) {
+/** Returns the value and the finite differences of `f` at a point. Changes the argument rather than the point. */
+function expectedAt(text, by, operands, p) {
   const f = walk(text, 'f')
-  const given = operands.map(({ of }) => of(p))
-  const value = f(...given)
-  const at = ({ numbers }) => f(...given.map((each, i) => (i === by ? numbers : each)))
-  const columns = given[by].map((_, index) =>
-    derivative(at, { numbers: given[by] }, [{ name: 'numbers', index }], value),
+  const args = operands.map(({ numbersAt }) => numbersAt(p))
+  const value = f(...args)
+  const at = ({ numbers }) => f(...args.map((arg, i) => (i === by ? numbers : arg)))
+  const columns = args[by].map((_, index) =>
+    derivative(at, { numbers: args[by] }, [{ name: 'numbers', index }], value),
   )
   return { value, columns }
 }
@@ -106,13 +107,14 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
   const [from, to] = [sizes[parameter[0]], sizes[type]]
   const isGradient = to === 1
   for (const target of targetsInThisRun) {
-    const isLacking = target === 'glsl100' && (hasBits || (!isGradient && from > 1 && from !== to))
-    if (!isLacking)
-      test(`${name}: equals its differences, in ${target}`, async () => {
+    const isUnsupported =
+      target === 'glsl100' && (hasBits || (!isGradient && from > 1 && from !== to))
+    if (!isUnsupported)
+      test(`${name}: derivatives equal finite differences, in ${target}`, async () => {
         const declarations = differentiate(text, { function: 'f', by: parameter[1], target })
         const isWgsl = target === 'wgsl'
-        const given = operands.map((each) => (isWgsl && each.wgsl) || each.glsl).join(', ')
-        const result = `f${isGradient ? 'Gradient' : 'Jacobian'}(${given})`
+        const args = operands.map((operand) => (isWgsl && operand.wgsl) || operand.glsl).join(', ')
+        const result = `f${isGradient ? 'Gradient' : 'Jacobian'}(${args})`
         // Returns a matrix column by column, since the pipelines lack some sizes.
         const isMatrix = !isGradient && from > 1
         const outputs = isMatrix
@@ -124,7 +126,7 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
           target,
           {
             code: outputs
-              .map((each, k) => declare(each, isMatrix ? `${result}[${k}]` : result))
+              .map((output, k) => declare(output, isMatrix ? `${result}[${k}]` : result))
               .join('\n'),
             declarations,
             inputs: [{ name: 'p', shape: 3 }],
@@ -134,13 +136,13 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
         )
         let compared = 0
         points.forEach((p, i) => {
-          const { value, columns } = wantedAt(text, by, operands, p)
-          const wanted = [
+          const { value, columns } = expectedAt(text, by, operands, p)
+          const expected = [
             ...(isGradient ? value.map((number) => ({ value: number, error: 0 })) : []),
             ...columns.flat(),
           ]
-          assert.equal(values[i].length, wanted.length)
-          wanted.forEach(({ value, error }, k) => {
+          assert.equal(values[i].length, expected.length)
+          expected.forEach(({ value, error }, k) => {
             if (!(error <= 1e-4)) return
             compared++
             const isNear = Math.abs(values[i][k] - value) <= 2e-3 * Math.max(1, Math.abs(value))

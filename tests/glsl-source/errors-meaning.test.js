@@ -1,4 +1,5 @@
-// Invalid GLSL that follows the grammar: names, types, sizes, overloads, qualifiers, blocks, constants and assignments.
+// Tests the messages about invalid GLSL that follows the grammar: names, types, sizes, overloads, qualifiers, blocks, constants,
+// assignments.
 import { body, rejects } from '../support/glsl-errors.js'
 
 rejects([

@@ -1,4 +1,4 @@
-// Invalid GLSL: syntax, control flow, characters, nesting and the preprocessor.
+// Tests the messages about invalid GLSL: syntax, control flow, characters, nesting and the preprocessor.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError } from 'warpjet'
@@ -149,7 +149,7 @@ rejects([
   ['#undef A B', 1, '#undef takes one name'],
   ['#extension GL_OES_standard_derivatives', 1, 'write it as #extension NAME : enable'],
   ['#extension GL_OES_standard_derivatives : on', 1, '"on" is not a behavior of an extension'],
-  ['#extension all : enable', 1, 'all extensions can only be disabled or warned of'],
+  ['#extension all : enable', 1, '#extension all allows only warn and disable'],
   ['#extension GL_OWN_thing : require', 1, 'WebGL has no extension "GL_OWN_thing"'],
   [
     '#version 300 es\nfloat x;\n#extension GL_EXT_x : enable',
@@ -173,7 +173,7 @@ rejects([
   ],
 ])
 
-test('a long line is cut only where it is long', () => {
+test('a long line is cut only on the long side of the error', () => {
   const comment = ` // ${'x'.repeat(300)}`
   assert.throws(() => glslOffset(`float x = y;${comment}`), /\n {2}float x = y; \/\/ x+\n {12}\^$/)
   assert.throws(() => glslOffset(`/*${'x'.repeat(300)}*/ float x = y;`), /\n {2}…x+.* y;\n +\^$/)

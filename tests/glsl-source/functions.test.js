@@ -1,4 +1,4 @@
-// Parts of GLSL source that keep their structure: functions that are called several times, and loops.
+// Tests parts of GLSL source that keep their structure in the code: functions that are called several times, and loops.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -15,7 +15,7 @@ float bump(vec2 q, float k) {
 }
 `
 
-/** The same function in JavaScript. */
+/** The function bump in JavaScript. */
 const bump = (x, y, k, steepness) => {
   const [cx, cy] = [x - Math.floor(x + 0.5), y - Math.floor(y + 0.5)]
   const d = Math.exp(-k * (cx * cx + cy * cy)) + steepness * Math.sin(x * 1.3) * Math.cos(y * 0.7)
@@ -31,8 +31,8 @@ const uniforms = { steepness: 0.4 }
 function normalOf(move, [x, y, z], normal) {
   const h = 1e-5
   const column = (k) => {
-    const by = (s) => move([x, y, z].map((c, i) => (i === k ? c + s : c)))
-    const [high, low] = [by(h), by(-h)]
+    const moveBy = (s) => move([x, y, z].map((c, i) => (i === k ? c + s : c)))
+    const [high, low] = [moveBy(h), moveBy(-h)]
     return high.map((c, i) => (c - low[i]) / (2 * h))
   }
   const [a, b, c] = [0, 1, 2].map(column)
@@ -42,16 +42,18 @@ function normalOf(move, [x, y, z], normal) {
     u[0] * v[1] - u[1] * v[0],
   ]
   const cofactor = [cross(b, c), cross(c, a), cross(a, b)]
-  const turned = [0, 1, 2].map((i) => normal.reduce((sum, n, k) => sum + n * cofactor[k][i], 0))
-  return turned.map((n) => n / Math.hypot(...turned))
+  const transformed = [0, 1, 2].map((i) =>
+    normal.reduce((sum, n, k) => sum + n * cofactor[k][i], 0),
+  )
+  return transformed.map((n) => n / Math.hypot(...transformed))
 }
 
-const near = (got, wanted, tolerance) =>
-  wanted.forEach((value, i) =>
-    assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
+const assertNear = (actual, expected, tolerance) =>
+  expected.forEach((value, i) =>
+    assert.ok(Math.abs(actual[i] - value) <= tolerance, `${Array.from(actual)} is not ${expected}`),
   )
 
-function assertFollows(source, move, options = {}) {
+function assertMoves(source, move, options = {}) {
   const warp = compileWarp(glslOffset(source, options), { uniforms })
   for (const p of [
     [0.3, 0.1, -0.2],
@@ -59,9 +61,9 @@ function assertFollows(source, move, options = {}) {
     [-2.1, 0.9, 1.6],
   ]) {
     const normal = [0.48, 0.6, 0.64]
-    const got = warp.evaluateAt(p, { normal })
-    near(got.position, move(p), 2e-5)
-    near(got.normal, normalOf(move, p, normal), 2e-4)
+    const actual = warp.evaluateAt(p, { normal })
+    assertNear(actual.position, move(p), 2e-5)
+    assertNear(actual.normal, normalOf(move, p, normal), 2e-4)
   }
 }
 
@@ -72,7 +74,7 @@ test('a function that is called three times is in the code once, under its own n
     assert.equal(names.length, 1, `${names}`)
     assert.match(names[0], /Gradient$/)
     assert.equal(code.split(names[0]).length - 1, 3)
-    // The constant argument has no derivative: the function returns its value and three derivatives, for two numbers and the uniform.
+    // The function returns its value and three derivatives: for two numbers and the uniform, but not for the constant argument.
     assert.doesNotMatch(declarations, /Results/)
   }
 })
@@ -83,16 +85,16 @@ test('a function that is called three times gives the right positions, and norma
     y + bump(y * 2, z * 2, 3, 0.4),
     z + bump(z, x, 3, 0.4),
   ]
-  assertFollows(thrice, move)
+  assertMoves(thrice, move)
 })
 
 test('a function that is called once, short, or constant is inlined', () => {
-  const declared = (body, above = bumps) =>
+  const declarationsOf = (body, above = bumps) =>
     compileWarp(glslOffset(`${above}\nvec3 offset(vec3 p) { ${body} }`), { uniforms }).declarations
-  assert.equal(declared('return vec3(bump(p.xy, 3.0));'), '')
-  assert.equal(declared('return vec3(bump(p.xy, 3.0), bump(p.xy, 3.0), 0.0);'), '')
+  assert.equal(declarationsOf('return vec3(bump(p.xy, 3.0));'), '')
+  assert.equal(declarationsOf('return vec3(bump(p.xy, 3.0), bump(p.xy, 3.0), 0.0);'), '')
   const half = 'float half_(float x) { return 0.5 * x; }'
-  assert.equal(declared('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
+  assert.equal(declarationsOf('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
 })
 
 test('functions may call functions and have out parameters', () => {
@@ -124,7 +126,7 @@ test('functions may call functions and have out parameters', () => {
     const [b, w] = both([y, z], first)
     return [x + a * 0.3, y + b * 0.3, z + (w[0] - w[1]) * 0.3]
   }
-  assertFollows(source, move)
+  assertMoves(source, move)
   const { declarations } = compileWarp(glslOffset(source), { uniforms })
   assert.match(declarations, /both_\w+/)
   assert.match(declarations, /bump_\w+/)
@@ -146,17 +148,17 @@ test('a function that reads and changes a global variable is inlined correctly',
       Math.sin(x) * Math.cos(x * 2)
     return (y * y + 0.5 * y) * 0.2
   }
-  assertFollows(source, (p) => p.map((x, i) => x + next(x, i + 1)))
+  assertMoves(source, (p) => p.map((x, i) => x + next(x, i + 1)))
 })
 
-test('two functions with the same name and code in two warps share a name', () => {
+test('equal functions have the same name in two warps, different ones do not', () => {
   const nameIn = (text) =>
     /bump_\w+/.exec(compileWarp(glslOffset(text), { uniforms }).declarations)[0]
   assert.equal(nameIn(thrice), nameIn(thrice.replace('p.zx', 'p.zy')))
   assert.notEqual(nameIn(thrice), nameIn(thrice.replace('0.25', '0.26')))
 })
 
-test('differentiate preserves functions, too', () => {
+test('differentiate keeps functions that are called several times, too', () => {
   const text = differentiate(
     `${bumps}\nfloat map(vec3 p) { return p.y - bump(p.xz, 2.0) - bump(p.zx * 2.0, 2.0); }`,
   )
@@ -189,7 +191,7 @@ const hasLoop = (source, target = 'glsl300', options = {}) =>
 test('a long loop stays a loop, in each language', () => {
   const source = loop('for (int i = 0; i < 8; i++)', wave)
   for (const target of targets) assert.ok(hasLoop(source, target), target)
-  assertFollows(source, waves(8))
+  assertMoves(source, waves(8))
 })
 
 test('a short loop is unrolled', () => {
@@ -200,7 +202,7 @@ test('a short loop is unrolled', () => {
 test('counters have the right values in the loop, for any step', () => {
   const weighed = wave.replace('a * sin', 'float(i) * a * sin')
   const source = (head) => loop(head, weighed)
-  const by = (start, step) => waves(7, undefined, (i) => start + step * i)
+  const wavesOfCounter = (start, step) => waves(7, undefined, (i) => start + step * i)
   for (const [head, start, step] of [
     ['for (int i = 0; i < 7; i++)', 0, 1],
     ['for (int i = 9; i > -12; i -= 3)', 9, -3],
@@ -210,7 +212,7 @@ test('counters have the right values in the loop, for any step', () => {
     ['int i = 5; while (i-- > -2)', 4, -1],
   ]) {
     assert.ok(hasLoop(source(head)), head)
-    assertFollows(source(head), by(start, step))
+    assertMoves(source(head), wavesOfCounter(start, step))
   }
 })
 
@@ -221,7 +223,7 @@ test('the condition of a loop keeps its side effects', () => {
   )
   assert.ok(hasLoop(source))
   const move = waves(7)
-  assertFollows(source, (p) => move(p).map((x, k) => (k === 1 ? x - 3 : x)))
+  assertMoves(source, (p) => move(p).map((x, k) => (k === 1 ? x - 3 : x)))
   const stops = source.replace('s += a', 'if (q.x > 2.5) break; s += a')
   const stopped = ([x, y, z]) => {
     let [s, a, q, i] = [0, 0.5, [x, y, z], 5]
@@ -233,22 +235,22 @@ test('the condition of a loop keeps its side effects', () => {
     }
     return [x, y + s + i, z]
   }
-  assertFollows(stops, stopped)
+  assertMoves(stops, stopped)
 })
 
 test('break, continue and return work in a loop', () => {
-  const far = 'if (q.x > 2.5) break;'
-  const source = loop('for (int i = 0; i < 12; i++)', `${far} ${wave}`)
+  const breakIfFar = 'if (q.x > 2.5) break;'
+  const source = loop('for (int i = 0; i < 12; i++)', `${breakIfFar} ${wave}`)
   assert.ok(hasLoop(source))
-  assertFollows(
+  assertMoves(
     source,
     waves(12, (q) => q[0] > 2.5),
   )
-  assertFollows(
+  assertMoves(
     loop('for (int i = 0; i < 9; i++)', wave.replace('a *=', 'if (i == 4) break; a *=')),
     waves(5),
   )
-  assertFollows(
+  assertMoves(
     loop(
       'for (int i = 0; i < 9; i++)',
       `float k = i == 3 ? 0.0 : 1.0; ${wave.replace('a * sin', 'k * a * sin')}`,
@@ -259,7 +261,7 @@ test('break, continue and return work in a loop', () => {
     for (int i = 0; i < 12; i++) { if (q.x > 2.5) return s; ${wave} } return s; }
     vec3 offset(vec3 p) { return vec3(0.0, f(p), 0.0); }`
   assert.ok(hasLoop(returns))
-  assertFollows(
+  assertMoves(
     returns,
     waves(12, (q) => q[0] > 2.5),
   )
@@ -268,7 +270,7 @@ test('break, continue and return work in a loop', () => {
 test('a loop whose end depends on values in the shader stays a loop, too', () => {
   const source = loop('while (q.x < 2.5)', wave)
   assert.ok(hasLoop(source, 'glsl300', { maxIterations: 12 }))
-  assertFollows(
+  assertMoves(
     source,
     waves(12, (q) => q[0] >= 2.5),
     { maxIterations: 12 },
@@ -288,7 +290,7 @@ test('the number of iterations is right, also if it is read as an int after the 
     }
     return n
   }
-  assertFollows(source, (p) => [p[0] + count(p), p[1], p[2]])
+  assertMoves(source, (p) => [p[0] + count(p), p[1], p[2]])
 })
 
 test("loops that compute with bits are unrolled, since a loop's variables can only be floats", () => {
@@ -310,9 +312,9 @@ test('an inner loop can read the counter of the outer loop', () => {
       for (let j = -2; j <= 2; j++) s += Math.exp(-((x - i) ** 2) - (z - j) ** 2) * Math.sin(y + i)
     return [x, y + s, z]
   }
-  assertFollows(source, cells)
+  assertMoves(source, cells)
   const triangle = source.replace('j <= 2', 'j <= i')
-  assertFollows(triangle, ([x, y, z]) => {
+  assertMoves(triangle, ([x, y, z]) => {
     let s = 0
     for (let i = -2; i <= 2; i++)
       for (let j = -2; j <= i; j++) s += Math.exp(-((x - i) ** 2) - (z - j) ** 2) * Math.sin(y + i)

@@ -1,11 +1,11 @@
-// GLSL source on real pipelines: compares the original as compiled by Chromium with our code for it, value by value.
+// Runs GLSL source on real pipelines, and compares the original as compiled by Chromium with our code for it.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { differentiate, glslOffset } from '../../dist/glsl.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { corpus } from '../glsl/corpus.js'
-import { above, randomFunction } from '../glsl/generate.js'
+import { randomFunction, sharedDeclarations } from '../glsl/generate.js'
 import { pointsOfCube } from '../glsl/points.js'
 import { openPipelines, targetsInThisRun } from '../support/browser/pipelines.js'
 
@@ -17,7 +17,7 @@ const inputs = [{ name: 'p', shape: 3 }]
 
 const points = pointsOfCube(60)
 
-/** The original as a function and, in glsl300, next to our statements. */
+/** Runs our code for a function, and in glsl300 also the original, at all points. Returns the compiled function and the values. */
 async function valuesOf({ text }, target) {
   const compiled = compile(
     (glsl) => {
@@ -43,12 +43,12 @@ async function valuesOf({ text }, target) {
     },
     points,
   )
-  const part = (from, to) => values.map((numbers) => [...numbers.subarray(from, to)])
-  return { compiled, ours: part(0, 3), jacobian: part(3, 12), original: part(12) }
+  const columns = (from, to) => values.map((numbers) => [...numbers.subarray(from, to)])
+  return { compiled, ours: columns(0, 3), jacobian: columns(3, 12), original: columns(12) }
 }
 
-/** Tolerances of the offset in float32. */
-function onCpu({ text }) {
+/** Evaluates the offset of a function on the CPU, in float32, at all points. */
+function evaluateOnCpu({ text }) {
   const warp = compileWarp(glslOffset(text, { function: 'corpus' }), { normals: false })
   const moved = warp.evaluate({ positions: Float32Array.from(points.flat()) }).positions
   return points.map((point, i) => point.map((x, k) => moved[3 * i + k] - x))
@@ -56,17 +56,18 @@ function onCpu({ text }) {
 
 const tolerance = (value) => 2e-3 * Math.max(1, Math.abs(value))
 
-/** Features that GLSL 1.00 lacks. */
-const hasBits = /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
+/** Matches source that uses bit operations, which GLSL 1.00 lacks. */
+const bitOperations =
+  /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
 
 /** Counts the numbers that differ significantly; ignores undefined values such as 0/0. */
-function countDiffering(values, wanted, compared = { count: 0 }) {
+function countDiffering(values, expected, compared = { count: 0 }) {
   let wrong = 0
-  values.forEach((three, i) =>
-    wanted[i].forEach((value, k) => {
+  values.forEach((numbers, i) =>
+    expected[i].forEach((value, k) => {
       if (!Number.isFinite(value) || Math.abs(value) > 1e6) return
       compared.count++
-      if (!(Math.abs(three[k] - value) <= tolerance(value))) wrong++
+      if (!(Math.abs(numbers[k] - value) <= tolerance(value))) wrong++
     }),
   )
   return wrong
@@ -78,34 +79,35 @@ test('every function of the corpus equals the original, in each language and on 
   const problems = []
   const compared = { count: 0 }
   let sameSides = 0
-  for (const each of corpus) {
+  for (const source of corpus) {
     try {
-      const { compiled, original, ...first } = await valuesOf(each, 'glsl300')
+      const { compiled, original, ...first } = await valuesOf(source, 'glsl300')
       const cpu = points.map((p) => compiled.evaluate({ p }))
-      const check = (name, ours, wanted = original) => {
-        const wrong = countDiffering(ours, wanted, compared)
+      const check = (name, ours, expected = original) => {
+        const wrong = countDiffering(ours, expected, compared)
         // A point may be on the edge between two branches.
-        if (wrong > wanted[0].length) problems.push(`${each.name}, ${name}: ${wrong} differ`)
+        if (wrong > expected[0].length) problems.push(`${source.name}, ${name}: ${wrong} differ`)
       }
-      // If float32 is on the other side of a jump than double, for instance in a hash, the values differ, too.
+      // We compare derivatives only at points where the float32 and double values agree: elsewhere, as in a hash, they are on different
+      // sides of a jump.
       const isSameSide = cpu.map(({ ours }, i) =>
         ours.every((x, k) => !(Math.abs(x - original[i][k]) > tolerance(x) / 10)),
       )
       sameSides += isSameSide.filter(Boolean).length
-      const known = (rows) => rows.filter((_, i) => isSameSide[i])
-      // tests/glsl-source/derivatives.test.js compares these with differences of another evaluation.
-      const jacobians = known(cpu.map(({ jacobian }) => [...jacobian]))
+      const onSameSide = (rows) => rows.filter((_, i) => isSameSide[i])
+      // tests/glsl-source/derivatives.test.js compares the Jacobians of the CPU with finite differences.
+      const jacobians = onSameSide(cpu.map(({ jacobian }) => [...jacobian]))
       const checkBoth = (name, { ours, jacobian }) => {
         check(name, ours)
-        check(`derivatives in ${name}`, known(jacobian), jacobians)
+        check(`derivatives in ${name}`, onSameSide(jacobian), jacobians)
       }
       checkBoth('glsl300', first)
       for (const target of targetsInThisRun)
-        if (target !== 'glsl300' && !(target === 'glsl100' && hasBits.test(each.text)))
-          checkBoth(target, await valuesOf(each, target))
-      check('CPU', onCpu(each))
+        if (target !== 'glsl300' && !(target === 'glsl100' && bitOperations.test(source.text)))
+          checkBoth(target, await valuesOf(source, target))
+      check('CPU', evaluateOnCpu(source))
     } catch (error) {
-      problems.push(`${each.name}: ${error.message.slice(0, 300)}`)
+      problems.push(`${source.name}: ${error.message.slice(0, 300)}`)
     }
   }
   assert.deepEqual(problems, [])
@@ -114,17 +116,17 @@ test('every function of the corpus equals the original, in each language and on 
   assert.ok(share > 0.99, `derivatives were compared at ${share} of the points`)
 })
 
-/** Number of functions per shader. */
-const batch = 25
+/** The number of functions per shader. */
+const batchSize = 25
 
 /**
- * The offsets of a batch in a language, next to the originals if these are in the same language; `undefined` if a function is
- * unsupported.
+ * Runs a batch of functions in a language. Returns a Map from `ours<seed>` and, in glsl300, `original<seed>` to the values at all points.
+ * Functions that the language does not support are missing.
  */
 async function runRandom(cases, target) {
   const isOriginal = target === 'glsl300'
   const compiled = cases.flatMap(({ seed, glsl }) => {
-    const warp = compileUnlessBits(glsl, seed, target)
+    const warp = compileIfSupported(glsl, seed, target)
     return warp ? [{ seed, warp }] : []
   })
   const outputs = compiled.flatMap(({ seed }) => [
@@ -139,7 +141,7 @@ async function runRandom(cases, target) {
     {
       code: compiled.map(code).join('\n'),
       declarations: [
-        isOriginal ? above + cases.map(({ glsl }) => glsl).join('\n') : '',
+        isOriginal ? sharedDeclarations + cases.map(({ glsl }) => glsl).join('\n') : '',
         ...new Set(compiled.map(({ warp }) => warp.declarations)),
       ].join('\n'),
       inputs,
@@ -148,13 +150,17 @@ async function runRandom(cases, target) {
     points,
   )
   return new Map(
-    outputs.map(({ name }, i) => [name, values.map((all) => [...all.subarray(3 * i, 3 * i + 3)])]),
+    outputs.map(({ name }, i) => [
+      name,
+      values.map((numbers) => [...numbers.subarray(3 * i, 3 * i + 3)]),
+    ]),
   )
 }
 
-function compileUnlessBits(glsl, seed, target) {
+/** Returns `undefined` if the function needs bit operations, which glsl100 lacks. */
+function compileIfSupported(glsl, seed, target) {
   try {
-    return compileWarp(glslOffset(above + glsl), {
+    return compileWarp(glslOffset(sharedDeclarations + glsl), {
       target,
       normals: false,
       names: { position: 'p' },
@@ -170,8 +176,8 @@ test('random functions equal the original, in each language', async () => {
   const count = isRun('every random expression') ? 2000 : 400
   const problems = []
   const compared = Object.fromEntries(targetsInThisRun.map((target) => [target, 0]))
-  for (let first = 1; first <= count && problems.length < 5; first += batch) {
-    const cases = Array.from({ length: batch }, (_, i) => randomFunction(first + i))
+  for (let first = 1; first <= count && problems.length < 5; first += batchSize) {
+    const cases = Array.from({ length: batchSize }, (_, i) => randomFunction(first + i))
     const originals = await runRandom(cases, 'glsl300')
     for (const target of targetsInThisRun) {
       const values = target === 'glsl300' ? originals : await runRandom(cases, target)
@@ -180,7 +186,7 @@ test('random functions equal the original, in each language', async () => {
         if (!ours) continue
         const wrong = countDiffering(ours, originals.get(`original${seed}`))
         compared[target]++
-        // Points on the edge between two branches.
+        // Some points may be on the edge between two branches.
         if (wrong > 6)
           problems.push(`${seed} in ${target}: ${wrong} of ${3 * points.length}\n${glsl}`)
       }
@@ -194,7 +200,7 @@ test('random functions equal the original, in each language', async () => {
     )
 })
 
-test('value and gradient as one function equal those of the field, in each language', async () => {
+test('differentiate makes a function that returns the value and the gradient of a field, in each language', async () => {
   const field = `float blend(float a, float b, float k) {
       float h = clamp(0.5 + 0.5 * (b - a) / k, 0.0, 1.0);
       return mix(b, a, h) - k * h * (1.0 - h);
@@ -218,7 +224,7 @@ test('value and gradient as one function equal those of the field, in each langu
     const at = (step) => map(p.map((x, i) => (i === k ? x + step : x)))
     return (at(1e-5) - at(-1e-5)) / 2e-5
   }
-  const wanted = points.map((p) => [map(p), ...[0, 1, 2].map((k) => slope(p, k))])
+  const expected = points.map((p) => [map(p), ...[0, 1, 2].map((k) => slope(p, k))])
   for (const target of targetsInThisRun) {
     const text = differentiate(field, { by: 'p', target })
     const values = await pipelines.run(
@@ -232,6 +238,6 @@ test('value and gradient as one function equal those of the field, in each langu
       points,
     )
     // A point may be at the start of a blend.
-    assert.ok(countDiffering(values, wanted) <= 2, target)
+    assert.ok(countDiffering(values, expected) <= 2, target)
   }
 })

@@ -1,10 +1,10 @@
-// Names that GLSL source reads: parameters of an offset, and uniforms that are inputs.
+// Tests the names of inputs in GLSL source: parameters of an offset function, and uniforms with the name of an input.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp, targets } from 'warpjet'
 import { glslOffset } from 'warpjet/glsl'
 
-/** Values of each input, and their sources in a warp. */
+// These values are passed for the inputs. `parts` has components of the vectors in `frame`.
 const vertex = { normal: [0, 0.6, 0.8], uv: [0.25, 0.75], color: [0.1, 0.2, 0.3, 0.4] }
 const frame = { millis: 1200, mouse: [30, 40], size: [640, 480], pixelDensity: 2, instance: 3 }
 const parts = { mouseX: 30, mouseY: 40, width: 640, height: 480 }
@@ -13,11 +13,12 @@ const position = [1, 2, 3]
 const numbersOf = (value) => [value].flat()
 const typeOf = (value) => ['float', 'vec2', 'vec3', 'vec4'][numbersOf(value).length - 1]
 
-/** An offset of three numbers that distinguishes each component of the input. */
+/** Returns the body of an offset function whose result differs if any component of the input does. */
 const bodyOf = (name, value) => {
   const size = numbersOf(value).length
-  const by = [0.5, 0.25, 0.125, 0.0625].slice(0, size)
-  const sum = size === 1 ? `${name} * ${by[0]}` : `dot(${name}, vec${size}(${by.join(', ')}))`
+  const factors = [0.5, 0.25, 0.125, 0.0625].slice(0, size)
+  const sum =
+    size === 1 ? `${name} * ${factors[0]}` : `dot(${name}, vec${size}(${factors.join(', ')}))`
   return `return vec3(${sum}, 0.0, ${size === 1 ? name : `${name}.x`});`
 }
 const expectedOf = (value) => {
@@ -31,7 +32,10 @@ function assertMovedBy(source, expected) {
   const moved = warp.evaluateAt(position, { ...vertex, uniforms: frame }).position
   expected.forEach((number, i) => {
     const difference = Math.abs(moved[i] - position[i] - number)
-    assert.ok(difference <= 1e-5 * Math.max(1, Math.abs(number)), `${moved} for ${expected}`)
+    assert.ok(
+      difference <= 1e-5 * Math.max(1, Math.abs(number)),
+      `${moved}, not ${position} moved by ${expected}`,
+    )
   })
 }
 
@@ -49,7 +53,7 @@ for (const [name, value] of Object.entries({ position, ...vertex, ...frame, ...p
     )
   })
 
-test('an offset may have all parameters together, in any order', () => {
+test('an offset may have several of these parameters, in any order', () => {
   assertMovedBy(
     `vec3 offset(float millis, vec4 color, vec2 uv, vec3 normal, vec2 mouse, vec2 size, float pixelDensity,
       vec3 position, float width, float instance) {
@@ -60,7 +64,7 @@ test('an offset may have all parameters together, in any order', () => {
 })
 
 for (const [name, value] of Object.entries(frame))
-  test(`the uniform ${typeOf(value)} ${name} is that input, without a declaration in the sketch`, () => {
+  test(`the uniform ${typeOf(value)} ${name} is the input of that name, without being declared in the options`, () => {
     const source = `uniform ${typeOf(value)} ${name};\nvec3 offset(vec3 p) { ${bodyOf(name, value)} }`
     assertMovedBy(source, expectedOf(value))
     assert.throws(
@@ -85,6 +89,6 @@ test('a single vec3 is the position, whatever its name; with two, each needs a k
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 position, vec4 tangent) { return position; }'),
-    /the parameter tangent of offset has no value; it can be position, normal, uv, color, millis, mouse, size, pixelDensity, instance, mouseX, mouseY, width, height, or a uniform of the source\.$/,
+    /the parameter tangent of offset has no value; rename it to one of position, normal, uv, color, millis, mouse, size, pixelDensity, instance, mouseX, mouseY, width, height, or make it a uniform of the source\.$/,
   )
 })

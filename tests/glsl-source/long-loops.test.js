@@ -1,5 +1,5 @@
-// Compares random long loops in GLSL, which are not unrolled, with an interpreter in double: values step by step, and derivatives with
-// finite differences.
+// Compares random long loops in GLSL, which are not unrolled, with an interpreter in double precision: values directly, and derivatives
+// with finite differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -14,7 +14,7 @@ const points = Array.from({ length: 6 }, (_, i) =>
   [0.7548776662, 0.569840291, 0.3819660113].map((step) => 2 * ((0.5 + (i + 1) * step) % 1) - 1),
 )
 
-/** There is a slope if two central differences agree; at a kink or a jump we compare nothing. */
+/** Returns the slope along an axis from central differences; `undefined` at a kink or a jump, where differences of two widths disagree. */
 function slopeOf(f, p, k) {
   const at = (h) => f(p.map((x, i) => (i === k ? x + h : x)))
   const central = (h) => (at(h) - at(-h)) / (2 * h)
@@ -23,7 +23,7 @@ function slopeOf(f, p, k) {
   return isSmooth ? narrow : undefined
 }
 
-test('the interpreter has the values computed by hand', () => {
+test('the interpreter returns the values computed by hand', () => {
   const run = (body, x = 2) => walk(`float f(float x) { ${body} }`, 'f')([x])[0]
   assert.equal(run('int i = 7; return float(i / 2 * 2 + i % 2 - -i);'), 14)
   assert.equal(run('vec3 v = vec3(1.0, 2.0, 3.0); v.zx = v.xy * 2.0; return dot(v, vec3(1.0));'), 8)
@@ -66,12 +66,12 @@ test(`${count} random long loops have correct values and gradients`, () => {
         const steepest = Math.max(1, ...gradient.map(Math.abs))
         if (Math.abs(value - f(p)) > 1e-6 * steepest)
           problems.push(`${seed} at ${p}: ${value}, not ${f(p)}\n${text}`)
-        gradient.forEach((found, k) => {
+        gradient.forEach((actual, k) => {
           const slope = slopeOf(f, p, k)
           if (slope === undefined) return
           compared.slopes++
-          if (Math.abs(found - slope) > 1e-4 * steepest)
-            problems.push(`${seed}, by ${k} at ${p}: ${found}, not ${slope}\n${text}`)
+          if (Math.abs(actual - slope) > 1e-4 * steepest)
+            problems.push(`${seed}, by ${k} at ${p}: ${actual}, not ${slope}\n${text}`)
         })
       }
     } catch (error) {
@@ -80,10 +80,10 @@ test(`${count} random long loops have correct values and gradients`, () => {
   }
   assert.equal(problems.length, 0, problems.join('\n\n').slice(0, 6000))
   assert.ok(compared.slopes > count * 9, `${compared.slopes} slopes were compared`)
-  assert.ok(compared.loops > count * 0.6, `${compared.loops} texts kept a loop`)
+  assert.ok(compared.loops > count * 0.6, `${compared.loops} sources kept a loop`)
 })
 
-test('a loop ends in the shader once its condition fails, whatever the max number of iterations', () => {
+test('a loop ends in the shader once its condition fails, whatever maxIterations is', () => {
   const codeOf = (loop, language) => {
     const text = `uniform float n;
       float f(vec3 p) { float s = 0.0; ${loop} return s; }`
@@ -97,18 +97,18 @@ test('a loop ends in the shader once its condition fails, whatever the max numbe
       { target: language },
     ).code
   }
-  const breaks = (code) => code.match(/if \(\w+ > 0\.5\) \{ break; \}/g)?.length ?? 0
+  const countBreaks = (code) => code.match(/if \(\w+ > 0\.5\) \{ break; \}/g)?.length ?? 0
   for (const language of ['glsl300', 'glsl100', 'wgsl']) {
     for (const loop of [
       'for (float i = 0.0; i < n; i++) s += sin(p.x * i);',
       'float i = 0.0; while (i < n) { i += 1.0; if (p.y > i) continue; s += sin(p.x * i); }',
       'for (float i = 0.0; i < n; i++) { s += sin(p.x * i); if (s > 9.0) break; }',
     ])
-      assert.equal(breaks(codeOf(loop, language)), 1, loop)
+      assert.equal(countBreaks(codeOf(loop, language)), 1, loop)
     const nested = `for (float i = 0.0; i < n; i++)
       for (float j = 0.0; j < n; j++) s += sin(p.x * i + j);`
-    assert.equal(breaks(codeOf(nested, language)), 2)
+    assert.equal(countBreaks(codeOf(nested, language)), 2)
     const fixed = 'for (int i = 0; i < 60; i++) { if (s < 9.0) s += sin(p.x * float(i)); }'
-    assert.equal(breaks(codeOf(fixed, language)), 0)
+    assert.equal(countBreaks(codeOf(fixed, language)), 0)
   }
 })

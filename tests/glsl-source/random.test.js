@@ -1,10 +1,11 @@
-// Random GLSL source on the CPU: compares values with JavaScript, and derivatives with its differences.
+// Evaluates random GLSL source on the CPU: compares values with the same function in JavaScript, and derivatives with its finite
+// differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
 import 'warpjet/glsl'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { above, randomFunction } from '../glsl/generate.js'
+import { randomFunction, sharedDeclarations } from '../glsl/generate.js'
 
 const count = isRun('every random expression') ? 2000 : 400
 
@@ -12,7 +13,7 @@ const points = Array.from({ length: 12 }, (_, i) =>
   [0.7548776662, 0.569840291, 0.3819660113].map((step) => 2 * ((0.5 + (i + 1) * step) % 1) - 1),
 )
 
-/** There is a slope if two central differences agree; at a kink or a jump we compare nothing. */
+/** Returns slopes along an axis from central differences; `undefined` at a kink or a jump, where differences of two widths disagree. */
 function slopeOf(f, p, k) {
   const at = (h) => {
     const moved = [...p]
@@ -37,20 +38,20 @@ test(`${count} random functions have correct values and Jacobians`, () => {
     try {
       const compiled = compile((glsl) => {
         const p = glsl.vec3Param('p')
-        const value = glsl.source(above + text)(p)
+        const value = glsl.source(sharedDeclarations + text)(p)
         return { value, jacobian: glsl.jacobian(value, p) }
       })
       for (const p of points) {
         const { value, jacobian } = compiled.evaluate({ p })
-        const wanted = js(p)
+        const expected = js(p)
         const isNear = (a, b, tolerance) => Math.abs(a - b) <= tolerance * Math.max(1, Math.abs(b))
-        // Constants of the source are rounded to float32, as GLSL does. Some functions amplify that, such as a sine of a sum of
-        // squares in every step of a loop.
+        // Constants of the source are rounded to float32, as in GLSL. Some functions amplify this rounding, for instance by a sine of a sum
+        // of squares in every step of a loop.
         const steepest = Math.max(1, ...Array.from(jacobian, Math.abs))
-        const isRight = wanted.every((x, i) => isNear(value[i], x, 2e-5 * steepest))
+        const isRight = expected.every((x, i) => isNear(value[i], x, 2e-5 * steepest))
         compared.values += 3
         if (!isRight) {
-          problems.push(`${seed} at ${p}: ${value}, not ${wanted}\n${text}`)
+          problems.push(`${seed} at ${p}: ${value}, not ${expected}\n${text}`)
           break
         }
         for (let k = 0; k < 3; k++)

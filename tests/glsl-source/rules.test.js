@@ -6,20 +6,23 @@ import { differentiate, glslOffset } from 'warpjet/glsl'
 import { assertLinear } from '../support/linear-time.js'
 
 const body = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${statements} }`
-const quietly = { surfaceVariation: false }
+const withoutVariation = { surfaceVariation: false }
 
 const offsetAt = (source, position, options = {}, uniforms = {}) => {
-  const warp = compileWarp(glslOffset(source, options), quietly)
+  const warp = compileWarp(glslOffset(source, options), withoutVariation)
   const moved = warp.evaluateAt(position, { normal: [0, 1, 0], uniforms }).position
   return Array.from(moved, (x, i) => x - position[i])
 }
 
-const near = (found, wanted) =>
+const assertNear = (actual, wanted) =>
   wanted.forEach((x, i) =>
-    assert.ok(Math.abs(found[i] - x) <= 1e-5 * Math.max(1, Math.abs(x)), `${found}, not ${wanted}`),
+    assert.ok(
+      Math.abs(actual[i] - x) <= 1e-5 * Math.max(1, Math.abs(x)),
+      `${actual}, not ${wanted}`,
+    ),
   )
 
-const message = (work) => {
+const messageOf = (work) => {
   try {
     work()
   } catch (error) {
@@ -29,7 +32,7 @@ const message = (work) => {
 }
 
 test('a uniform with the name of an input is rejected, in every language and with any type', () => {
-  const declared = {
+  const readExpressions = {
     'uniform int position;': 'float(position)',
     'uniform float position;': 'position',
     'uniform vec3 position;': 'position.x',
@@ -43,10 +46,10 @@ test('a uniform with the name of an input is rejected, in every language and wit
     'layout(std140) uniform B { float x; } normal;': 'normal.x',
     'uniform B { vec2 normal; };': 'normal.x',
   }
-  for (const [above, value] of Object.entries(declared))
+  for (const [above, value] of Object.entries(readExpressions))
     for (const target of ['glsl300', 'glsl100', 'wgsl'])
       assert.match(
-        message(() => compileWarp(glslOffset(body(`return vec3(${value});`, above)), { target })),
+        messageOf(() => compileWarp(glslOffset(body(`return vec3(${value});`, above)), { target })),
         /^glslOffset: the uniform (\w+) has the name of an input, \1; rename it in the source, such as my[A-Z]\w+\.$/,
         above,
       )
@@ -57,20 +60,20 @@ test('a uniform with the name of an input is rejected, in every language and wit
       { names },
     ).code
   assert.match(
-    message(bySource),
+    messageOf(bySource),
     /^source: the uniform position has the name of an input, position/,
   )
-  // If the shader has another name for its input, this name is free.
+  // If the input has another name in the shader, its own name is free.
   assert.match(bySource({ position: 'at' }), /float\(position & 65535\)/)
   assert.match(
-    message(() =>
+    messageOf(() =>
       compileWarp(glslOffset(body('return vec3(at);', 'uniform float at;')), {
         names: { position: 'at' },
       }),
     ),
     /the uniform at has the name of an input, position/,
   )
-  // Names that the function does not read don't matter.
+  // A uniform that the function does not read may have any name.
   assert.ok(compileWarp(glslOffset(body('return p;', 'uniform int position;'))).code)
 })
 
@@ -93,8 +96,8 @@ test('uniforms that are non-square matrices are read column by column', () => {
     [4, 3],
   ]) {
     const numbers = Array.from({ length: columns * rows }, (_, i) => (i % 5) - 1.5)
-    const by = ['p.xy', 'p', 'vec4(p, 1.0)'][columns - 2]
-    const value = ['vec3(m * BY, 0.0)', 'm * BY', '(m * BY).yzw'][rows - 2].replace('BY', by)
+    const operand = ['p.xy', 'p', 'vec4(p, 1.0)'][columns - 2]
+    const value = ['vec3(m * BY, 0.0)', 'm * BY', '(m * BY).yzw'][rows - 2].replace('BY', operand)
     const source = body(`return ${value};`, `uniform mat${columns}x${rows} m;`)
     const uniforms = Object.fromEntries(
       Array.from({ length: columns }, (_, c) => [
@@ -107,9 +110,12 @@ test('uniforms that are non-square matrices are read column by column', () => {
     const product = Array.from({ length: rows }, (_, r) =>
       vector.reduce((sum, x, c) => sum + x * numbers[c * rows + r], 0),
     )
-    near(offsetAt(source, at, {}, uniforms), rows === 2 ? [...product, 0] : product.slice(rows - 3))
+    assertNear(
+      offsetAt(source, at, {}, uniforms),
+      rows === 2 ? [...product, 0] : product.slice(rows - 3),
+    )
     for (const target of ['glsl300', 'wgsl'])
-      assert.match(compileWarp(glslOffset(source), { target, ...quietly }).code, /m\[0\]/)
+      assert.match(compileWarp(glslOffset(source), { target, ...withoutVariation }).code, /m\[0\]/)
   }
   assert.match(
     differentiate('vec2 f(vec3 p, mat3x2 m) { return m * p; }', { by: 'p', target: 'wgsl' }),
@@ -117,7 +123,7 @@ test('uniforms that are non-square matrices are read column by column', () => {
   )
 })
 
-test('blocks of uniforms are variables of the host, by their names there', () => {
+test('members of uniform blocks are uniforms of the warp, with the names that the source uses', () => {
   const above = `struct Light { vec4 way; float power; };
 layout(std140) uniform Camera { mat4 view; vec2 size_; };
 layout(std140) uniform Scene { Light lights[2]; int count; } scene;`
@@ -148,29 +154,29 @@ test('a loop that only a break ends runs up to maxIterations times', () => {
       `float x = 0.0; int n = int(p.y), i = 0; uint h = uint(p.x); ${loop} return vec3(x);`,
     )
     const expected = loop.includes('i >= n') ? 5 : 6
-    near(offsetAt(source, [1, 5, 0], { maxIterations: 20 }), [expected, expected, expected])
-    near(offsetAt(source, [1, 50, 0], { maxIterations: 8 }), [8, 8, 8])
+    assertNear(offsetAt(source, [1, 5, 0], { maxIterations: 20 }), [expected, expected, expected])
+    assertNear(offsetAt(source, [1, 50, 0], { maxIterations: 8 }), [8, 8, 8])
     assert.match(
-      message(() => glslOffset(source)),
+      messageOf(() => glslOffset(source)),
       /is known only when the shader runs; .* or set the option maxIterations/,
     )
   }
 })
 
-test('a do loop stays a loop, like a for loop', () => {
+test('a do loop stays a loop, with about the code of a for loop', () => {
   const length = (loop, options) =>
     compileWarp(
       glslOffset(body(`float x = p.x; int n = int(p.y); ${loop} return vec3(x);`), options),
-      quietly,
+      withoutVariation,
     ).code.length
-  const many = { maxIterations: 64 }
+  const limit = { maxIterations: 64 }
   const nested = length(
     'int i = 0; do { int j = 0; do { x = x * 0.5 + sin(x); j++; } while (j < n); i++; } while (i < n);',
-    many,
+    limit,
   )
   const asFor = length(
     'for (int i = 0; i < n; i++) { for (int j = 0; j < n; j++) { x = x * 0.5 + sin(x); } }',
-    many,
+    limit,
   )
   assert.ok(nested < 2 * asFor && asFor < 3000, `${nested} and ${asFor} characters`)
   assert.ok(length('int i = 0; do { x = x * 0.5 + sin(x); } while (++i < 500);') < 1200)
@@ -178,9 +184,11 @@ test('a do loop stays a loop, like a for loop', () => {
 
 test('images can be read with projective coordinates or texel offsets', () => {
   const code = (expression) =>
-    compileWarp(glslOffset(body(`return ${expression}.xyz;`, 'uniform sampler2D image;')), quietly)
-      .code
-  const same = [
+    compileWarp(
+      glslOffset(body(`return ${expression}.xyz;`, 'uniform sampler2D image;')),
+      withoutVariation,
+    ).code
+  const equivalents = [
     ['texture2DProj(image, p)', 'texture2D(image, p.xy / p.z)'],
     ['texture2DProj(image, vec4(p, 2.0))', 'texture2D(image, p.xy / 2.0)'],
     ['texture2DProjLod(image, p, 0.0)', 'texture2D(image, p.xy / p.z)'],
@@ -196,11 +204,11 @@ test('images can be read with projective coordinates or texel offsets', () => {
     ],
   ]
   const plain = (text) => text.replaceAll(/\s+/g, ' ')
-  for (const [text, wanted] of same.slice(0, 5))
+  for (const [text, wanted] of equivalents.slice(0, 5))
     assert.equal(plain(code(text)), plain(code(wanted)), text)
-  for (const [text] of same.slice(5)) assert.ok(code(text).includes('image'), text)
+  for (const [text] of equivalents.slice(5)) assert.ok(code(text).includes('image'), text)
   assert.match(
-    message(() =>
+    messageOf(() =>
       glslOffset(
         body('return textureOffset(image, p.xy, ivec2(9)).xyz;', 'uniform sampler2D image;'),
       ),
@@ -237,8 +245,8 @@ test('built-in limits have the minimum values that WebGL guarantees', () => {
 })
 
 test('source without #version has the __VERSION__ of a browser', () => {
-  near(offsetAt(body('return vec3(__VERSION__);'), [0, 0, 0]), [100, 100, 100])
-  near(
+  assertNear(offsetAt(body('return vec3(__VERSION__);'), [0, 0, 0]), [100, 100, 100])
+  assertNear(
     offsetAt(`#version 300 es\n${body('return vec3(__VERSION__);')}`, [0, 0, 0]),
     [300, 300, 300],
   )
@@ -246,25 +254,25 @@ test('source without #version has the __VERSION__ of a browser', () => {
 
 test('a carriage return alone ends a line', () => {
   assert.match(
-    message(() => glslOffset('float a;\rfloat b = c;\r')),
+    messageOf(() => glslOffset('float a;\rfloat b = c;\r')),
     /line 2, column 11: "c" is not declared\.\n {2}float b = c;\n {12}\^/,
   )
 })
 
 test('messages use the right article before names of types', () => {
   assert.match(
-    message(() => glslOffset(body('ivec3 n = 1; return p;'))),
+    messageOf(() => glslOffset(body('ivec3 n = 1; return p;'))),
     /expected an ivec3 as the value of "n", got an int/,
   )
   assert.match(
-    message(() => glslOffset(body('return p + uvec2(1u);'))),
+    messageOf(() => glslOffset(body('return p + uvec2(1u);'))),
     /a vec3 and a uvec2/,
   )
 })
 
 const repeat = (count, make) => Array.from({ length: count }, (_, i) => make(i)).join(' ')
 
-const long = {
+const makers = {
   fields: (n) => body('S s; return p;', `struct S { ${repeat(n, (i) => `float a${i};`)} };`),
   locals: (n) => body(`${repeat(n, (i) => `float a${i} = p.x;`)} return vec3(a1);`),
   globals: (n) =>
@@ -284,7 +292,7 @@ const long = {
     ),
   macros: (n) => body('return p;', `${repeat(n, (i) => `#define A${i} ${i}\n`)}`),
 }
-for (const [name, make] of Object.entries(long))
+for (const [name, make] of Object.entries(makers))
   test(`the time for ${name} is proportional to their number`, () =>
     assertLinear((count) => glslOffset(make(count))))
 
@@ -292,7 +300,7 @@ test('functions that call each other twice, twenty levels deep, compile quickly'
   const calls = (first, next, value) =>
     `${first}\n${repeat(20, (i) => `${next(`f${i + 1}`, `f${i}`)}\n`)}${body(value.includes(';') ? value : `return ${value};`)}`
   const start = performance.now()
-  near(
+  assertNear(
     offsetAt(
       calls(
         'float f0(float x) { return x; }',
@@ -303,7 +311,7 @@ test('functions that call each other twice, twenty levels deep, compile quickly'
     ),
     [0.5, 0.5, 0.5],
   )
-  near(
+  assertNear(
     offsetAt(
       calls(
         'int f0(int x) { return x; }',
@@ -314,7 +322,7 @@ test('functions that call each other twice, twenty levels deep, compile quickly'
     ),
     [11534336, 11534336, 11534336],
   )
-  near(
+  assertNear(
     offsetAt(
       calls(
         'float f0(float x) { return x * 0.5; }',
@@ -325,7 +333,7 @@ test('functions that call each other twice, twenty levels deep, compile quickly'
     ),
     [2, 4, 6],
   )
-  // Code that differs in each call has a proportional length.
+  // If each call needs code of its own, the length is proportional to the number of calls, which is limited.
   for (const [first, next, value] of [
     [
       'float g; float f0(float x) { g += x; return g; }',
@@ -339,7 +347,7 @@ test('functions that call each other twice, twenty levels deep, compile quickly'
     ],
   ])
     assert.match(
-      message(() => glslOffset(calls(first, next, value))),
+      messageOf(() => glslOffset(calls(first, next, value))),
       /more than 250,000 steps/,
     )
   assert.ok(performance.now() - start < 8000)

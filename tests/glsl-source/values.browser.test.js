@@ -1,4 +1,4 @@
-// Functions whose values depend on a rule of the language have the same values as in Chromium.
+// Tests that functions whose values depend on a rule of the language have the same values as in Chromium.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
@@ -25,8 +25,8 @@ const points = [
   [-0.2, -0.4, 0.5],
 ]
 
-/** For each language, the code above and below the source. */
-const whole = {
+/** Maps a version → function that makes a vertex shader from the source of `own`. */
+const shaderOf = {
   100: (text) =>
     `#version 100\n${text}\nattribute vec3 at; varying vec3 value;\nvoid main() { value = own(at); gl_Position = vec4(0.0); }\n`,
   300: (text) =>
@@ -37,7 +37,7 @@ const whole = {
  * Returns the values of each shader at the points; WebGL 2 compiles shaders of both languages. `block` is bound to every shader
  * that has one.
  */
-const valuesThere = (shaders, block) =>
+const browserValues = (shaders, block) =>
   page.evaluate(
     ([shaders, points, block]) => {
       const gl = document.createElement('canvas').getContext('webgl2')
@@ -87,31 +87,31 @@ const valuesThere = (shaders, block) =>
         gl.beginTransformFeedback(gl.POINTS)
         gl.drawArrays(gl.POINTS, 0, points.length)
         gl.endTransformFeedback()
-        const found = new Float32Array(points.length * 3)
-        gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, found)
-        return [...found]
+        const actual = new Float32Array(points.length * 3)
+        gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, actual)
+        return [...actual]
       })
     },
     [shaders, points, block],
   )
 
-function valuesHere(text) {
+function ourValues(text) {
   const warp = compileWarp(glslOffset(text, { function: 'own' }), { normals: false })
   const { positions } = warp.evaluate({ positions: Float32Array.from(points.flat()) })
   return points.flat().map((x, i) => positions[i] - x)
 }
 
-/** Chromium's sine is off by up to 1e-4, and a loop adds these errors up. */
+/** Compares with a tolerance: Chromium's sine is off by up to 1e-4, and a loop adds these errors up. */
 const isNear = (ours, theirs) =>
   ours.every((x, i) => Math.abs(x - theirs[i]) <= 1e-3 * Math.max(1, Math.abs(theirs[i])))
 
 for (const version of [100, 300])
   test(`source of #version ${version} has the same values as in a browser`, async () => {
     const names = Object.keys(values[version])
-    const shaders = names.map((name) => whole[version](values[version][name]))
-    const theirs = await valuesThere(shaders)
+    const shaders = names.map((name) => shaderOf[version](values[version][name]))
+    const theirs = await browserValues(shaders)
     const wrong = names.flatMap((name, i) => {
-      const ours = valuesHere(shaders[i])
+      const ours = ourValues(shaders[i])
       return isNear(ours, theirs[i]) ? [] : [`${name}: ${ours}, not ${theirs[i]}`]
     })
     assert.deepEqual(wrong, [])
@@ -121,19 +121,25 @@ test('blocks of uniforms have the declared layout', async () => {
   const numbers = Array.from({ length: 64 }, (_, i) => 0.25 + ((i * 7) % 5) * 0.5)
   const originals = [],
     ours = []
-  for (const [declared, text] of Object.values(blocks)) {
-    originals.push(whole[300](`${declared}\n${text}`))
-    const { code } = compileWarp(glslOffset(`#version 300 es\n${declared}\n${text}`), {
+  for (const [declaration, text] of Object.values(blocks)) {
+    originals.push(shaderOf[300](`${declaration}\n${text}`))
+    const { code } = compileWarp(glslOffset(`#version 300 es\n${declaration}\n${text}`), {
       normals: false,
       names: { position: 'at' },
       outputs: { offset: 'value', position: 'moved' },
     })
     ours.push(
-      `#version 300 es\n${declared}\nin vec3 at; out vec3 value;\nvoid main() {\n${code.replace(/\bvec3 value, /, 'vec3 ')}\ngl_Position = vec4(0.0); }`,
+      `#version 300 es\n${declaration}\nin vec3 at; out vec3 value;\nvoid main() {\n${code.replace(/\bvec3 value, /, 'vec3 ')}\ngl_Position = vec4(0.0); }`,
     )
   }
-  const [wanted, found] = [await valuesThere(originals, numbers), await valuesThere(ours, numbers)]
+  const [expected, actual] = [
+    await browserValues(originals, numbers),
+    await browserValues(ours, numbers),
+  ]
   Object.keys(blocks).forEach((name, i) =>
-    assert.ok(isNear(found[i], wanted[i]), `${name}: ${found[i]}, not ${wanted[i]}\n${ours[i]}`),
+    assert.ok(
+      isNear(actual[i], expected[i]),
+      `${name}: ${actual[i]}, not ${expected[i]}\n${ours[i]}`,
+    ),
   )
 })

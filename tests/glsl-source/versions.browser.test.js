@@ -1,4 +1,4 @@
-// The features of each #version, against a browser: WebGL 1 reads GLSL ES 1.00, WebGL 2 reads 3.00 too.
+// Compares the features of each #version with a browser: WebGL 1 accepts GLSL ES 1.00, WebGL 2 accepts 3.00 too.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
@@ -17,19 +17,22 @@ after(async () => {
   await server.close()
 })
 
-/** Maps names of whole shaders that only the browser or only we reject → both results. */
+/**
+ * Compares our messages about shaders with the browser's. Returns descriptions of the shaders that only one of us rejects, and how many it
+ * rejects.
+ */
 async function disagreements(head, context, texts) {
   const names = Object.keys(texts)
   const shaders = names.map(
     (name) =>
       `${head}\n${texts[name]}\nvoid main() { gl_Position = vec4(offset(vec3(0.5)), 1.0); }\n`,
   )
-  const there = await browserMessages(context, shaders)
+  const theirs = await browserMessages(context, shaders)
   const disagreeing = names.flatMap((name, i) => {
-    const here = ourMessage(shaders[i])
-    return !here === !there[i] ? [] : [`${name}: here "${here}", there "${there[i]}"`]
+    const ours = ourMessage(shaders[i])
+    return !ours === !theirs[i] ? [] : [`${name}: ours "${ours}", the browser's "${theirs[i]}"`]
   })
-  return { disagreeing, rejected: there.filter(Boolean).length }
+  return { disagreeing, rejected: theirs.filter(Boolean).length }
 }
 
 const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }

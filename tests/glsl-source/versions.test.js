@@ -1,4 +1,4 @@
-// #version and the code above functions: the language of the source, its missing features, and whole shader headers.
+// Tests #version and the code outside of functions: the language of the source, features that it lacks, and headers of whole shaders.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -131,12 +131,12 @@ test('a keyword that only 3.00 has is a valid name under #version 100', () => {
   return min(a, b) - 0.25 * layout * smooth;
 }
 vec3 offset(vec3 p) { float uint = smin(p.x, p.y, 0.5); uint += 1.0; return vec3(uint); }`
-  const plain = text
+  const renamed = text
     .replace(/smooth/g, 'width')
     .replace(/layout/g, 'h')
     .replace(/uint/g, 'd')
   const code = (source) => compileWarp(glslOffset(source)).code
-  assert.equal(code(`#version 100\n${text}`), code(`#version 100\n${plain}`))
+  assert.equal(code(`#version 100\n${text}`), code(`#version 100\n${renamed}`))
   assert.match(problemOf(text), /"smooth" cannot be a name: it is a keyword/)
   assert.match(
     problemOf(`#version 100\nuint f() { return 1; }\n${text}`),
@@ -162,7 +162,7 @@ test('a #version that WebGL lacks, or that follows other code, is rejected', () 
   assert.equal(after('// by whom\n\n#version 300 es'), undefined)
 })
 
-const moved = 'vec3 offset(vec3 p) { return vec3(0.0, amount * sin(p.x), 0.0); }'
+const offsetSource = 'vec3 offset(vec3 p) { return vec3(0.0, amount * sin(p.x), 0.0); }'
 
 /** Whole shaders, as in hosts. */
 const shaders = {
@@ -185,7 +185,7 @@ centroid out vec2 vUv;
 smooth out vec4 vColor;
 invariant gl_Position;
 const float weights[3] = float[](0.25, 0.5, 0.25);
-${moved}
+${offsetSource}
 void main() {
   vec3 moved = aPosition + offset(aPosition);
   vNormal = uNormalMatrix * aNormal;
@@ -212,7 +212,7 @@ varying vec3 vNormal;
 varying mediump vec2 vUv;
 invariant varying vec4 vColor;
 invariant gl_Position;
-${moved}
+${offsetSource}
 void main(void) {
   vNormal = uNormalMatrix * aNormal;
   vUv = aTexCoord;
@@ -222,17 +222,17 @@ void main(void) {
 }
 for (const [name, text] of Object.entries(shaders))
   test(`a whole shader of ${name} can be passed: its function is the offset, and its header is ignored`, () => {
-    const plain = compileWarp(glslOffset(`uniform float amount;\n${moved}`))
-    assert.equal(compileWarp(glslOffset(text)).code, plain.code)
+    const expected = compileWarp(glslOffset(`uniform float amount;\n${offsetSource}`))
+    assert.equal(compileWarp(glslOffset(text)).code, expected.code)
   })
 
 test('a whole fragment shader may read gl_FragCoord if its offset does not', () => {
   const text = `precision highp float;
 uniform float amount;
-${moved}
+${offsetSource}
 void main() { gl_FragColor = vec4(offset(gl_FragCoord.xyz), gl_FragCoord[3]); }`
-  const plain = compileWarp(glslOffset(`uniform float amount;\n${moved}`))
-  assert.equal(compileWarp(glslOffset(text)).code, plain.code)
+  const expected = compileWarp(glslOffset(`uniform float amount;\n${offsetSource}`))
+  assert.equal(compileWarp(glslOffset(text)).code, expected.code)
 })
 
 test("a warp cannot read the host's attributes", () => {

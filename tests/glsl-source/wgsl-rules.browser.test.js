@@ -1,10 +1,10 @@
-// We accept and reject the same WGSL as Chromium.
+// Tests that warpjet accepts and rejects the same WGSL as Chromium.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { wgslOffset } from '../../dist/glsl.js'
 import { launchBrowser, openPage, webgpuFlags } from '../support/browser/browser.js'
 import { servePages } from '../support/browser/server.js'
-import { declaring, rules, words } from '../wgsl/rules.js'
+import { declarers, rules, words } from '../wgsl/rules.js'
 
 let browser, server, page
 before(async () => {
@@ -18,24 +18,24 @@ after(async () => {
 })
 
 /** Cases where we differ on purpose. */
-const known = [
-  // The function itself uses a feature of other stages.
+const knownDifferences = [
+  // The function uses a feature that vertex shaders lack.
   /statement: (?:discard|let x = dpdx)/,
   // A warp needs loops that end.
   /statement: while true \{ \}/,
   // Source may be a piece of a shader, whose pipeline is unknown.
-  /above: var<uniform> x: f32;/,
-  /above: enable f16/,
-  // A pointer by another name.
+  /global declaration: var<uniform> x: f32;/,
+  /global declaration: enable f16/,
+  // An alias of a pointer type.
   /alias V = ptr/,
-  // A name that is also an address space, in its own declaration.
+  // A variable whose name is also that of the address space in its declaration.
   /global private/,
   // The result of the offset function is then another vec3f.
   /structure vec3f/,
 ]
 
-/** Returns the errors of each source. */
-const refusedThere = (texts) =>
+/** Returns the browser's error message about each source; empty if it accepts the source. */
+const browserMessages = (texts) =>
   page.evaluate(async (texts) => {
     const device = await (await navigator.gpu.requestAdapter()).requestDevice()
     device.pushErrorScope('validation')
@@ -50,7 +50,7 @@ const refusedThere = (texts) =>
     return all
   }, texts)
 
-function refusedHere(text) {
+function ourMessage(text) {
   try {
     wgslOffset(text, { function: 'offset', maxIterations: 8 })
     return ''
@@ -60,25 +60,25 @@ function refusedHere(text) {
   }
 }
 
-async function compare(cases, least) {
+async function compare(cases, minimums) {
   const names = Object.keys(cases)
-  const there = await refusedThere(Object.values(cases))
+  const theirs = await browserMessages(Object.values(cases))
   const disagreeing = names.flatMap((name, i) => {
-    const here = refusedHere(cases[name])
-    if (!here === !there[i] || known.some((piece) => piece.test(name))) return []
-    return [`${name}: here "${here.split('\n')[0]}", there "${there[i]}"`]
+    const ours = ourMessage(cases[name])
+    if (!ours === !theirs[i] || knownDifferences.some((pattern) => pattern.test(name))) return []
+    return [`${name}: ours "${ours.split('\n')[0]}", the browser's "${theirs[i]}"`]
   })
   assert.deepEqual(disagreeing, [])
-  const rejected = there.filter(Boolean).length
+  const rejected = theirs.filter(Boolean).length
   const counts = [rejected, names.length - rejected]
-  assert.ok(counts[0] >= least[0] && counts[1] >= least[1], `${counts} of ${names.length}`)
+  assert.ok(counts[0] >= minimums[0] && counts[1] >= minimums[1], `${counts} of ${names.length}`)
 }
 
-test('the same rules as in a browser', () => compare(rules, [1000, 500]))
+test('source follows the same rules as in a browser', () => compare(rules, [1000, 500]))
 
-test('names are those that a browser takes', () => {
+test('source may use the same names as in a browser', () => {
   const cases = words.flatMap((word) =>
-    Object.entries(declaring).map(([kind, make]) => [`${kind} ${word}`, make(word)]),
+    Object.entries(declarers).map(([kind, make]) => [`${kind} ${word}`, make(word)]),
   )
   return compare(Object.fromEntries(cases), [400, 200])
 })

@@ -1,9 +1,9 @@
-// WGSL source: values and derivatives against the same GLSL and against differences, inputs, and the derived source.
+// Tests WGSL source: compares values and derivatives with the same GLSL and with finite differences; checks inputs and derived source.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { differentiate, glslOffset, wgslOffset } from 'warpjet/glsl'
-import { own } from '../wgsl/own.js'
+import { ownFunctions } from '../wgsl/own.js'
 
 const points = [
   [0.3, 0.7, -0.2],
@@ -11,11 +11,11 @@ const points = [
   [0.9, -0.8, 0.4],
 ]
 
-const quietly = { surfaceVariation: false }
-const warpOf = (source, options) => compileWarp(wgslOffset(source, options), quietly)
+const withoutVariation = { surfaceVariation: false }
+const warpOf = (source, options) => compileWarp(wgslOffset(source, options), withoutVariation)
 const normal = [0, 1, 0]
 
-const message = (work) => {
+const messageOf = (work) => {
   try {
     work()
   } catch (error) {
@@ -31,33 +31,33 @@ test('a function has the value, the normal and the code of the same GLSL', () =>
   for (const target of ['glsl300', 'glsl100', 'wgsl'])
     assert.equal(compileWarp(wgsl, { target }).code, compileWarp(glsl, { target }).code)
   const [x, y, z] = [0.25, 0.5, -1]
-  const { position, normal: turned } = compileWarp(wgsl).evaluateAt([x, y, z], { normal })
+  const { position, normal: warpedNormal } = compileWarp(wgsl).evaluateAt([x, y, z], { normal })
   assert.ok(Math.abs(position[0] - x - Math.sin(y)) < 1e-6, `${position}`)
   assert.deepEqual(Array.from(position.slice(1)), [y, z])
-  // The surface normal of x + sin(y): (-cos y, 1, 0) for a plane that faces y … turned by the inverse transpose.
+  // The inverse transpose of the Jacobian of (x + sin y, y, z) maps (0, 1, 0) to itself, and (1, 0, 0) to (1, -cos y, 0).
   const step = 1e-3
   const slope = (Math.sin(y + step) - Math.sin(y - step)) / (2 * step)
-  assert.ok(Math.abs(turned[0]) < 1e-6 && turned[1] > 0.999, `${turned}`)
+  assert.ok(Math.abs(warpedNormal[0]) < 1e-6 && warpedNormal[1] > 0.999, `${warpedNormal}`)
   const tilted = compileWarp(wgsl).evaluateAt([x, y, z], { normal: [1, 0, 0] }).normal
   const length = Math.hypot(1, slope)
   assert.ok(Math.abs(tilted[0] - 1 / length) < 1e-5, `${tilted}`)
   assert.ok(Math.abs(tilted[1] + slope / length) < 1e-5, `${tilted}`)
 })
 
-/** Functions made of integers, bits or steps, whose derivatives differences cannot estimate. */
+/** Matches functions of integers, bits or steps, whose derivatives finite differences cannot estimate. */
 const isStairs =
   /bits|pack|integer|unsigned|shifts|bitcast|conversions|steps|parts of floats|remainder/
 
-for (const [name, text] of Object.entries(own))
-  test(`${name}: derivatives as differences`, () => {
+for (const [name, text] of Object.entries(ownFunctions))
+  test(`${name}: the normal agrees with finite differences`, () => {
     const warp = warpOf(text, { function: 'own', maxIterations: 16 })
     assert.ok(warp.code.length > 0)
     if (isStairs.test(name)) return
     const at = (p) => warp.evaluateAt(p, { normal }).position
     for (const p of points) {
-      const turned = warp.evaluateAt(p, { normal }).normal
-      if (!turned.every(Number.isFinite)) continue
-      // The warped tangents by differences are perpendicular to the normal.
+      const warpedNormal = warp.evaluateAt(p, { normal }).normal
+      if (!warpedNormal.every(Number.isFinite)) continue
+      // Warped tangents, from finite differences, are perpendicular to the normal.
       for (const k of [0, 2]) {
         const [before, after] = [-4e-3, 4e-3].map((step) =>
           at(p.map((x, i) => x + (i === k) * step)),
@@ -65,7 +65,7 @@ for (const [name, text] of Object.entries(own))
         const tangent = Array.from(after, (x, i) => x - before[i])
         const size = Math.hypot(...tangent)
         if (!(size > 1e-3) || size > 0.5) continue
-        const along = tangent.reduce((sum, x, i) => sum + x * turned[i], 0) / size
+        const along = tangent.reduce((sum, x, i) => sum + x * warpedNormal[i], 0) / size
         assert.ok(Math.abs(along) < 0.02, `${name} at ${p}, tangent ${k}: ${along}`)
       }
     }
@@ -120,7 +120,7 @@ test('textures become images', () => {
   assert.match(code, /map/)
 })
 
-test('differentiate writes WGSL, and GLSL if asked', () => {
+test('differentiate writes WGSL, or GLSL if the option target says so', () => {
   const source = 'fn wave(p: vec2f, t: f32) -> f32 { return sin(p.x * 2 + t) * p.y; }'
   const wgsl = differentiate(source, { language: 'wgsl' })
   assert.match(wgsl, /^fn waveGradient\(p: vec2f, t: f32\) -> vec3f \{/)
@@ -151,33 +151,33 @@ test('a continuing block reads the variables of the body, after each continue, t
 
 test('messages name types of WGSL', () => {
   assert.match(
-    message(() => wgslOffset('fn offset(p: vec3f) -> vec3f { return p.x; }')),
+    messageOf(() => wgslOffset('fn offset(p: vec3f) -> vec3f { return p.x; }')),
     /^wgslOffset: line 1, column \d+: expected this function to return a vec3f, got an f32\./,
   )
   const same = 'fn offset(p: vec3f) -> vec3f { return p; }'
   assert.match(
-    message(() => wgslOffset(`const_assert 1; ${same}`)),
+    messageOf(() => wgslOffset(`const_assert 1; ${same}`)),
     /^wgslOffset: line 1, column 14: expected a constant bool after const_assert, got an abstract int\./,
   )
   for (const kind of ['var<private>', 'override'])
     assert.match(
-      message(() => wgslOffset(`${kind} a = 1.0;\nconst_assert a > 0.5; ${same}`)),
+      messageOf(() => wgslOffset(`${kind} a = 1.0;\nconst_assert a > 0.5; ${same}`)),
       /^wgslOffset: line 2, column 14: expected a constant bool after const_assert, got a bool\./,
     )
   assert.match(
-    message(() => wgslOffset('fn offset(p: vec3f) -> f32 { return p.x; }')),
+    messageOf(() => wgslOffset('fn offset(p: vec3f) -> f32 { return p.x; }')),
     /^wgslOffset: offset: expected a function that returns a vec3f, the offset of a vertex, got one that returns an f32;/,
   )
   assert.match(
-    message(() => wgslOffset('fn offset(uv: vec3f, millis: f32) -> vec3f { return uv; }')),
+    messageOf(() => wgslOffset('fn offset(uv: vec3f, millis: f32) -> vec3f { return uv; }')),
     /the parameter uv of offset: expected a vec2f, the type of the input uv, got a vec3f\./,
   )
   assert.match(
-    message(() => differentiate('fn f(n: i32) -> f32 { return f32(n); }', { language: 'wgsl' })),
+    messageOf(() => differentiate('fn f(n: i32) -> f32 { return f32(n); }', { language: 'wgsl' })),
     /n is an i32; expected a float or a vector to differentiate by/,
   )
   assert.match(
-    message(() => wgslOffset('waves.wgsl')),
+    messageOf(() => wgslOffset('waves.wgsl')),
     /expected a string of WGSL for the source, got .* this is the name of a file/,
   )
 })
@@ -191,32 +191,35 @@ fn offset(p: vec3f) -> vec3f {
   return vec3f(0, height, 0);
 }`
   const lifts = [0.25, -0.125, 0.375, 0.0625, 0.5, -0.25]
-  for (const [index, place] of [
+  for (const [index, indexAt] of [
     ['lifts[i]', (i) => i],
     ['lifts[2 * i + 1]', (i) => 2 * i + 1],
     ['at(i + 2)', (i) => i + 2],
   ]) {
     const warp = warpOf(source(index))
     const uniforms = Object.fromEntries(
-      [0, 1, 2].map(place).map((at) => [`lifts[${at}]`, lifts[at]]),
+      [0, 1, 2].map(indexAt).map((at) => [`lifts[${at}]`, lifts[at]]),
     )
     for (const [x, y, z] of points) {
-      const height = [0, 1, 2].reduce((sum, i) => sum + lifts[place(i)] * Math.sin(x * (i + 1)), 0)
-      const slope = [0, 1, 2].reduce(
-        (sum, i) => sum + lifts[place(i)] * (i + 1) * Math.cos(x * (i + 1)),
+      const height = [0, 1, 2].reduce(
+        (sum, i) => sum + lifts[indexAt(i)] * Math.sin(x * (i + 1)),
         0,
       )
-      const found = warp.evaluate(
+      const slope = [0, 1, 2].reduce(
+        (sum, i) => sum + lifts[indexAt(i)] * (i + 1) * Math.cos(x * (i + 1)),
+        0,
+      )
+      const actual = warp.evaluate(
         { positions: Float32Array.of(x, y, z), normals: Float32Array.from(normal) },
         { uniforms },
       )
-      assert.ok(Math.abs(found.positions[1] - y - height) < 1e-6, index)
+      assert.ok(Math.abs(actual.positions[1] - y - height) < 1e-6, index)
       const expected = -slope / Math.hypot(1, slope)
-      assert.ok(Math.abs(found.normals[0] - expected) < 1e-5, index)
+      assert.ok(Math.abs(actual.normals[0] - expected) < 1e-5, index)
     }
   }
   assert.match(
-    message(() => warpOf(source('lifts[i32(p.x)]'))),
+    messageOf(() => warpOf(source('lifts[i32(p.x)]'))),
     /^wgslOffset: line 5, column \d+: the index of lifts, an array without a length, must be a constant/,
   )
 })

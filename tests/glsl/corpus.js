@@ -1,9 +1,9 @@
-// GLSL functions of packages whose licences allow us to run them, read from node_modules, and our own.
+// GLSL functions: of packages whose licences allow us to run them, read from node_modules, and our own.
 import { readFileSync, readdirSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { ownBuiltIns } from './own-built-ins.js'
-import { own } from './own.js'
+import { builtInCalls } from './own-built-ins.js'
+import { ownFunctions } from './own.js'
 
 const modules = fileURLToPath(new URL('../../node_modules', import.meta.url))
 
@@ -22,7 +22,7 @@ export const packages = {
   'glsl-luma': [''],
 }
 
-const isKnown = ({ type }) => /^(?:float|bool|vec[234])$/.test(type)
+const isSupported = ({ type }) => /^(?:float|bool|vec[234])$/.test(type)
 
 /** Returns the source of a file, including files of its package that it requires, inserted like glslify does. */
 const textOf = (file) =>
@@ -31,44 +31,46 @@ const textOf = (file) =>
     (_, name) => textOf(join(dirname(file), `${name}.glsl`)).replace(/^#pragma glslify.*/gm, ''),
   )
 
-/** Returns { name, text, head, type, parameters } of the function that a file exports; `undefined` if it needs another package. */
-function read(name, text) {
+/** Returns { name, text, functionName, type, parameters } of the function that a file exports; `undefined` if it needs another package. */
+function parseSource(name, text) {
   if (/require\(/.test(text)) return undefined
   const exported = /#pragma glslify:\s*export\((\w+)\)/.exec(text)?.[1]
   const plain = text.replace(/\/\/.*|\/\*[^]*?\*\//g, '')
-  const heads = [...plain.matchAll(/^\s*(float|vec[234]|mat[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm)]
-  const found = heads.filter(([, , head]) => !exported || head === exported)
-  const [, type, head, list] = found.at(-1) ?? []
-  const parameters = list?.split(',').map((each) => {
-    const [type, name] = each
+  const functions = [
+    ...plain.matchAll(/^\s*(float|vec[234]|mat[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm),
+  ]
+  const candidates = functions.filter(([, , name]) => !exported || name === exported)
+  const [, type, functionName, list] = candidates.at(-1) ?? []
+  const parameters = list?.split(',').map((parameter) => {
+    const [type, name] = parameter
       .trim()
       .replace(/^in\s+/, '')
       .split(/\s+/)
     return { type, name }
   })
-  if (!head || !parameters.every(isKnown)) return undefined
-  return { name, text, head, type, parameters }
+  if (!functionName || !parameters.every(isSupported)) return undefined
+  return { name, text, functionName, type, parameters }
 }
 
-function* files() {
+function* listFiles() {
   for (const [name, folders] of Object.entries(packages))
     for (const folder of folders)
       for (const file of readdirSync(join(modules, name, folder)))
-        if (file.endsWith('.glsl') && !leftOpen.test(join(name, folder, file)))
+        if (file.endsWith('.glsl') && !undefinedPowers.test(join(name, folder, file)))
           yield join(name, folder, file)
 }
 
 /**
- * These functions raise negative numbers to a power, which GLSL leaves undefined; we replace the power by the product that is
- * meant.
+ * These functions are left out: they raise negative numbers to a power, which GLSL leaves undefined.
  */
-const leftOpen = /^glsl-easings.(?:cubic-in-out|quartic-out|quintic-in-out|quintic-out)\.glsl$/
+const undefinedPowers =
+  /^glsl-easings.(?:cubic-in-out|quartic-out|quintic-in-out|quintic-out)\.glsl$/
 
 /**
- * Returns an argument for a parameter, from a vec3 `p`: numbers from 0 up, as easings require, no two equal or mirrored. The
+ * Returns an argument for a parameter, from a vec3 `p`: floats are at least 0, as easings require; no two are equal or mirrored. The
  * period of a noise is an integer: between integers its hash differs at every point.
  */
-const argument = ({ type, name }, i) =>
+const makeArgument = ({ type, name }, i) =>
   name === 'rep'
     ? `${type}(3.0)`
     : {
@@ -90,13 +92,15 @@ const toVec3 = (type, call) =>
     mat4: `(${call} * vec4(0.5, 1.0, 2.0, 4.0)).xyz`,
   })[type]
 
-/** Each has a function `vec3 corpus(vec3 p)` at the end of its source. */
+/** The functions, each with its name and a source that ends with a function `vec3 corpus(vec3 p)`, which calls it. */
 export const corpus = [
-  ...[...files()].map((file) => read(file, textOf(file))),
-  ...Object.entries({ ...own, ...ownBuiltIns }).map(([name, text]) => read(name, text)),
+  ...[...listFiles()].map((file) => parseSource(file, textOf(file))),
+  ...Object.entries({ ...ownFunctions, ...builtInCalls }).map(([name, text]) =>
+    parseSource(name, text),
+  ),
 ]
   .filter(Boolean)
-  .map(({ name, text, head, type, parameters }) => ({
+  .map(({ name, text, functionName, type, parameters }) => ({
     name,
-    text: `${text}\nvec3 corpus(vec3 p) { return ${toVec3(type, `${head}(${parameters.map(argument).join(', ')})`)}; }\n`,
+    text: `${text}\nvec3 corpus(vec3 p) { return ${toVec3(type, `${functionName}(${parameters.map(makeArgument).join(', ')})`)}; }\n`,
   }))

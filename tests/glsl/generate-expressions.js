@@ -1,4 +1,4 @@
-// Generates random expressions of GLSL, each with its equivalent in JavaScript. Values stay below about a hundred, so that float32 is precise
+// Generates random expressions of GLSL, each with its equivalent in JavaScript. Values stay below about 100, so that float32 is precise
 // enough.
 export function randomOf(seed) {
   let state = (seed * 0x9e3779b1) >>> 0
@@ -10,17 +10,17 @@ export function randomOf(seed) {
   }
 }
 
-/** Runtime functions of the JavaScript: they work per component, and a number with a vector applies to each component. */
+/** Functions that the generated JavaScript calls. They work per component; a number next to a vector applies to each component. */
 export const library = {
-  each(f, ...x) {
+  perComponent(f, ...x) {
     const size = x.find(Array.isArray)?.length
     if (size === undefined) return f(...x)
     return Array.from({ length: size }, (_, i) =>
-      f(...x.map((each) => (Array.isArray(each) ? each[i] : each))),
+      f(...x.map((operand) => (Array.isArray(operand) ? operand[i] : operand))),
     )
   },
   bits: (x) => new Uint32Array(Float32Array.of(x).buffer)[0],
-  dot: (x, y) => x.reduce((sum, each, i) => sum + each * y[i], 0),
+  dot: (x, y) => x.reduce((sum, value, i) => sum + value * y[i], 0),
   pick: (v, letters) => {
     const all = [...letters].map((letter) => v['xyzw'.indexOf(letter)])
     return all.length === 1 ? all[0] : all
@@ -49,14 +49,16 @@ export class ExpressionGenerator {
   int(n) {
     return Math.floor(this.random() * n)
   }
-  of(list) {
+  pick(list) {
     return list[this.int(list.length)]
   }
   name() {
     return `v${this.count++}`
   }
   variables(type, isWritten = false) {
-    return this.scopes.flat().filter((each) => each.type === type && !(isWritten && each.isFixed))
+    return this.scopes
+      .flat()
+      .filter((variable) => variable.type === type && !(isWritten && variable.isFixed))
   }
   literal() {
     return Math.round((this.random() * 3 - 1.5) * 100) / 100
@@ -64,12 +66,12 @@ export class ExpressionGenerator {
 
   /** Returns { glsl, js } of a type. */
   expression(type, depth = 3) {
-    if (type === 'int') return this.whole(depth)
+    if (type === 'int') return this.integer(depth)
     if (type === 'bool') return this.condition(depth)
-    const known = this.variables(type)
+    const candidates = this.variables(type)
     if (depth <= 0 || this.random() < 0.15) {
-      if (known.length && this.random() < 0.8) {
-        const { name } = this.of(known)
+      if (candidates.length && this.random() < 0.8) {
+        const { name } = this.pick(candidates)
         return { glsl: name, js: name }
       }
       const literal = this.literal()
@@ -79,24 +81,24 @@ export class ExpressionGenerator {
         : { glsl: `${type}(${number(literal)})`, js: list }
     }
     const x = () => this.expression(type, depth - 1)
-    const number1 = () => this.expression('float', depth - 1)
-    const each = (glsl, f, ...operands) => ({
+    const scalar = () => this.expression('float', depth - 1)
+    const perComponent = (glsl, f, ...operands) => ({
       glsl,
-      js: `each(${f}, ${operands.map(({ js }) => js).join(', ')})`,
+      js: `perComponent(${f}, ${operands.map(({ js }) => js).join(', ')})`,
     })
     const kinds = {
       sum: () => {
         const [a, b] = [x(), x()]
-        const op = this.of(['+', '-'])
-        return each(`(${a.glsl} ${op} ${b.glsl})`, `(a, b) => a ${op} b`, a, b)
+        const op = this.pick(['+', '-'])
+        return perComponent(`(${a.glsl} ${op} ${b.glsl})`, `(a, b) => a ${op} b`, a, b)
       },
       product: () => {
-        const [a, b] = [x(), number1()]
-        return each(`(${a.glsl} * sin(${b.glsl}))`, '(a, b) => a * Math.sin(b)', a, b)
+        const [a, b] = [x(), scalar()]
+        return perComponent(`(${a.glsl} * sin(${b.glsl}))`, '(a, b) => a * Math.sin(b)', a, b)
       },
       quotient: () => {
-        const [a, b] = [x(), number1()]
-        return each(
+        const [a, b] = [x(), scalar()]
+        return perComponent(
           `(${a.glsl} / (1.5 + abs(${b.glsl})))`,
           '(a, b) => a / (1.5 + Math.abs(b))',
           a,
@@ -105,20 +107,20 @@ export class ExpressionGenerator {
       },
       wave: () => {
         const a = x()
-        const f = this.of(['sin', 'cos', 'atan', 'tanh'])
-        return each(`${f}(${a.glsl})`, `Math.${f}`, a)
+        const f = this.pick(['sin', 'cos', 'atan', 'tanh'])
+        return perComponent(`${f}(${a.glsl})`, `Math.${f}`, a)
       },
       root: () => {
         const a = x()
-        return each(`sqrt(abs(${a.glsl}) + 0.2)`, '(a) => Math.sqrt(Math.abs(a) + 0.2)', a)
+        return perComponent(`sqrt(abs(${a.glsl}) + 0.2)`, '(a) => Math.sqrt(Math.abs(a) + 0.2)', a)
       },
       negative: () => {
         const a = x()
-        return each(`(-${a.glsl})`, '(a) => -a', a)
+        return perComponent(`(-${a.glsl})`, '(a) => -a', a)
       },
       mix: () => {
-        const [a, b, t] = [x(), x(), number1()]
-        return each(
+        const [a, b, t] = [x(), x(), scalar()]
+        return perComponent(
           `mix(${a.glsl}, ${b.glsl}, fract(${t.glsl}))`,
           '(a, b, t) => a + (b - a) * (t - Math.floor(t))',
           a,
@@ -127,9 +129,9 @@ export class ExpressionGenerator {
         )
       },
       extreme: () => {
-        const [a, b] = [x(), number1()]
-        const f = this.of(['min', 'max'])
-        return each(`${f}(${a.glsl}, ${b.glsl})`, `Math.${f}`, a, b)
+        const [a, b] = [x(), scalar()]
+        const f = this.pick(['min', 'max'])
+        return perComponent(`${f}(${a.glsl}, ${b.glsl})`, `Math.${f}`, a, b)
       },
       choice: () => {
         const [c, a, b] = [this.condition(depth - 1), x(), x()]
@@ -148,27 +150,27 @@ export class ExpressionGenerator {
           js: `Math.sqrt(${a.js}.reduce((sum, x) => sum + (x + 0.05) ** 2, 0))`,
         }
       }
-      kinds.part = () => {
+      kinds.component = () => {
         const a = this.expression('vec3', depth - 1)
-        const letter = this.of('xyz')
+        const letter = this.pick('xyz')
         return { glsl: `${a.glsl}.${letter}`, js: `pick(${a.js}, '${letter}')` }
       }
-      kinds.whole = () => {
-        const a = this.whole(depth - 1)
+      kinds.integer = () => {
+        const a = this.integer(depth - 1)
         return { glsl: `(float(${a.glsl}) * 0.11)`, js: `(${a.js} * 0.11)` }
       }
       kinds.table = () => {
-        const a = this.whole(depth - 1)
+        const a = this.integer(depth - 1)
         return { glsl: `table[abs(${a.glsl}) % 4]`, js: `table[Math.abs(${a.js}) % 4]` }
       }
       kinds.field = () => ({ glsl: 'wave.height', js: 'wave.height' })
       kinds.call = () => {
-        const [a, b] = [number1(), this.expression('vec2', depth - 1)]
+        const [a, b] = [scalar(), this.expression('vec2', depth - 1)]
         return { glsl: `helper(${a.glsl}, ${b.glsl})`, js: `helper(${a.js}, ${b.js})` }
       }
     } else {
       kinds.vector = () => {
-        const parts = Array.from({ length: sizes[type] }, number1)
+        const parts = Array.from({ length: sizes[type] }, scalar)
         return {
           glsl: `${type}(${parts.map(({ glsl }) => glsl).join(', ')})`,
           js: `[${parts.map(({ js }) => js).join(', ')}]`,
@@ -176,26 +178,26 @@ export class ExpressionGenerator {
       }
       kinds.swizzle = () => {
         const a = this.expression('vec3', depth - 1)
-        const letters = Array.from({ length: sizes[type] }, () => this.of('xyz')).join('')
+        const letters = Array.from({ length: sizes[type] }, () => this.pick('xyz')).join('')
         return { glsl: `${a.glsl}.${letters}`, js: `pick(${a.js}, '${letters}')` }
       }
     }
-    return this.of(Object.values(kinds))()
+    return this.pick(Object.values(kinds))()
   }
 
-  whole(depth) {
-    const known = this.variables('int')
+  integer(depth) {
+    const candidates = this.variables('int')
     if (depth <= 0 || this.random() < 0.4) {
-      if (known.length && this.random() < 0.8) {
-        const { name } = this.of(known)
+      if (candidates.length && this.random() < 0.8) {
+        const { name } = this.pick(candidates)
         return { glsl: name, js: name }
       }
       const value = this.int(7) - 2
       return { glsl: `(${value})`, js: `(${value})` }
     }
     const kind = this.int(11)
-    const [a, b] = [this.whole(depth - 2), this.whole(depth - 2)]
-    // Bit operations, with few bits in the result.
+    const [a, b] = [this.integer(depth - 2), this.integer(depth - 2)]
+    // Bit operations whose results are small.
     if (kind === 4) return { glsl: `(${a.glsl} / 3)`, js: `Math.trunc(${a.js} / 3)` }
     if (kind === 5)
       return { glsl: `((${a.glsl} ^ ${b.glsl}) & 15)`, js: `((${a.js} ^ ${b.js}) & 15)` }
@@ -230,22 +232,20 @@ export class ExpressionGenerator {
     const kind = this.int(5)
     if (kind === 0 && depth > 1) {
       const [a, b] = [this.condition(depth - 1), this.condition(depth - 1)]
-      const op = this.of(['&&', '||'])
+      const op = this.pick(['&&', '||'])
       return { glsl: `(${a.glsl} ${op} ${b.glsl})`, js: `(${a.js} ${op} ${b.js})` }
     }
     if (kind === 1) {
-      const [a, b] = [this.whole(depth - 1), this.whole(depth - 1)]
-      const op = this.of(['<', '==', '>='])
+      const [a, b] = [this.integer(depth - 1), this.integer(depth - 1)]
+      const op = this.pick(['<', '==', '>='])
       return { glsl: `(${a.glsl} ${op} ${b.glsl})`, js: `(${a.js} ${op} ${b.js})` }
     }
     const [a, b] = [this.expression('float', depth - 1), this.expression('float', depth - 1)]
-    // Makes equal values that are rounded differently take the same branch.
-    const op = this.of(['<', '>', '<='])
+    // Without the constant, values that are equal except for rounding could take different branches.
+    const op = this.pick(['<', '>', '<='])
     return {
       glsl: `(${a.glsl} ${op} ${b.glsl} + 0.01037)`,
       js: `(${a.js} ${op} ${b.js} + 0.01037)`,
     }
   }
-
-  /** Generates statements in their own scope. */
 }

@@ -1,10 +1,14 @@
-// Generates random GLSL functions, each with its equivalent in JavaScript: control flow, structures, assigned swizzles, integers.
-// Values stay below about a hundred, so that float32 is precise enough.
+// Generates random GLSL functions, each with its equivalent in JavaScript. They have control flow, structures, assigned swizzles and
+// integers. Values stay below about 100, so that float32 is precise enough.
 import { ExpressionGenerator, library } from './generate-expressions.js'
 
 export { randomOf } from './generate-expressions.js'
 
 class Generator extends ExpressionGenerator {
+  /**
+   * Generates a block of statements with its own scope. `inLoop` is 'switch' in a switch within a loop, where break would not leave the
+   * loop.
+   */
   block(count, inLoop) {
     this.scopes.push([])
     this.depth++
@@ -16,54 +20,54 @@ class Generator extends ExpressionGenerator {
   }
 
   statement(inLoop) {
-    const kinds = ['declare', 'declare', 'assign', 'assign', 'swizzle', 'field', 'whole']
+    const kinds = ['declare', 'declare', 'assign', 'assign', 'swizzle', 'field', 'integer']
     if (this.depth < 3) kinds.push('if', 'if', 'loop', 'switch', 'while')
     if (this.depth > 0) kinds.push('return')
     if (inLoop) kinds.push('leave')
-    return this[`make_${this.of(kinds)}`](inLoop)
+    return this[`make_${this.pick(kinds)}`](inLoop)
   }
 
   make_declare() {
-    const type = this.of(['float', 'float', 'vec2', 'vec3'])
+    const type = this.pick(['float', 'float', 'vec2', 'vec3'])
     const value = this.expression(type)
     const name = this.name()
     this.scopes.at(-1).push({ name, type })
     return { glsl: `${type} ${name} = ${value.glsl};`, js: `let ${name} = ${value.js};` }
   }
 
-  make_whole() {
-    const value = this.whole(3)
+  make_integer() {
+    const value = this.integer(3)
     const name = this.name()
     this.scopes.at(-1).push({ name, type: 'int', isFixed: true })
     return { glsl: `int ${name} = ${value.glsl};`, js: `let ${name} = ${value.js};` }
   }
 
   make_assign() {
-    const type = this.of(['float', 'vec2', 'vec3'])
-    const known = this.variables(type, true)
-    if (!known.length) return this.make_declare()
-    const { name } = this.of(known)
+    const type = this.pick(['float', 'vec2', 'vec3'])
+    const candidates = this.variables(type, true)
+    if (!candidates.length) return this.make_declare()
+    const { name } = this.pick(candidates)
     const value = this.expression(type)
-    const op = this.of(['', '+', '-'])
+    const op = this.pick(['', '+', '-'])
     return {
       glsl: `${name} ${op}= ${value.glsl};`,
       js: op
-        ? `${name} = each((a, b) => a ${op} b, ${name}, ${value.js});`
+        ? `${name} = perComponent((a, b) => a ${op} b, ${name}, ${value.js});`
         : `${name} = ${value.js};`,
     }
   }
 
   make_swizzle() {
-    const known = this.variables('vec3', true)
-    if (!known.length) return this.make_declare()
-    const { name } = this.of(known)
-    const letters = this.of(['x', 'z', 'xy', 'zx', 'yz', 'zyx', 'yxz'])
+    const candidates = this.variables('vec3', true)
+    if (!candidates.length) return this.make_declare()
+    const { name } = this.pick(candidates)
+    const letters = this.pick(['x', 'z', 'xy', 'zx', 'yz', 'zyx', 'yxz'])
     const type = ['float', 'vec2', 'vec3'][letters.length - 1]
     const value = this.expression(type)
     const isSum = this.random() < 0.5
     return {
       glsl: `${name}.${letters} ${isSum ? '+=' : '='} ${value.glsl};`,
-      js: `${name} = put(${name}, '${letters}', ${isSum ? `each((a, b) => a + b, pick(${name}, '${letters}'), ${value.js})` : value.js});`,
+      js: `${name} = put(${name}, '${letters}', ${isSum ? `perComponent((a, b) => a + b, pick(${name}, '${letters}'), ${value.js})` : value.js});`,
     }
   }
 
@@ -114,7 +118,7 @@ class Generator extends ExpressionGenerator {
   }
 
   make_switch(inLoop) {
-    const value = this.whole(3)
+    const value = this.integer(3)
     const cases = [0, 1, 2].map((label) => ({
       label,
       body: this.block(1, inLoop && 'switch'),
@@ -141,12 +145,12 @@ class Generator extends ExpressionGenerator {
 
   make_leave(inLoop) {
     const test = this.condition(2)
-    const word = inLoop === 'switch' ? 'continue' : this.of(['break', 'continue'])
+    const word = inLoop === 'switch' ? 'continue' : this.pick(['break', 'continue'])
     return { glsl: `if (${test.glsl}) ${word};`, js: `if (${test.js}) ${word};` }
   }
 }
 
-/** Returns { glsl, js }: `vec3 random<seed>(vec3 p)`, and a function of an array of three numbers. */
+/** Returns { seed, glsl, js }: `glsl` is the source of `vec3 random<seed>(vec3 p)`, `js` the same function of an array of three numbers. */
 export function randomFunction(seed) {
   const generator = new Generator(seed)
   generator.scopes[0].push({ name: 'p', type: 'vec3' })
@@ -163,7 +167,7 @@ return ${result.glsl};
     ...Object.keys(library),
     `const table = ${JSON.stringify(table)}
 const helper = (x, y) => { if (x > 0.4) return Math.sin(x) + y[0]; return x * y[1] }
-const bump = (wave, by) => { wave.height += Math.sin(by); wave.way = each((a) => a * 0.5, wave.way) }
+const bump = (wave, by) => { wave.height += Math.sin(by); wave.way = perComponent((a) => a * 0.5, wave.way) }
 return (p) => {
 const wave = { height: p[0], way: [p[1], p[2]] }
 ${lines.map((line) => line.js).join('\n')}
@@ -173,8 +177,8 @@ return ${result.js}
   return { seed, glsl, js }
 }
 
-/** Source above all of them. */
-export const above = `struct Wave { float height; vec2 way; };
+/** Declarations that all random functions need above them. */
+export const sharedDeclarations = `struct Wave { float height; vec2 way; };
 const float table[4] = float[4](0.3, -0.7, 1.1, 0.5);
 float helper(float x, vec2 y) { if (x > 0.4) return sin(x) + y.x; return x * y.y; }
 void bump(inout Wave wave, float by) { wave.height += sin(by); wave.way *= 0.5; }

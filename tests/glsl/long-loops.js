@@ -1,4 +1,4 @@
-// Generates random GLSL functions around long loops: states of each type, counters of each kind, early exits, nested loops.
+// Generates random GLSL functions that contain long loops: with states of each type, counters of each kind, early exits and nested loops.
 // Values stay small, since each state decays towards 0; all constants are sixteenths, which are exact in float32.
 import { randomOf } from './generate.js'
 
@@ -10,7 +10,7 @@ class LoopGenerator {
   int(n) {
     return Math.floor(this.random() * n)
   }
-  of(list) {
+  pick(list) {
     return list[this.int(list.length)]
   }
   name(word) {
@@ -29,11 +29,11 @@ class LoopGenerator {
     const next = () => this.float(scope, depth - 1)
     switch (kind) {
       case 0:
-        return this.of(floats)
+        return this.pick(floats)
       case 1:
-        return `${this.of(vectors)}.${this.of('xyz')}`
+        return `${this.pick(vectors)}.${this.pick('xyz')}`
       case 2:
-        return counters.length ? `float(${this.of(counters)}) * 0.0625` : this.of(floats)
+        return counters.length ? `float(${this.pick(counters)}) * 0.0625` : this.pick(floats)
       case 3:
         return `sin(${next()} * 1.5 + ${this.literal()})`
       case 4:
@@ -43,11 +43,11 @@ class LoopGenerator {
       case 6:
         return `mix(${next()}, ${next()}, 0.25)`
       case 7:
-        return `dot(${this.of(vectors)}, ${this.of(vectors)}.yzx) * 0.25`
+        return `dot(${this.pick(vectors)}, ${this.pick(vectors)}.yzx) * 0.25`
       case 8:
         return `(${this.condition(scope)} ? ${next()} : ${next()})`
       case 9:
-        return `wave(${next()}, ${this.of(vectors)})`
+        return `wave(${next()}, ${this.pick(vectors)})`
       default:
         return `cos(${next()})`
     }
@@ -56,8 +56,8 @@ class LoopGenerator {
   condition(scope) {
     const { counters } = scope
     if (counters.length && this.random() < 0.4)
-      return `${this.of(counters)} % ${2 + this.int(3)} == ${this.int(2)}`
-    // Makes equal values that are rounded differently take the same branch.
+      return `${this.pick(counters)} % ${2 + this.int(3)} == ${this.int(2)}`
+    // Without the constant, values that are equal except for rounding could take different branches.
     return `${this.float(scope, 1)} > ${this.float(scope, 0)} + 0.0103759765625`
   }
 
@@ -65,26 +65,26 @@ class LoopGenerator {
     const { floats, vectors, ints } = scope
     const kind = this.int(depth > 0 ? 10 : 7)
     if (kind === 0) {
-      const x = this.of(floats.slice(1))
+      const x = this.pick(floats.slice(1))
       return `${x} = ${x} * 0.5 + ${this.float(scope)} * 0.5;`
     }
     if (kind === 1) {
-      const v = this.of(vectors.slice(1))
-      return `${v} = ${v}.${this.of(['yzx', 'zxy', 'xyz'])} * 0.75 + 0.25 * sin(${this.of(vectors)} + ${this.float(scope, 1)});`
+      const v = this.pick(vectors.slice(1))
+      return `${v} = ${v}.${this.pick(['yzx', 'zxy', 'xyz'])} * 0.75 + 0.25 * sin(${this.pick(vectors)} + ${this.float(scope, 1)});`
     }
     if (kind === 2) {
-      const v = this.of(vectors.slice(1))
-      return `${v}.${this.of(['xy', 'zx'])} *= ${this.of(['0.5', '0.75'])}; ${v}.${this.of('xyz')} += ${this.float(scope)} * 0.25;`
+      const v = this.pick(vectors.slice(1))
+      return `${v}.${this.pick(['xy', 'zx'])} *= ${this.pick(['0.5', '0.75'])}; ${v}.${this.pick('xyz')} += ${this.float(scope)} * 0.25;`
     }
     if (kind === 3) return `sum += weight * ${this.float(scope)}; weight *= 0.5;`
-    if (kind === 4) return `if (${this.condition(scope)}) ${this.of(ints)}++;`
+    if (kind === 4) return `if (${this.condition(scope)}) ${this.pick(ints)}++;`
     if (kind === 5)
       return `if (${this.condition(scope)}) { ${this.statement(scope, 0)} } else { ${this.statement(scope, 0)} }`
     if (kind === 6) return `flag = flag != (${this.condition(scope)}); if (flag) sum += 0.0625;`
     if (kind === 7)
-      return `if (${this.condition(scope)}) ${this.of(['break', 'continue', 'continue'])};`
+      return `if (${this.condition(scope)}) ${this.pick(['break', 'continue', 'continue'])};`
     if (kind === 8) return this.loop(scope, depth - 1, 3 + this.int(2))
-    return `if (${this.float(scope, 1)} > 1.75) return sum + ${this.of(floats)};`
+    return `if (${this.float(scope, 1)} > 1.75) return sum + ${this.pick(floats)};`
   }
 
   loop(scope, depth, steps = 6 + this.int(18)) {
@@ -95,24 +95,23 @@ class LoopGenerator {
       floats: floatCounter ? [...scope.floats, `(${i} * 0.0625)`] : scope.floats,
       counters: floatCounter ? scope.counters : [...scope.counters, i],
     }
-    // Omits the first and the last of each list.
-    inner.floats = [...inner.floats]
+
     const body = Array.from({ length: 2 + this.int(3) }, () =>
-      this.statement(this.writable(inner), depth),
+      this.statement(this.withoutCounters(inner), depth),
     ).join('\n')
     if (floatCounter) return `for (float ${i} = 0.0; ${i} < ${steps}.5; ${i} += 1.0) {\n${body}\n}`
-    const [start, by] = [this.int(9) - 4, 1 + this.int(3)]
-    return this.of([
+    const [start, step] = [this.int(9) - 4, 1 + this.int(3)]
+    return this.pick([
       `for (int ${i} = 0; ${i} < ${steps}; ${i}++) {\n${body}\n}`,
-      `for (int ${i} = ${start}; ${i} > ${start - by * steps}; ${i} -= ${by}) {\n${body}\n}`,
-      `for (int ${i} = ${start}; ${i} <= ${start + by * steps}; ${i} += ${by}) {\n${body}\n}`,
+      `for (int ${i} = ${start}; ${i} > ${start - step * steps}; ${i} -= ${step}) {\n${body}\n}`,
+      `for (int ${i} = ${start}; ${i} <= ${start + step * steps}; ${i} += ${step}) {\n${body}\n}`,
       `{ int ${i} = ${steps}; while (${i}-- > 0) {\n${body}\n} }`,
       `{ int ${i} = 0; do {\n${body.replaceAll('continue', 'break')}\n} while (++${i} < ${steps}); }`,
     ])
   }
 
-  /** Counters are read-only. */
-  writable = (scope) => ({
+  /** Returns a scope without the expressions of float counters, which cannot be assigned. */
+  withoutCounters = (scope) => ({
     ...scope,
     floats: scope.floats.filter((name) => !name.startsWith('(')),
   })
@@ -138,5 +137,5 @@ return sum + x * 0.5 + y * 0.25 + dot(v, w) + float(n) * 0.125 - float(m) * 0.06
   }
 }
 
-/** Generates `float f(vec3 p)`. */
+/** Generates the source of a function `float f(vec3 p)`. */
 export const randomLongLoops = (seed) => new LoopGenerator(seed).text()

@@ -1,5 +1,5 @@
 // Our own functions for features that packages seldom use; the last function of each source is the tested one.
-export const own = {
+export const ownFunctions = {
   'early returns': `float own(float x) {
     if (x < -0.5) return x * x;
     if (x < 0.3) { float y = sin(x); return y; }
@@ -42,12 +42,12 @@ export const own = {
       }
     return s;
   }`,
-  'a float counts': `float own(float x) {
+  'a loop with a float counter': `float own(float x) {
     float s = 0.0;
     for (float t = 0.0; t < 1.0; t += 0.1) s += sin(x * t);
     return s;
   }`,
-  'swizzles written': `vec3 own(vec3 p) {
+  'assigned swizzles': `vec3 own(vec3 p) {
     vec4 v = vec4(p, 1.0);
     v.zx = v.xy * 2.0;
     v.wy += vec2(0.5, -0.5) * v.yz;
@@ -55,7 +55,7 @@ export const own = {
     v[1] = v[0] + v.y;
     return v.rgb;
   }`,
-  'matrices by column': `vec3 own(vec3 p) {
+  'columns of matrices': `vec3 own(vec3 p) {
     mat3 m = mat3(1.0);
     m[0] = p;
     m[1].yz = vec2(0.5, p.x);
@@ -89,13 +89,13 @@ export const own = {
     for (int i = 0; i < 2; i++) h += height(s.waves[i], p);
     return h;
   }`,
-  'arrays by an index of the vertex': `const float heights[5] = float[5](0.1, 0.5, 0.2, 0.9, 0.4);
+  'an array read at an index that depends on the vertex': `const float heights[5] = float[5](0.1, 0.5, 0.2, 0.9, 0.4);
   float own(vec2 p) {
     int i = int(floor(p.x * 2.0)) + 2;
     float f = fract(p.x * 2.0);
     return mix(heights[clamp(i, 0, 4)], heights[clamp(i + 1, 0, 4)], f) * p.y;
   }`,
-  'an array written by an index of the vertex': `float own(vec3 p) {
+  'an array written at an index that depends on the vertex': `float own(vec3 p) {
     float bins[4];
     for (int i = 0; i < 4; i++) bins[i] = p.y;
     bins[int(abs(p.x) * 7.0) % 4] += p.z;
@@ -109,7 +109,7 @@ export const own = {
   float twice(int x) { return float(x) * 4.0; }
   float twice(float x, float y) { return x * y; }
   vec3 own(vec3 p) { return vec3(twice(p.x) + twice(3), twice(p.yz)) + twice(p.x, p.y); }`,
-  'switch by a whole number': `float own(vec2 p) {
+  'switch by an integer that depends on the vertex': `float own(vec2 p) {
     float x = p.y;
     switch (int(floor(p.x * 3.0) + 6.0) % 3) {
       case 0: x += 1.0;
@@ -160,7 +160,7 @@ export const own = {
     if (a ^^ all(c)) s += p.z; else if (not(c).x) s -= 0.3;
     return mix(p, p.zyx, c).x + s;
   }`,
-  'what counts in a condition': `float calls;
+  'side effects in conditions': `float calls;
   bool count(float x) { calls += x; return x > 0.2; }
   float own(vec3 p) {
     calls = 0.0;
@@ -174,13 +174,13 @@ export const own = {
     f++; p.yz--; --p.x;
     return vec3(f, float(i + j), 0.0) + p;
   }`,
-  'whole numbers of the vertex': `float own(vec2 p) {
+  'integers that depend on the vertex': `float own(vec2 p) {
     ivec2 cell = ivec2(floor(p * 4.0));
     int n = cell.x * 7 + cell.y * 13;
     int m = n - (n / 5) * 5;
     return float(abs(m)) + 0.1 * float(max(cell.x, cell.y)) + (cell.x == cell.y ? 1.0 : 0.0);
   }`,
-  'whole numbers that are known': `float own(float x) {
+  'constant integers': `float own(float x) {
     uint h = 2166136261u;
     for (uint i = 0u; i < 4u; i++) { h ^= i; h *= 16777619u; h = (h << 3) | (h >> 29); }
     int n = ~int(h & 255u) + (1 << 4);
@@ -205,7 +205,7 @@ export const own = {
   vec3 own(vec3 p) {
     return vec3(pcg3d(uvec3(ivec3(floor(p * 3.0)) + 8))) * (1.0 / float(0xffffffffu)) + fract(p * 3.0);
   }`,
-  'bits of a whole number': `float own(vec2 p) {
+  'bits of an integer': `float own(vec2 p) {
     int n = int(floor(p.x * 40.0)), m = int(floor(p.y * 9.0)) + 9;
     uint u = uint(m);
     int bits = (n & 0xff) ^ (m << 3) | (~n >> 2);
@@ -213,7 +213,7 @@ export const own = {
     return float(abs(bits) % 17) * 0.1 + float(u / 3u + u % 5u) + (isOdd ? p.x : p.y) + (isLess ? 2.0 : 0.0)
       + float(-n / 7) + float(min(n, m) - max(n, -3) + clamp(n, -5, m) + abs(n) * sign(n));
   }`,
-  'halves of a uint': `vec2 own(vec2 p) {
+  'packed 16-bit numbers': `vec2 own(vec2 p) {
     vec2 s = unpackSnorm2x16(packSnorm2x16(p * 1.2)), u = unpackUnorm2x16(packUnorm2x16(abs(p)));
     return s * 3.0 + u;
   }`,
@@ -258,11 +258,11 @@ export const own = {
     for (int i = 0, j = 3; i < j; i++, j--) y += float(j);
     return x + y;
   }`,
-  halves: `vec3 own(vec3 p) {
+  'half floats': `vec3 own(vec3 p) {
     vec2 h = unpackHalf2x16(packHalf2x16(p.xy * vec2(3.0, 0.0001)));
     return vec3(h, unpackHalf2x16(packHalf2x16(p.zz * 900.0)).y);
   }`,
-  'a function called often, a loop around it': `float bump(vec2 q, float k) {
+  'a loop around a function that is called often': `float bump(vec2 q, float k) {
     vec2 c = q - floor(q + 0.5);
     float d = exp(-k * dot(c, c)) + 0.3 * sin(q.x * 1.3) * cos(q.y * 0.7);
     return d * d + 0.25 * d;

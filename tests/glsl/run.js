@@ -1,31 +1,32 @@
-// Runs GLSL statements of the compiler in double precision, for tests only.
+// Interprets GLSL statements that the compiler generated, in double precision, for tests only.
 import { createRequire } from 'node:module'
 import { Statements } from './walk/statements.js'
-import { fail, fresh, layoutOf, numbersOf } from './walk/values.js'
+import { fail, layoutOf, newValue, numbersOf } from './walk/values.js'
 
 const { parser } = createRequire(import.meta.url)('@shaderfrog/glsl-parser')
 
-/** Maps functions to the operands for which GLSL defines no result: it is NaN here. */
+/** Maps functions → whether GLSL defines no result for some operands. The result is NaN here. */
 const isUndefined = {
   pow: (x, y) => x < 0 || (x === 0 && y <= 0),
   smoothstep: (low, high) => low >= high,
 }
 
-/** Rejects what a shader's compiler rejects, such as wrong types and names that are declared twice, and keeps constants in double. */
+/** Rejects what a shader compiler rejects, such as wrong types and names that are declared twice. Keeps constants in double precision. */
 class Strict extends Statements {
   value_float_constant({ token }) {
-    return fresh('float', [parseFloat(token)], true)
+    return newValue('float', [parseFloat(token)], true)
   }
   /** Evaluates both values, since nothing in the statements has side effects. */
   value_ternary({ expression, left, right }) {
     const [test, yes, no] = [expression, left, right].map((node) => this.value(node))
-    if (test.type !== 'bool') fail(`${test.type} where bool belongs`)
-    if (yes.type !== no.type) fail(`a choice of ${yes.type} or ${no.type}`)
+    if (test.type !== 'bool') fail(`expected bool before ?, got ${test.type}`)
+    if (yes.type !== no.type)
+      fail(`expected two values of the same type in ? :, got ${yes.type} and ${no.type}`)
     return this.copy(numbersOf(test)[0] ? yes : no)
   }
   operate(op, left, right, numbers) {
     const [a, b] = [layoutOf(left.type), layoutOf(right.type)]
-    if (a.kind !== b.kind) fail(`${left.type} ${op} ${right.type}`)
+    if (a.kind !== b.kind) fail(`${op} does not take ${left.type} and ${right.type}`)
     const isProduct = op === '*' && Math.max(a.columns, b.columns) > 1
     const sizes = [a, b].map(({ columns, rows }) => columns * rows)
     if (!isProduct && !sizes.includes(1) && left.type !== right.type)
@@ -35,19 +36,21 @@ class Strict extends Statements {
   select(value, name) {
     const selected = super.select(value, name)
     const { rows } = layoutOf(value.type)
-    const isThere = rows > 1 && selected.at.every((place) => value.at.includes(place))
-    return isThere ? selected : fail(`.${name} of ${value.type}`)
+    const exists = rows > 1 && selected.indices.every((index) => value.indices.includes(index))
+    return exists ? selected : fail(`a ${value.type} has no .${name}`)
   }
   builtIn(name, operands) {
     const result = super.builtIn(name, operands)
     const numbers = numbersOf(result).map((number, i) => {
-      const given = operands.map(({ of, at }) => of[at[at.length === 1 ? 0 : i]])
-      return isUndefined[name]?.(...given) ? NaN : number
+      const components = operands.map(
+        ({ storage, indices }) => storage[indices[indices.length === 1 ? 0 : i]],
+      )
+      return isUndefined[name]?.(...components) ? NaN : number
     })
-    return fresh(result.type, numbers, true)
+    return newValue(result.type, numbers, true)
   }
   construct(type, operands) {
-    if (!layoutOf(type)) fail(`${type} is no function`)
+    if (!layoutOf(type)) fail(`there is no function ${type}`)
     return super.construct(type, operands)
   }
   declarator_list(list) {
@@ -59,7 +62,7 @@ class Strict extends Statements {
       super.declarator_list({ ...list, declarations: [{ identifier, initializer }] })
       if (!initializer) this.unset.add(scope.get(name))
       else if (scope.get(name).type !== type)
-        fail(`${name} is ${type}, its value ${scope.get(name).type}`)
+        fail(`${name}: expected ${type}, got ${scope.get(name).type}`)
     }
   }
   value_identifier({ identifier }) {
@@ -69,12 +72,12 @@ class Strict extends Statements {
   value_assignment({ left, operator, right }) {
     const [place, value] = [this.find(left.identifier), this.value(right)]
     if (value.type !== place.type)
-      fail(`${left.identifier} is ${place.type}, its value ${value.type}`)
+      fail(`${left.identifier}: expected ${place.type}, got ${value.type}`)
     this.unset.delete(place)
     return super.value_assignment({ left, operator, right })
   }
 
-  /** Runs the statements, which may read `inputs` → all variables by name. */
+  /** Runs the statements, which may read `inputs`; returns the values of all variables that are set, by name. */
   run(statements, inputs) {
     this.unset = new Set()
     this.scopes = [new Map()]
@@ -93,7 +96,7 @@ class Strict extends Statements {
 const typeOf = (value) =>
   Array.isArray(value) ? `vec${value.length}` : typeof value === 'number' ? 'float' : 'bool'
 
-/** The statements of code that was run before, since tests run the same code at many points. */
+/** Caches the parsed statements of each code, since tests run the same code at many points. */
 const parsed = new Map()
 
 function statementsOf(code) {
@@ -105,7 +108,7 @@ function statementsOf(code) {
 }
 
 /**
- * Runs statements with the values of variables by name; returns all variables by name. Numbers are floats, arrays of two to four numbers
- * are vectors, true and false are bools.
+ * Runs statements that may read the variables of `inputs`; returns the values of all variables that are set, by name. Numbers are floats,
+ * arrays of two to four numbers are vectors, true and false are bools.
  */
 export const runGlsl = (code, inputs = {}) => new Strict([]).run(statementsOf(code), inputs)

@@ -1,8 +1,8 @@
-// An interpreter of GLSL in double, for tests only: it walks over the tree that an independent parser makes of the whole
-// language, and shares no code with the front end. Values carry their types at run time; there is no static analysis.
+// An interpreter of GLSL in double precision, for tests only: it walks over the tree that an independent parser makes of the whole
+// source, and shares no code with our front end. Values carry their types at run time; there is no static analysis.
 import { createRequire } from 'node:module'
 import { Statements } from './walk/statements.js'
-import { fresh, numbersOf } from './walk/values.js'
+import { newValue, numbersOf } from './walk/values.js'
 
 const require = createRequire(import.meta.url)
 const { parser } = require('@shaderfrog/glsl-parser')
@@ -14,7 +14,7 @@ class Walk extends Statements {
     this.restart()
   }
 
-  /** Each call from outside initializes globals again, as for each vertex. */
+  /** Initializes globals; each call from outside does so, as a GPU does for each vertex. */
   restart() {
     this.scopes = [new Map()]
     this.functions.length = 0
@@ -27,14 +27,14 @@ class Walk extends Statements {
   call(name, numbers) {
     this.restart()
     const f = this.functions.find(({ prototype }) => prototype.header.name.identifier === name)
-    const operands = f.prototype.parameters.map((each, i) =>
-      fresh(this.typeOf(each), numbers[i], true),
+    const operands = f.prototype.parameters.map((parameter, i) =>
+      newValue(this.typeOf(parameter), numbers[i], true),
     )
     return numbersOf(this.enter(f, operands))
   }
 }
 
-/** Returns a function of the source on lists of numbers: `walk(text, 'f')([1, 2, 3])` calls `f` with a vec3. */
+/** Returns a function of the source as a JavaScript function of lists of numbers: `walk(text, 'f')([1, 2, 3])` calls `f` with a vec3. */
 export function walk(text, name) {
   const tree = parser.parse(preprocess(text, { preserve: { version: () => true } }), {
     quiet: true,

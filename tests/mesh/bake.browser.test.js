@@ -1,5 +1,5 @@
-// A baked mesh equals what the GPU draws, for each warp of the gallery on each of its meshes. normals.test.js does the same for
-// all warps on a mesh with all attributes; support/baked.js has the tolerances.
+// A baked mesh equals what the GPU draws, for each warp of the gallery on each model. tests/compile/normals.browser.test.js checks the same
+// for all warps on a mesh with all attributes; tests/support/browser/baked.js has the tolerances.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -22,13 +22,13 @@ import { openPipeline, vertexShader } from '../support/browser/transform-feedbac
 import { warpsInThisRun as warps } from '../warps/index.js'
 import { normalGradients } from '../warps/normal-field.js'
 
-const made = new Map()
+const modelCache = new Map()
 
-/** A model of the size that the warp expects, with generated uvs and colors if it has none. */
+/** Returns a model in the size that the warp expects, with constant uvs if it has none, and with colors. */
 function modelMesh(name, size) {
   // Generating a model takes longer than drawing it.
-  if (!made.has(name)) made.set(name, models[name]())
-  const { positions, normals, uvs } = made.get(name)
+  if (!modelCache.has(name)) modelCache.set(name, models[name]())
+  const { positions, normals, uvs } = modelCache.get(name)
   const mesh = new Float32Array((positions.length / 3) * stride)
   for (let i = 0; i < positions.length / 3; i++) {
     const [x, y, z] = [3 * i, 3 * i + 1, 3 * i + 2]
@@ -84,7 +84,7 @@ for (const [i, warp] of cases.entries()) {
   })
 }
 
-test('tangents equal those on the screen', async () => {
+test('baked tangents equal those that the GPU computes', async () => {
   // The shader reads the tangent from the color attribute, and returns it as the position.
   const warp = compileWarp(
     ({ glsl, position }) =>
@@ -105,14 +105,14 @@ test('tangents equal those on the screen', async () => {
   await gpu.load(mesh)
   const code = `${warp.code}\nwarpedPosition = warpedTangent.xyz; warpedNormal.x = warpedTangent.w;`
   const text = withAccurateSine({ code, declarations: warp.declarations })
-  const [shown] = await gpu.run(vertexShader(text, 'glsl300'), [{}])
+  const [gpuResults] = await gpu.run(vertexShader(text, 'glsl300'), [{}])
   const tangents = Float32Array.from(points.flatMap(({ tangent }) => tangent))
   const baked = warp.evaluate({ ...arraysOf(mesh, warp.attributes), tangents }).tangents
   points.forEach(({ tangent, normal }, i) => {
-    const [direction, [side]] = positionAndNormal(shown, i)
+    const [direction, [side]] = positionAndNormal(gpuResults, i)
     assert.equal(side, tangent[3])
     assert.equal(baked[4 * i + 3], tangent[3])
-    // If the normal has an odd length, or the tangent is zero, there is no direction.
+    // If the length of the normal is not 1, or the tangent is zero, the result has no direction.
     if (Math.abs(Math.hypot(...normal) - 1) > 1e-3 || Math.hypot(...tangent.slice(0, 3)) < 1e-3)
       return
     const angle = angleBetween(direction, [...baked.subarray(4 * i, 4 * i + 3)])

@@ -1,4 +1,4 @@
-// bakeWarp: moves positions, normals and tangents, and checks its arguments.
+// Tests bakeWarp: it moves positions, normals and tangents, and checks its arguments.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import validator from 'gltf-validator'
@@ -13,7 +13,7 @@ import { throwsWarpError } from '../support/warp-errors.js'
 checkMemoryAfterEach()
 
 describe('bakeWarp', () => {
-  test('with detail, divides the mesh first, to a tolerance in its own units', async () => {
+  test('with detail, subdivides the mesh first, to a tolerance in the units of the mesh', async () => {
     const cube = box([90, 90, 90])
     const bend = ({ glsl, position, uniforms }) =>
       glsl.vec3(0, 0, position.x().mult(0.03).sin().mult(uniforms.height))
@@ -47,7 +47,7 @@ describe('bakeWarp', () => {
       ({ glsl, position, uniforms }) => glsl.vec3(0, position.x().sin().mult(uniforms.height), 0),
       { uniforms: { height: () => ++calls } },
     )
-    calls = 0 // compileWarp called it too
+    calls = 0 // compileWarp called the function, too
     bakeWarp(sphere(), warp, { detail: 0.01 })
     assert.equal(calls, 1)
     const jump = compileWarp(({ glsl, position }) => glsl.vec3(0, position.x().mult(0.5).abs(), 0))
@@ -77,8 +77,8 @@ describe('bakeWarp', () => {
     for (const name of ['uvs', 'colors', 'indices', 'material'])
       assert.deepEqual(baked[name], mesh[name], name)
     assert.notEqual(baked.uvs, mesh.uvs)
-    // The twist about y, by hand: p' = R(2y) p; its normal by two finite differences of the sphere would do, but at the equator's
-    // first vertex (1, 0, 0) the surface is tilted by exactly atan(2): the tangent (0, 1, 0) becomes (0, 1, -2).
+    // The twist about y is p' = R(2y) p. At the equator's first vertex, (1, 0, 0), it tilts the surface by exactly atan(2): the
+    // tangent (0, 1, 0) becomes (0, 1, -2), and (0, 0, 1) stays as it is.
     for (let v = 0; v < mesh.positions.length / 3; v++) {
       const [x, y, z] = mesh.positions.subarray(3 * v, 3 * v + 3)
       const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
@@ -135,15 +135,15 @@ describe('bakeWarp', () => {
         () => bakeWarp(triangle(), warp),
         /^bakeWarp: expected a result of compileWarp for the warp, got /,
       )
-    const flat = compileWarp(({ position }) => position, { normals: false })
+    const withoutNormals = compileWarp(({ position }) => position, { normals: false })
     throwsWarpError(
-      () => bakeWarp(triangle(), flat),
+      () => bakeWarp(triangle(), withoutNormals),
       /^bakeWarp: the warp was compiled with "normals: false"/,
     )
   })
 
-  test('exports a result that other programs can read', async () => {
-    const again = await loadMesh(exportGLB(bakeWarp(sphere(), twist)))
-    assert.deepEqual(again.positions, bakeWarp(sphere(), twist).positions)
+  test('returns a mesh that can be exported and loaded again', async () => {
+    const loaded = await loadMesh(exportGLB(bakeWarp(sphere(), twist)))
+    assert.deepEqual(loaded.positions, bakeWarp(sphere(), twist).positions)
   })
 })

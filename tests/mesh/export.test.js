@@ -1,4 +1,4 @@
-// exportGLB: reads its output back according to the specification, and validates it with Khronos' validator.
+// Tests exportGLB: reads its output back according to the specification, and validates it with Khronos' validator.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'
@@ -20,12 +20,12 @@ const jpeg = Uint8Array.from(
   ),
 )
 
-/** Exports, and fails on any error or warning of the validator. */
-async function validGlb(mesh) {
+/** Exports a mesh, and throws on any error or warning of the validator. */
+async function exportValidGlb(mesh) {
   const bytes = exportGLB(mesh)
   const { issues } = await validator.validateBytes(bytes)
-  const grave = issues.messages.filter(({ severity }) => severity < 2)
-  assert.deepEqual(grave, [])
+  const errorsAndWarnings = issues.messages.filter(({ severity }) => severity < 2)
+  assert.deepEqual(errorsAndWarnings, [])
   return { ...readGlb(bytes), bytes, codes: issues.messages.map(({ code }) => code) }
 }
 
@@ -42,7 +42,7 @@ test('the validator of this test finds errors', async () => {
 
 test('every array is identical after export', async () => {
   const mesh = { ...sphere(), material: { baseColor: [1, 0.5, 0.25, 1] } }
-  const glb = await validGlb(mesh)
+  const glb = await exportValidGlb(mesh)
   const names = {
     POSITION: 'positions',
     NORMAL: 'normals',
@@ -58,7 +58,7 @@ test('every array is identical after export', async () => {
 
 test('accessors have the min and max of their numbers, and views have a target', async () => {
   const mesh = sphere()
-  const glb = await validGlb(mesh)
+  const glb = await exportValidGlb(mesh)
   const { POSITION } = primitiveOf(glb).attributes
   for (let i = 0; i < 3; i++) {
     const coordinates = mesh.positions.filter((_, k) => k % 3 === i)
@@ -74,31 +74,31 @@ test('accessors have the min and max of their numbers, and views have a target',
 })
 
 test('the file names its generator', async () => {
-  const { json } = await validGlb(triangle())
+  const { json } = await exportValidGlb(triangle())
   assert.deepEqual(json.asset, { version: '2.0', generator: `warpjet ${version}` })
 })
 
 test('indices have 16 bits unless one is 65535, which restarts primitives', async () => {
-  const most = grid(65535 / 5, 5)
-  const narrow = await validGlb(most)
+  const largestNarrow = grid(65535 / 5, 5)
+  const narrow = await exportValidGlb(largestNarrow)
   assert.equal(narrow.json.accessors[primitiveOf(narrow).indices].componentType, 5123)
   assert.equal(Math.max(...narrow.json.accessors[primitiveOf(narrow).indices].max), 65534)
-  assert.deepEqual([...narrow.accessor(primitiveOf(narrow).indices)], [...most.indices])
+  assert.deepEqual([...narrow.accessor(primitiveOf(narrow).indices)], [...largestNarrow.indices])
 
-  const wide = await validGlb(grid(256, 256))
+  const wide = await exportValidGlb(grid(256, 256))
   assert.equal(wide.json.accessors[primitiveOf(wide).indices].componentType, 5125)
   assert.equal(wide.json.accessors[primitiveOf(wide).indices].max[0], 65535)
 })
 
 test('a mesh without indices is exported without indices', async () => {
-  const glb = await validGlb(triangle())
+  const glb = await exportValidGlb(triangle())
   assert.equal(primitiveOf(glb).indices, undefined)
   assert.deepEqual(attribute(glb, 'POSITION'), triangle().positions)
 })
 
-test('a mesh without normals gets none, and so no tangents', async () => {
+test('a mesh without normals is exported without normals and tangents', async () => {
   const { positions, indices, tangents } = sphere()
-  const glb = await validGlb({ positions, indices, tangents })
+  const glb = await exportValidGlb({ positions, indices, tangents })
   assert.deepEqual(Object.keys(primitiveOf(glb).attributes), ['POSITION'])
 })
 
@@ -108,22 +108,22 @@ test('a zero normal is replaced by that of the surrounding triangles; other leng
   mesh.normals.set([0, 0, 8], 0)
   mesh.normals.set([0, 1e-30, 0], 3)
   mesh.normals.set([3e38, 3e38, 0], 6)
-  const normals = attribute(await validGlb(mesh), 'NORMAL')
-  const close = (vertex, expected) =>
+  const normals = attribute(await exportValidGlb(mesh), 'NORMAL')
+  const assertNormal = (vertex, expected) =>
     expected.forEach((x, i) => assert.ok(Math.abs(normals[3 * vertex + i] - x) < 1e-6))
-  close(4, [0, 0, 1])
-  close(0, [0, 0, 1])
-  close(1, [0, 1, 0])
-  close(2, [Math.SQRT1_2, Math.SQRT1_2, 0])
+  assertNormal(4, [0, 0, 1])
+  assertNormal(0, [0, 0, 1])
+  assertNormal(1, [0, 1, 0])
+  assertNormal(2, [Math.SQRT1_2, Math.SQRT1_2, 0])
   assert.equal(mesh.normals[2], 8, 'the input is unchanged')
 })
 
-test('a surface that is collapsed to a point is a valid file', async () => {
+test('a surface that is collapsed to a point is exported as a valid file', async () => {
   const mesh = sphere()
   mesh.positions.fill(2)
   mesh.normals.fill(0)
   mesh.tangents.fill(0)
-  const glb = await validGlb(mesh)
+  const glb = await exportValidGlb(mesh)
   assert.deepEqual(new Set(attribute(glb, 'NORMAL')), new Set([0, 1]))
 })
 
@@ -131,11 +131,13 @@ test('tangents are normalized, stay perpendicular where they are computed, and h
   const mesh = sphere()
   mesh.tangents.set([0, 0, 0, 0.5], 4 * 20)
   mesh.tangents.set([0, 5, 0, -3], 4 * 21)
-  const tangents = attribute(await validGlb(mesh), 'TANGENT')
-  const made = tangents.slice(80, 84)
+  const tangents = attribute(await exportValidGlb(mesh), 'TANGENT')
+  const computed = tangents.slice(80, 84)
   const normal = mesh.normals.slice(60, 63)
-  assert.ok(Math.abs(made[0] * normal[0] + made[1] * normal[1] + made[2] * normal[2]) < 1e-6)
-  assert.equal(made[3], 1)
+  assert.ok(
+    Math.abs(computed[0] * normal[0] + computed[1] * normal[1] + computed[2] * normal[2]) < 1e-6,
+  )
+  assert.equal(computed[3], 1)
   assert.deepEqual([...tangents.slice(84, 88)], [0, 1, 0, -1])
   assert.deepEqual(tangents.slice(88), mesh.tangents.slice(88))
 })
@@ -143,7 +145,7 @@ test('tangents are normalized, stay perpendicular where they are computed, and h
 test('colors are clamped to 0 to 1', async () => {
   const mesh = { ...triangle(), colors: [-1, 0.5, 2, 1, 0, 0, 0, 0, 1, 1, 1, 1] }
   mesh.material = { baseColor: [2, -1, 0.5, 0.25] }
-  const glb = await validGlb(mesh)
+  const glb = await exportValidGlb(mesh)
   assert.deepEqual([...attribute(glb, 'COLOR_0')].slice(0, 4), [0, 0.5, 1, 1])
   const [{ pbrMetallicRoughness, alphaMode }] = glb.json.materials
   assert.deepEqual(pbrMetallicRoughness.baseColorFactor, [1, 0, 0.5, 0.25])
@@ -156,7 +158,7 @@ for (const [mimeType, bytes] of Object.entries({ 'image/png': checker, 'image/jp
     // Three 16-bit indices, so that padding precedes the texture.
     const mesh = { ...triangle(), uvs: [0, 0, 1, 0, 0, 1], indices: [0, 1, 2] }
     mesh.material = { baseColor: [1, 1, 1, 1], baseColorTexture: { bytes, mimeType: 'whatever' } }
-    const glb = await validGlb(mesh)
+    const glb = await exportValidGlb(mesh)
     const [image] = glb.json.images
     assert.equal(image.mimeType, mimeType)
     assert.deepEqual(glb.viewBytes(image.bufferView), bytes)
@@ -167,11 +169,11 @@ for (const [mimeType, bytes] of Object.entries({ 'image/png': checker, 'image/jp
 
 test('a texture without uvs is omitted', async () => {
   const material = { baseColor: [1, 1, 1, 1], baseColorTexture: { bytes: checker } }
-  const { json } = await validGlb({ ...triangle(), material })
+  const { json } = await exportValidGlb({ ...triangle(), material })
   assert.equal(json.images, undefined)
 })
 
 test('degenerate triangles and unused vertices are valid', async () => {
-  await validGlb({ ...grid(2, 2), indices: [0, 0, 1, 2, 2, 2] })
-  await validGlb({ ...grid(3, 3), indices: [0, 1, 2] })
+  await exportValidGlb({ ...grid(2, 2), indices: [0, 0, 1, 2, 2, 2] })
+  await exportValidGlb({ ...grid(3, 3), indices: [0, 1, 2] })
 })

@@ -1,4 +1,4 @@
-// The mesh module when memory runs out, wasm traps, or files are hostile: a message, and the next call works.
+// Tests the mesh module when memory runs out, wasm traps, or files are hostile: it throws a message, and the next call works.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
@@ -36,6 +36,7 @@ describe('failures of the wasm module', () => {
     assert.ok(exportGLB(mesh).length > 24 * 250000)
   })
 
+  /** An array with a wrong length, which makes the module write out of bounds. */
   class Liar extends Float32Array {
     get length() {
       return 9
@@ -57,21 +58,21 @@ describe('failures of the wasm module', () => {
   test('a trap inside a warp ends the outer call too, and does not hide an error of the warp', () => {
     const liar = { positions: new Liar(2 ** 24) }
     const outer = (evaluate) => () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 })
-    const stop = () => throwsWarpError(() => exportGLB(liar), /^exportGLB: the mesh is too large/)
+    const trap = () => throwsWarpError(() => exportGLB(liar), /^exportGLB: the mesh is too large/)
     throwsWarpError(
       outer(() => exportGLB(liar)),
       /^exportGLB: the mesh is too large/,
     )
     throwsWarpError(
       outer((vertices) => {
-        stop()
+        trap()
         return twist.evaluate(vertices)
       }),
       /^subdivide: the mesh is too large/,
     )
     assert.throws(
       outer(() => {
-        stop()
+        trap()
         throw new TypeError('mine')
       }),
       /^TypeError: mine$/,
@@ -106,7 +107,7 @@ describe('failures of the wasm module', () => {
     }
   })
 
-  test('a warp may use meshes itself', () => {
+  test('a warp may call functions of warpjet/mesh itself', () => {
     const warp = {
       evaluate(vertices) {
         const coarse = { warp: twist, tolerance: 1, angle: 4 }
@@ -150,7 +151,7 @@ describe('hostile files', () => {
 
   test('with sizes beyond the end of the file are rejected', async () => {
     const { json, chunks } = readGlb(file)
-    const lie = (change) => {
+    const rejectsChange = (change) => {
       const document = structuredClone(json)
       change(document)
       return rejectsWithWarpError(
@@ -158,13 +159,13 @@ describe('hostile files', () => {
         /^loadMesh: /,
       )
     }
-    await lie(({ accessors }) => (accessors[0].count = 2 ** 32 - 1))
-    await lie(({ accessors }) => (accessors[0].count = 2 ** 53))
-    await lie(({ accessors }) => (accessors[0].byteOffset = 2 ** 31))
-    await lie(({ bufferViews }) => (bufferViews[0].byteLength = 2 ** 32 - 4))
-    await lie(({ bufferViews }) => (bufferViews[0].byteStride = 252))
-    await lie(({ buffers }) => (buffers[0].byteLength = 4e9))
-    await lie(({ nodes }) => nodes.push({ children: [0] }) && (nodes[0].children = [1]))
+    await rejectsChange(({ accessors }) => (accessors[0].count = 2 ** 32 - 1))
+    await rejectsChange(({ accessors }) => (accessors[0].count = 2 ** 53))
+    await rejectsChange(({ accessors }) => (accessors[0].byteOffset = 2 ** 31))
+    await rejectsChange(({ bufferViews }) => (bufferViews[0].byteLength = 2 ** 32 - 4))
+    await rejectsChange(({ bufferViews }) => (bufferViews[0].byteStride = 252))
+    await rejectsChange(({ buffers }) => (buffers[0].byteLength = 4e9))
+    await rejectsChange(({ nodes }) => nodes.push({ children: [0] }) && (nodes[0].children = [1]))
   })
 
   test('with deeply nested brackets are rejected', async () => {

@@ -1,4 +1,4 @@
-// 'warpjet/mesh' with geometries of three.js: the results are geometries too, with all their attributes.
+// Tests 'warpjet/mesh' with geometries of three.js: the results are geometries too, with all their attributes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -7,22 +7,24 @@ import { bakeWarp, exportGLB, loadMesh, subdivide, surfaceVariation } from 'warp
 
 const up = compileWarp(({ glsl }) => glsl.vec3(0, 0, 1))
 
-const at = (attribute, i) =>
+const valuesAt = (attribute, i) =>
   Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k))
 
 /** Maps each position → the value of the attribute `name` there. */
 function mapByPosition({ attributes }, name) {
-  const found = new Map()
+  const byPosition = new Map()
   for (let i = 0; i < attributes.position.count; i++)
-    found.set(at(attributes.position, i).join(), at(attributes[name], i))
-  return found
+    byPosition.set(valuesAt(attributes.position, i).join(), valuesAt(attributes[name], i))
+  return byPosition
 }
 
-/** A square of two triangles with all members that a geometry may have; each attribute is linear in x and y. */
+/** Makes a square of two triangles with all members that a geometry may have; each attribute is linear in x and y. */
 function square() {
   const geometry = new THREE.PlaneGeometry(2, 2)
   const set = (name, Class, size, evaluate, normalized) => {
-    const numbers = [0, 1, 2, 3].flatMap((i) => evaluate(...at(geometry.attributes.position, i)))
+    const numbers = [0, 1, 2, 3].flatMap((i) =>
+      evaluate(...valuesAt(geometry.attributes.position, i)),
+    )
     geometry.setAttribute(name, new Class(numbers, size, normalized))
   }
   set('heat', THREE.Float32BufferAttribute, 1, (x, y) => [3 * x + y])
@@ -41,28 +43,28 @@ function square() {
 }
 
 describe('subdivide', () => {
-  const given = square()
-  const before = JSON.stringify(given.toJSON())
-  const finer = subdivide(given, { levels: 2 })
+  const original = square()
+  const before = JSON.stringify(original.toJSON())
+  const finer = subdivide(original, { levels: 2 })
 
   test('returns a BufferGeometry with 16 times the triangles, and leaves the original unchanged', () => {
     assert.equal(finer.constructor, THREE.BufferGeometry)
     assert.equal(finer.index.count, 2 * 16 * 3)
     assert.equal(finer.attributes.position.count, 25)
     assert.equal(finer.userData.name, 'mine')
-    assert.equal(JSON.stringify(given.toJSON()), before)
+    assert.equal(JSON.stringify(original.toJSON()), before)
   })
 
   test('interpolates each attribute, and keeps its type', () => {
     for (let i = 0; i < 25; i++) {
-      const [x, y] = at(finer.attributes.position, i)
-      assert.deepEqual(at(finer.attributes.heat, i), [3 * x + y])
-      assert.deepEqual(at(finer.attributes.uv1, i), [x, 5 * y])
-      assert.deepEqual(at(finer.attributes.uv, i), [(x + 1) / 2, (y + 1) / 2])
-      const [red, , blue] = at(finer.attributes.color, i)
+      const [x, y] = valuesAt(finer.attributes.position, i)
+      assert.deepEqual(valuesAt(finer.attributes.heat, i), [3 * x + y])
+      assert.deepEqual(valuesAt(finer.attributes.uv1, i), [x, 5 * y])
+      assert.deepEqual(valuesAt(finer.attributes.uv, i), [(x + 1) / 2, (y + 1) / 2])
+      const [red, , blue] = valuesAt(finer.attributes.color, i)
       assert.ok(Math.abs(255 * red - (100 + 50 * x)) <= 1 && Math.abs(255 * blue - 7) < 1e-6)
-      assert.ok([4, 9].includes(at(finer.attributes.kind, i)[0]))
-      assert.equal(at(finer.morphAttributes.position[0], i)[2], x)
+      assert.ok([4, 9].includes(valuesAt(finer.attributes.kind, i)[0]))
+      assert.equal(valuesAt(finer.morphAttributes.position[0], i)[2], x)
     }
     assert.ok(
       finer.attributes.color.array instanceof Uint8Array && finer.attributes.color.normalized,
@@ -82,7 +84,7 @@ describe('subdivide', () => {
     ])
     // The diagonal between the two triangles is x = y.
     for (let i = 0; i < finer.index.count; i++) {
-      const [x, y] = at(finer.attributes.position, finer.index.getX(i))
+      const [x, y] = valuesAt(finer.attributes.position, finer.index.getX(i))
       assert.ok(i < 48 ? x <= y : x >= y)
     }
   })
@@ -100,10 +102,10 @@ describe('subdivide', () => {
     const { attributes } = subdivide(strip, { levels: 1 })
     const weights = (x, y) => {
       for (let i = 0; i < attributes.position.count; i++)
-        if (at(attributes.position, i).join() === [x, y, 0].join())
+        if (valuesAt(attributes.position, i).join() === [x, y, 0].join())
           return Object.fromEntries(
-            at(attributes.skinWeight, i).flatMap((w, k) =>
-              w ? [[at(attributes.skinIndex, i)[k], w]] : [],
+            valuesAt(attributes.skinWeight, i).flatMap((w, k) =>
+              w ? [[valuesAt(attributes.skinIndex, i)[k], w]] : [],
             ),
           )
     }
@@ -120,8 +122,8 @@ describe('subdivide', () => {
     const split = subdivide(square(), { warp: bump, tolerance: 0.01 })
     assert.ok(split.index.count > 300)
     for (let i = 0; i < split.attributes.position.count; i++) {
-      const [x, y] = at(split.attributes.position, i)
-      assert.ok(Math.abs(at(split.attributes.heat, i)[0] - (3 * x + y)) < 1e-5)
+      const [x, y] = valuesAt(split.attributes.position, i)
+      assert.ok(Math.abs(valuesAt(split.attributes.heat, i)[0] - (3 * x + y)) < 1e-5)
     }
     const full = subdivide(square(), { warp: bump, tolerance: 1e-6, maxTriangles: 100 })
     assert.match(full.userData.warnings[0], /maxTriangles/)
@@ -130,46 +132,53 @@ describe('subdivide', () => {
 
 describe('bakeWarp', () => {
   test('moves the vertices of a geometry, and keeps everything else', () => {
-    const given = square()
-    given.computeBoundingSphere()
-    const baked = bakeWarp(given, up)
+    const original = square()
+    original.computeBoundingSphere()
+    const baked = bakeWarp(original, up)
     assert.equal(baked.constructor, THREE.BufferGeometry)
     assert.equal(baked.boundingSphere, null)
     for (let i = 0; i < 4; i++) {
-      const [x, y, z] = at(given.attributes.position, i)
-      assert.deepEqual(at(baked.attributes.position, i), [x, y, z + 1])
+      const [x, y, z] = valuesAt(original.attributes.position, i)
+      assert.deepEqual(valuesAt(baked.attributes.position, i), [x, y, z + 1])
       for (const name of ['uv', 'uv1', 'heat', 'color', 'kind', 'second'])
-        assert.deepEqual(at(baked.attributes[name], i), at(given.attributes[name], i), name)
+        assert.deepEqual(
+          valuesAt(baked.attributes[name], i),
+          valuesAt(original.attributes[name], i),
+          name,
+        )
     }
-    assert.deepEqual(baked.groups, given.groups)
-    assert.equal(given.attributes.position.getZ(0), 0)
+    assert.deepEqual(baked.groups, original.groups)
+    assert.equal(original.attributes.position.getZ(0), 0)
     assert.equal(baked.toJSON().type, 'BufferGeometry')
   })
 
   for (const relative of [true, false])
-    for (const own of ['with normals of their own', 'without'])
-      test(`warps morph targets, ${relative ? 'relative' : 'absolute'}, ${own}`, () => {
-        const given = morphingSphere(relative, own !== 'without')
-        const before = JSON.stringify(given.toJSON())
-        const baked = bakeWarp(given, waves)
-        assert.equal(JSON.stringify(given.toJSON()), before)
+    for (const withNormals of [true, false])
+      test(`warps morph targets, ${relative ? 'relative' : 'absolute'}, ${withNormals ? 'with' : 'without'} normals`, () => {
+        const original = morphingSphere(relative, withNormals)
+        const before = JSON.stringify(original.toJSON())
+        const baked = bakeWarp(original, waves)
+        assert.equal(JSON.stringify(original.toJSON()), before)
         assert.equal(baked.morphTargetsRelative, relative)
         assert.equal(baked.morphAttributes.position[1].name, 'second')
-        const rest = new THREE.Mesh(given)
-        const shown = new THREE.Mesh(baked)
+        const originalMesh = new THREE.Mesh(original)
+        const bakedMesh = new THREE.Mesh(baked)
         for (const influences of [
           [0, 0],
           [1, 0],
           [0, 1],
         ]) {
-          rest.morphTargetInfluences = shown.morphTargetInfluences = influences
-          for (let i = 0; i < given.attributes.position.count; i++) {
-            const at = rest.getVertexPosition(i, new THREE.Vector3())
+          originalMesh.morphTargetInfluences = bakedMesh.morphTargetInfluences = influences
+          for (let i = 0; i < original.attributes.position.count; i++) {
+            const at = originalMesh.getVertexPosition(i, new THREE.Vector3())
             const expected = at.clone().add(new THREE.Vector3(0, 0, height(at.x, at.y)))
-            const place = shown.getVertexPosition(i, new THREE.Vector3())
+            const place = bakedMesh.getVertexPosition(i, new THREE.Vector3())
             assert.ok(place.distanceTo(expected) < 1e-6, `${influences}: vertex ${i}`)
-            const normal = transformNormal(normalOf(rest, i), at)
-            assert.ok(normalOf(shown, i).distanceTo(normal) < 1e-5, `${influences}: normal ${i}`)
+            const normal = transformNormal(normalOf(originalMesh, i), at)
+            assert.ok(
+              normalOf(bakedMesh, i).distanceTo(normal) < 1e-5,
+              `${influences}: normal ${i}`,
+            )
           }
         }
       })
@@ -197,17 +206,17 @@ function transformNormal(normal, { x, y }) {
 /** Returns the normal of a vertex under morph targets, which are added up as in the shaders of three.js. */
 function normalOf({ geometry, morphTargetInfluences: influences }, i) {
   const { attributes, morphAttributes, morphTargetsRelative } = geometry
-  const all = influences.reduce((sum, influence) => sum + influence, 0)
+  const total = influences.reduce((sum, influence) => sum + influence, 0)
   const normal = new THREE.Vector3().fromBufferAttribute(attributes.normal, i)
   const targets = morphAttributes.normal
-  if (targets && !morphTargetsRelative) normal.multiplyScalar(1 - all)
+  if (targets && !morphTargetsRelative) normal.multiplyScalar(1 - total)
   targets?.forEach((target, t) =>
     normal.addScaledVector(new THREE.Vector3().fromBufferAttribute(target, i), influences[t]),
   )
   return normal.normalize()
 }
 
-/** A sphere with two morph targets: a larger sphere next to it, and one that is stretched along an axis. */
+/** Makes a sphere with two morph targets: a larger sphere next to it, and one that is stretched along an axis. */
 function morphingSphere(relative, withNormals) {
   const geometry = new THREE.SphereGeometry(1, 12, 8)
   const targets = [
@@ -241,7 +250,7 @@ test('loadMesh returns a BufferGeometry with the option "as"', async () => {
   const geometry = await loadMesh(file, { as: THREE.BufferGeometry })
   assert.ok(geometry instanceof THREE.BufferGeometry)
   assert.deepEqual([...geometry.attributes.position.array], [0, 0, 0, 1, 0, 0, 0, 1, 0])
-  assert.deepEqual(at(geometry.attributes.normal, 0), [0, 0, 1])
+  assert.deepEqual(valuesAt(geometry.attributes.normal, 0), [0, 0, 1])
   assert.equal(geometry.index.count, 3)
   assert.deepEqual([...new THREE.Mesh(geometry).geometry.index.array], [0, 1, 2])
   for (const as of [5, Array, class {}])

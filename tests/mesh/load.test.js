@@ -1,4 +1,4 @@
-// loadMesh and exportGLB in JavaScript: round trips, and sources of bytes. C++ tests check the conversion from files to meshes.
+// Tests loadMesh and exportGLB in JavaScript: round trips, and sources of bytes. C++ tests check the conversion from files to meshes.
 import assert from 'node:assert/strict'
 import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
@@ -7,7 +7,7 @@ import { join } from 'node:path'
 import { after, before, describe, test } from 'node:test'
 import { pathToFileURL } from 'node:url'
 import { exportGLB, loadMesh } from 'warpjet/mesh'
-import * as addresses from 'warpjet/mesh'
+import * as meshModule from 'warpjet/mesh'
 import { readGlb } from '../support/glb.js'
 import { checkMemoryAfterEach, material, withBuffer } from '../support/mesh-tests.js'
 import { grid, sphere, triangle } from '../support/meshes.js'
@@ -66,75 +66,75 @@ describe('loadMesh', () => {
     rmSync(folder, { recursive: true })
   })
 
-  const loads = async (source, options) =>
+  const assertLoads = async (source, options) =>
     assert.deepEqual((await loadMesh(source, options)).positions, mesh.positions)
 
   test('accepts bytes in every form', async () => {
     const bytes = exportGLB(mesh)
-    await loads(bytes)
-    await loads(bytes.slice().buffer)
-    await loads(new DataView(bytes.slice().buffer))
-    await loads(new Blob([bytes]))
-    await loads(Buffer.from(bytes))
+    await assertLoads(bytes)
+    await assertLoads(bytes.slice().buffer)
+    await assertLoads(new DataView(bytes.slice().buffer))
+    await assertLoads(new Blob([bytes]))
+    await assertLoads(Buffer.from(bytes))
     // Part of a longer buffer.
     const longer = new Uint8Array(bytes.length + 14)
     longer.set(bytes, 7)
-    await loads(longer.subarray(7, 7 + bytes.length))
+    await assertLoads(longer.subarray(7, 7 + bytes.length))
   })
 
   test('accepts a path, a file URL or a web address', async () => {
     const path = join(folder, 'model.glb')
-    await loads(path)
-    await loads(pathToFileURL(path))
-    await loads(pathToFileURL(path).href)
-    await loads(`${origin}/m/model.glb`)
-    await loads(new URL(`${origin}/m/model.glb`))
-    const here = process.cwd()
+    await assertLoads(path)
+    await assertLoads(pathToFileURL(path))
+    await assertLoads(pathToFileURL(path).href)
+    await assertLoads(`${origin}/m/model.glb`)
+    await assertLoads(new URL(`${origin}/m/model.glb`))
+    const previousFolder = process.cwd()
     process.chdir(folder)
     try {
-      await loads('model.glb')
+      await assertLoads('model.glb')
     } finally {
-      process.chdir(here)
+      process.chdir(previousFolder)
     }
   })
 
   test('treats a string as a path in Node, with any characters', async () => {
-    const odd = join(folder, 'odd')
-    mkdirSync(odd)
+    const oddFolder = join(folder, 'odd')
+    mkdirSync(oddFolder)
     const names = ['a#1.glb', 'q?.glb', 'a%20b.glb', '100%.glb', 'C:m.glb', 'c:\\m\\a.glb']
     // If the string were read as a URL, it would be another file.
-    for (const name of ['a', 'q', 'a b.glb', 'm.glb']) writeFileSync(join(odd, name), 'wrong')
-    for (const name of names) writeFileSync(join(odd, name), exportGLB(mesh))
-    const here = process.cwd()
-    process.chdir(odd)
+    for (const name of ['a', 'q', 'a b.glb', 'm.glb']) writeFileSync(join(oddFolder, name), 'wrong')
+    for (const name of names) writeFileSync(join(oddFolder, name), exportGLB(mesh))
+    const previousFolder = process.cwd()
+    process.chdir(oddFolder)
     try {
       for (const name of names) {
-        await loads(name)
-        await loads(join(odd, name))
+        await assertLoads(name)
+        await assertLoads(join(oddFolder, name))
       }
       await rejectsWithWarpError(
         () => loadMesh('50%.glb'),
         /^loadMesh: the file .*50%\.glb does not exist/,
       )
     } finally {
-      process.chdir(here)
+      process.chdir(previousFolder)
     }
-    await loads(
+    await assertLoads(
       `data:application/octet-stream;base64,${Buffer.from(exportGLB(mesh)).toString('base64')}`,
     )
   })
 
   test('reads the buffer of a .gltf from the same folder or from the caller', async () => {
-    await loads(`${origin}/m/model.gltf`)
-    const asked = []
+    await assertLoads(`${origin}/m/model.gltf`)
+    const requestedUris = []
     const resolve = (uri) => {
-      asked.push(uri)
+      requestedUris.push(uri)
       return Promise.resolve(buffer)
     }
-    await loads(text, { resolve })
-    assert.deepEqual(asked, ['a%20b/c.bin'])
-    await loads(text, { resolve: () => buffer.slice().buffer })
-    await loads(text, { resolve: () => new Blob([buffer]) })
+    await assertLoads(text, { resolve })
+    assert.deepEqual(requestedUris, ['a%20b/c.bin'])
+    await assertLoads(text, { resolve: () => buffer.slice().buffer })
+    await assertLoads(text, { resolve: () => new Blob([buffer]) })
   })
 
   test('rejects a .gltf without its buffer', async () => {
@@ -158,17 +158,17 @@ describe('loadMesh', () => {
   })
 
   test('warns about a missing image, and throws for a missing buffer', async () => {
-    const without = readGlb(exportGLB({ ...sphere(), material }))
-    const { images, buffers } = without.json
+    const glbParts = readGlb(exportGLB({ ...sphere(), material }))
+    const { images, buffers } = glbParts.json
     delete images[0].bufferView
     buffers[0].uri = 'c.bin'
-    const binary = without.chunks[1].bytes
+    const binary = glbParts.chunks[1].bytes
     files['/m/c.bin'] = binary
     writeFileSync(join(folder, 'c.bin'), binary)
-    const odd = ['no.png', 'http://[', '100%.png']
-    for (const uri of odd) {
+    const missingUris = ['no.png', 'http://[', '100%.png']
+    for (const uri of missingUris) {
       images[0].uri = uri
-      const text = new TextEncoder().encode(JSON.stringify(without.json))
+      const text = new TextEncoder().encode(JSON.stringify(glbParts.json))
       files['/m/pictured.gltf'] = text
       writeFileSync(join(folder, 'pictured.gltf'), text)
       for (const place of [join(folder, 'pictured.gltf'), `${origin}/m/pictured.gltf`]) {
@@ -184,7 +184,7 @@ describe('loadMesh', () => {
       for (const place of [join(folder, 'pictured.gltf'), `${origin}/m/pictured.gltf`])
         await rejectsWithWarpError(() => loadMesh(place), /^loadMesh: the model needs the file "/)
     }
-    // These sources have no folder.
+    // A data URL has no folder.
     await rejectsWithWarpError(
       () => loadMesh(`data:model/gltf+json;base64,${Buffer.from(text).toString('base64')}`),
       /^loadMesh: the model needs the file "/,
@@ -265,12 +265,12 @@ describe('loadMesh', () => {
 })
 
 test('the module exports exactly the public functions', () => {
-  assert.deepEqual(Object.keys(addresses).sort(), [
+  assert.deepEqual(Object.keys(meshModule).sort(), [
     'WarpError',
     'bakeNormalMap',
     'bakeWarp',
     'exportGLB',
-    // Exports for the p5 addon, such as subdivideP5Model and varyGeometry.
+    // This export, subdivideP5Model and varyGeometry are for the p5 addon.
     'fillP5Model',
     'loadMesh',
     'subdivide',

@@ -1,4 +1,4 @@
-// Messages about meshes whose arrays do not fit together.
+// Tests the messages about meshes whose arrays do not fit together.
 import { describe, test } from 'node:test'
 import { bakeWarp, exportGLB, subdivide } from 'warpjet/mesh'
 import { checkMemoryAfterEach, picture, twist } from '../support/mesh-tests.js'
@@ -8,12 +8,12 @@ import { throwsWarpError } from '../support/warp-errors.js'
 checkMemoryAfterEach()
 
 describe('a mesh whose arrays do not fit together', () => {
-  const others = {
+  const functions = {
     exportGLB,
     bakeWarp: (mesh) => bakeWarp(mesh, twist),
     subdivide: (mesh) => subdivide(mesh, { levels: 1 }),
   }
-  for (const [name, work] of Object.entries(others))
+  for (const [name, work] of Object.entries(functions))
     test(name, () => {
       const rejectsChange = (change, pattern) =>
         throwsWarpError(
@@ -104,8 +104,8 @@ describe('a mesh whose arrays do not fit together', () => {
     })
 
   test('exportGLB rejects a mesh without triangles, and an invalid image', () => {
-    const none = { positions: [], normals: [] }
-    throwsWarpError(() => exportGLB(none), /^exportGLB: the mesh has no triangles/)
+    const emptyMesh = { positions: [], normals: [] }
+    throwsWarpError(() => exportGLB(emptyMesh), /^exportGLB: the mesh has no triangles/)
     throwsWarpError(
       () => exportGLB({ ...grid(2, 2), indices: undefined, positions: [], normals: [] }),
       /no triangles/,

@@ -1,4 +1,4 @@
-// Meshes baked with warps that mirror space: the outer side of a closed surface stays outside.
+// Tests meshes that are baked with warps that mirror space: the outer side of a closed surface stays outside.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -7,10 +7,10 @@ import { twist } from 'warpjet/deformers'
 import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
 import { assertOutside, mirror, round, volumeOf } from '../support/mirrors.js'
 
-describe('bakes', () => {
+describe('bakeWarp with a mirror', () => {
   const warp = compileWarp(mirror)
 
-  test('without indices: vertices keep their order, and indices reverse the triangles', () => {
+  test('keeps the order of vertices without indices, and adds indices that reverse the triangles', () => {
     const flat = (numbers, size) =>
       Float32Array.from(round.indices).reduce(
         (all, i, at) => (all.set(numbers.subarray(size * i, size * i + size), size * at), all),
@@ -25,28 +25,28 @@ describe('bakes', () => {
     assert.equal(bakeWarp(soup, compileWarp(twist({ angle: 1, length: 1 }))).indices, undefined)
   })
 
-  test('an empty mesh stays empty', () => {
+  test('leaves an empty mesh empty', () => {
     const baked = bakeWarp({ positions: [] }, warp)
     assert.equal(baked.positions.length, 0)
   })
 
-  test('missing normals are computed first', () => {
+  test('computes missing normals first', () => {
     const { positions, indices } = round
     assertOutside(bakeWarp({ positions, indices }, warp), 'computed')
   })
 
-  test('and the result survives export and loading', async () => {
+  test('returns a mesh whose outer side stays outside after exporting and loading', async () => {
     const mesh = await loadMesh(exportGLB(bakeWarp(round, warp)))
     assertOutside(mesh, 'from the file')
   })
 
-  test('and subdivides for the warp', () => {
+  test('bakes a mesh that is subdivided for the warp', () => {
     const finer = subdivide(round, { warp, tolerance: 0.002 })
     assert.ok(volumeOf(finer) > 0, 'the mesh before the warp')
     assertOutside(bakeWarp(finer, warp), 'subdivided')
   })
 
-  test('three.js geometries with groups and morph targets, indexed and not indexed', () => {
+  test('bakes three.js geometries with groups and morph targets, indexed and not indexed', () => {
     for (const geometry of [
       new THREE.BoxGeometry(1, 1, 1, 8, 8, 8),
       new THREE.BoxGeometry(1, 1, 1, 8, 8, 8).toNonIndexed(),
@@ -60,12 +60,12 @@ describe('bakes', () => {
         indices: baked.index.array,
       }
       assertOutside(mesh, geometry.index ? 'indexed' : 'not indexed')
-      const untouched = bakeWarp(geometry, compileWarp(twist({ angle: 1, length: 1 })))
-      assert.deepEqual(untouched.index, geometry.index)
+      const twisted = bakeWarp(geometry, compileWarp(twist({ angle: 1, length: 1 })))
+      assert.deepEqual(twisted.index, geometry.index)
     }
   })
 
-  test('an object with its own evaluate without reversing its triangles', () => {
+  test('does not reverse triangles for an object with an evaluate method', () => {
     const byHand = { evaluate: ({ positions, normals }) => ({ positions, normals }) }
     assert.deepEqual(bakeWarp(round, byHand).indices, round.indices)
   })

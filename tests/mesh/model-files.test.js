@@ -1,5 +1,5 @@
-// Model files in every form that loadMesh reads, written here and by the encoders of meshoptimizer and Draco: compares the loaded
-// triangles with those of the generator and of three.js' own loaders; Khronos' validator checks the glTF files.
+// Loads model files in every form that loadMesh reads, written by our generators and by the encoders of meshoptimizer and Draco: compares
+// the triangles with those of the generator and those that three.js loads. Khronos' validator checks the glTF files.
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import { after, describe, test } from 'node:test'
@@ -22,8 +22,11 @@ after(() => assert.equal(meshMemoryInUse(), memory))
 const trianglesIn = ({ positions, indices }) => trianglesOf({ positions, indices })
 
 function assertTriangles(actual, expected, tolerance = 1e-5) {
-  const far = compareTriangles(actual, expected)
-  assert.ok(far <= tolerance, typeof far === 'string' ? far : `a corner is ${far} away`)
+  const distance = compareTriangles(actual, expected)
+  assert.ok(
+    distance <= tolerance,
+    typeof distance === 'string' ? distance : `a corner is ${distance} away`,
+  )
 }
 
 const isGltf = (file) => file[0] === 0x67 || file[0] === 0x7b
@@ -32,14 +35,14 @@ async function assertValid(file, files = {}) {
   const externalResourceFunction = async (uri) => {
     if (files[uri] ?? files[encodeURIComponent(uri)])
       return files[uri] ?? files[encodeURIComponent(uri)]
-    throw new Error('not there')
+    throw new Error('no such file')
   }
   const { issues } = await validator.validateBytes(file, { externalResourceFunction })
   const errors = issues.messages.filter(({ severity }) => severity === 0)
-  // Things that the validator does not know: image data that is never read, and buffers that extensions fill.
-  const known = /^(IMAGE_|VALUE_NOT_IN_LIST|BUFFER_|IO_ERROR|MESH_PRIMITIVE_INDEX_SEMANTIC)/
+  // Errors for files that are valid here: image data that is never read, and buffers that extensions fill.
+  const ignoredCodes = /^(IMAGE_|VALUE_NOT_IN_LIST|BUFFER_|IO_ERROR|MESH_PRIMITIVE_INDEX_SEMANTIC)/
   assert.deepEqual(
-    errors.filter(({ code }) => !known.test(code)),
+    errors.filter(({ code }) => !ignoredCodes.test(code)),
     [],
   )
 }
@@ -62,7 +65,7 @@ describe('loadMesh reads generated models:', () => {
       })
     }
 
-  test('there are at least 200', () => assert.ok(count >= 200, `${count}`))
+  test('there are at least 200 of them', () => assert.ok(count >= 200, `${count}`))
 })
 
 describe('loadMesh rejects invalid models:', () => {
@@ -109,28 +112,28 @@ describe('decoders', () => {
   const meshopt = packedVariants['meshopt, vertices and triangles'](shapes.cube)
   const draco = packedVariants['Draco, sequential encoding'](shapes.cube)
 
-  test('may be passed in every form that their packages have', async () => {
+  test('may be passed in every form in which their packages export them', async () => {
     const { MeshoptDecoder } = await import('meshoptimizer')
     const { default: package_ } = await import('draco3dgltf')
-    for (const given of [MeshoptDecoder, Promise.resolve(MeshoptDecoder)]) {
-      const mesh = await loadMesh(meshopt.file, { decoders: { meshopt: given } })
+    for (const decoder of [MeshoptDecoder, Promise.resolve(MeshoptDecoder)]) {
+      const mesh = await loadMesh(meshopt.file, { decoders: { meshopt: decoder } })
       assertTriangles(trianglesIn(mesh), meshopt.triangles)
     }
     const { createDecoderModule } = package_
-    const made = await createDecoderModule({})
-    for (const given of [
+    const decoderModule = await createDecoderModule({})
+    for (const decoder of [
       package_,
       createDecoderModule,
       () => createDecoderModule({}),
-      made,
-      Promise.resolve(made),
+      decoderModule,
+      Promise.resolve(decoderModule),
     ]) {
-      const mesh = await loadMesh(draco.file, { decoders: { draco: given } })
+      const mesh = await loadMesh(draco.file, { decoders: { draco: decoder } })
       assertTriangles(trianglesIn(mesh), draco.triangles)
     }
   })
 
-  test('are taken from the option only', async () => {
+  test('come from the option, or else from the global variable', async () => {
     let calls = 0
     const { MeshoptDecoder } = await import('meshoptimizer')
     const counting = {

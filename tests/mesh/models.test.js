@@ -1,3 +1,4 @@
+// Tests the models of the gallery: their meshes, and how they are written as OBJ.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { models, toOBJ } from '../../web/models/index.js'
@@ -12,17 +13,17 @@ const cross = (a, b) => [
 ]
 
 const corners = ({ indices }, face) => [0, 1, 2].map((k) => indices[3 * face + k])
-const faceCount = ({ indices }) => indices.length / 3
+const countFaces = ({ indices }) => indices.length / 3
 
 function faceNormal({ positions }, [a, b, c]) {
   const p = point(positions, a)
   return cross(sub(point(positions, b), p), sub(point(positions, c), p))
 }
 
-/** Returns the number of edges that the neighbouring triangle does not have in reverse. */
-function openEdges(mesh) {
+/** Counts the edges whose neighbouring triangle does not have the same edge in reverse. */
+function countOpenEdges(mesh) {
   const balance = new Map()
-  for (let face = 0; face < faceCount(mesh); face++) {
+  for (let face = 0; face < countFaces(mesh); face++) {
     const places = corners(mesh, face).map((i) => point(mesh.positions, i).join())
     places.forEach((a, k) => {
       const b = places[(k + 1) % 3]
@@ -41,7 +42,7 @@ function bounds({ positions }) {
   ])
 }
 
-const about = (actual, expected, tolerance = 0.01) =>
+const assertNear = (actual, expected, tolerance = 0.01) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`)
 
 const VERTICES = {
@@ -61,8 +62,8 @@ for (const [name, mesh] of Object.entries(meshes)) {
   const count = positions.length / 3
 
   test(`${name} has the number of vertices of a gallery model, all of them used`, () => {
-    const [least, most] = VERTICES[name]
-    assert.ok(count >= least && count <= most, `${count} vertices`)
+    const [min, max] = VERTICES[name]
+    assert.ok(count >= min && count <= max, `${count} vertices`)
     assert.equal(new Set(indices).size, count)
     assert.equal(normals.length, positions.length)
     assert.equal(uvs.length, 2 * count)
@@ -71,46 +72,46 @@ for (const [name, mesh] of Object.entries(meshes)) {
   test(`${name} has finite positions, unit normals, and uvs in the unit square`, () => {
     assert.ok(positions.every(Number.isFinite))
     assert.ok(uvs.every((x) => x >= 0 && x <= 1))
-    for (let i = 0; i < count; i++) about(Math.hypot(...point(normals, i)), 1, 1e-5)
+    for (let i = 0; i < count; i++) assertNear(Math.hypot(...point(normals, i)), 1, 1e-5)
   })
 
   test(`${name} is centred and its longest side measures 200`, () => {
     const box = bounds(mesh)
-    box.forEach(([low, high]) => about(low + high, 0))
-    about(Math.max(...box.map(([low, high]) => high - low)), 200)
+    box.forEach(([low, high]) => assertNear(low + high, 0))
+    assertNear(Math.max(...box.map(([low, high]) => high - low)), 200)
   })
 
   test(`${name} has no degenerate triangle, and its triangles face in the direction of their normals`, () => {
-    let against = 0
-    for (let face = 0; face < faceCount(mesh); face++) {
+    let facingAway = 0
+    for (let face = 0; face < countFaces(mesh); face++) {
       const triangle = corners(mesh, face)
       const n = faceNormal(mesh, triangle)
       assert.ok(Math.hypot(...n) > 0.01, `triangle ${face} has no area`)
-      if (triangle.some((i) => dot(n, point(normals, i)) <= 0)) against++
+      if (triangle.some((i) => dot(n, point(normals, i)) <= 0)) facingAway++
     }
-    assert.ok(against <= 0.001 * faceCount(mesh), `${against} triangles face away`)
+    assert.ok(facingAway <= 0.001 * countFaces(mesh), `${facingAway} triangles face away`)
   })
 
   test(`${name} encloses a positive volume${CLOSED.includes(name) ? ' without a gap' : ''}`, () => {
     let volume = 0
-    for (let face = 0; face < faceCount(mesh); face++) {
+    for (let face = 0; face < countFaces(mesh); face++) {
       const [a, b, c] = corners(mesh, face).map((i) => point(positions, i))
       volume += dot(a, cross(b, c)) / 6
     }
     assert.ok(volume > 0, `volume ${volume}`)
-    if (CLOSED.includes(name)) assert.equal(openEdges(mesh), 0)
+    if (CLOSED.includes(name)) assert.equal(countOpenEdges(mesh), 0)
   })
 
   test(`${name} as OBJ has a line for every vertex and face, with short numbers`, () => {
     const lines = toOBJ(mesh, name).trim().split('\n')
-    const of = (word) => lines.filter((line) => line.startsWith(`${word} `))
+    const linesOf = (word) => lines.filter((line) => line.startsWith(`${word} `))
     assert.equal(lines[0], `o ${name}`)
     assert.deepEqual(
-      ['v', 'vt', 'vn', 'f'].map((word) => of(word).length),
-      [count, count, count, faceCount(mesh)],
+      ['v', 'vt', 'vn', 'f'].map((word) => linesOf(word).length),
+      [count, count, count, countFaces(mesh)],
     )
     const number = /^-?\d+(\.\d{1,4})?$/
-    for (const line of [...of('v'), ...of('vt'), ...of('vn')]) {
+    for (const line of [...linesOf('v'), ...linesOf('vt'), ...linesOf('vn')]) {
       assert.ok(
         line
           .split(' ')
@@ -120,7 +121,7 @@ for (const [name, mesh] of Object.entries(meshes)) {
       )
     }
     assert.deepEqual(
-      of('f')[0].split(' ').slice(1),
+      linesOf('f')[0].split(' ').slice(1),
       corners(mesh, 0).map((i) => `${i + 1}/${i + 1}/${i + 1}`),
     )
   })
@@ -164,7 +165,7 @@ test('the airplane and the spoon are dense enough to twist and bend', () => {
   for (const name of ['airplane', 'spoon']) {
     const mesh = meshes[name]
     let longest = 0
-    for (let face = 0; face < faceCount(mesh); face++) {
+    for (let face = 0; face < countFaces(mesh); face++) {
       const p = corners(mesh, face).map((i) => point(mesh.positions, i))
       for (let k = 0; k < 3; k++)
         longest = Math.max(longest, Math.hypot(...sub(p[k], p[(k + 1) % 3])))

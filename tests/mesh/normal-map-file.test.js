@@ -1,4 +1,4 @@
-// bakeNormalMap: the mesh and the image that it returns, as a file of glTF, and mistakes.
+// Tests bakeNormalMap: the mesh and the image that it returns, as a glTF file, and messages about mistakes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import validator from 'gltf-validator'
@@ -23,12 +23,12 @@ describe('the file', () => {
     const { issues } = await validator.validateBytes(glb)
     assert.deepEqual(issues.messages, [])
     const { json, viewBytes } = readGlb(glb)
-    const [written] = json.materials
-    const { baseColorTexture, baseColorFactor } = written.pbrMetallicRoughness
+    const [writtenMaterial] = json.materials
+    const { baseColorTexture, baseColorFactor } = writtenMaterial.pbrMetallicRoughness
     assert.deepEqual(baseColorFactor, material.baseColor)
     const bytesOf = ({ index }) => viewBytes(json.images[json.textures[index].source].bufferView)
     assert.deepEqual(bytesOf(baseColorTexture), material.baseColorTexture.bytes)
-    assert.deepEqual(readPng(bytesOf(written.normalTexture)).width, 16)
+    assert.deepEqual(readPng(bytesOf(writtenMaterial.normalTexture)).width, 16)
     const expected = bakeWarp(mesh, waves)
     const loaded = await loadMesh(glb)
     const corners = ({ indices, ...mesh }, name, size) =>
@@ -53,11 +53,11 @@ describe('the file', () => {
   })
 
   test('has tangents along u, and bitangents against v, which increases downwards', () => {
-    const still = compileWarp(({ glsl }) => glsl.vec3(0))
+    const zeroWarp = compileWarp(({ glsl }) => glsl.vec3(0))
     for (const mirror of [1, -1]) {
       const { tangents } = bakeNormalMap(
         square((x, y) => [mirror > 0 ? x : 1 - x, y]),
-        still,
+        zeroWarp,
       )
       for (let i = 0; i < tangents.length; i += 4) {
         const [x, y, z, side] = tangents.slice(i, i + 4)
@@ -91,7 +91,7 @@ describe('the file', () => {
     assert.deepEqual([...indices], [0, 1, 2])
   })
 
-  test('has the normals of a neighbour between the parts, and a flat map where nothing is bent', () => {
+  test('has a flat map if the warp only tilts the surface, also beside the triangles', () => {
     const tilt = compileWarp(({ glsl, position: p }) => glsl.vec3(0, 0, p.x().mult(3)))
     const { image } = readNormalMap(
       exportGLB(
@@ -107,18 +107,18 @@ describe('the file', () => {
   })
 
   test('continues the normals beside the triangles, for bilinear filtering', () => {
-    // Half of the image, whose border is in the middle between two texels.
+    // The square covers half of the image; its border is in the middle between two texels.
     const uvAt = (x, y) => [x / 2, y]
     const map = readNormalMap(exportGLB(bakeNormalMap(square(uvAt), waves, { size: 64 })))
     const inside = map.image.pixel(31, 20)
     const beside = map.image.pixel(32, 20)
-    const further = map.image.pixel(30, 20)
-    const expected = inside.map((byte, k) => 2 * byte - further[k])
+    const inner = map.image.pixel(30, 20)
+    const expected = inside.map((byte, k) => 2 * byte - inner[k])
     assert.notDeepEqual(inside, beside)
     beside.forEach((byte, k) =>
       assert.ok(Math.abs(byte - expected[k]) <= 3, `${beside} ${expected}`),
     )
-    // Beyond, the colours of the border are repeated.
+    // Further away, the colours of the border are repeated.
     map.image.pixel(60, 20).forEach((byte, k) => assert.ok(Math.abs(byte - beside[k]) <= 6))
   })
 })
@@ -152,7 +152,7 @@ describe('mistakes', () => {
     })
     const pole = compileWarp(({ glsl, position: p }) => glsl.vec3(0, 0, p.x().sub(0.6).log()))
     rejects(square(), /expected a finite position of vertex/, { warp: pole })
-    // The root is real at the vertices, at multiples of 1/4, and not between them.
+    // The square root is real at the vertices, at multiples of 1/4, but not everywhere between them.
     const gap = compileWarp(({ glsl, position: p }) =>
       glsl.vec3(
         0,
@@ -167,7 +167,7 @@ describe('mistakes', () => {
     )
     rejects(
       square(),
-      /the warp has no finite position and normal between vertices, at \(.*\); check it/,
+      /the warp has no finite position and normal between vertices, at \(.*\); check whether it divides/,
       {
         warp: gap,
         size: 64,

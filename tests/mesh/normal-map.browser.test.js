@@ -1,5 +1,5 @@
-// A GLB file with a normal map is drawn by three.js like the same triangles with the exact normal of the warp at each pixel, which the
-// GPU computes by the code of compileWarp at the interpolated rest position.
+// Tests that three.js draws a GLB file with a normal map like the same triangles with the exact normal of the warp at each pixel, which the
+// GPU computes by the code of compileWarp at the interpolated original position.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -28,8 +28,10 @@ after(async () => {
   await pages.close()
 })
 
-/** Returns functions that compare a bake with the exact picture → the mean and max difference, and the part of pixels within 3. */
-function picturesOf(offset, columns, rows, size = 1024) {
+/**
+ * Returns functions that compare a picture with the exact one. They return the mean and max difference, and the share of pixels within 3.
+ */
+function comparisonsOf(offset, columns, rows, size = 1024) {
   const warp = compileWarp(offset)
   const { positions, normals, uvs, indices } = sphere(columns, rows)
   const mesh = { positions, normals, uvs, indices, material: { baseColor: [1, 1, 1, 1] } }
@@ -58,8 +60,8 @@ function picturesOf(offset, columns, rows, size = 1024) {
   }
   const baked = bakeNormalMap(mesh, warp, { size })
   return {
-    ofVertices: () => compare(vertices),
-    ofMap: (change) => compare(baked, change),
+    compareVertices: () => compare(vertices),
+    compareMap: (change) => compare(baked, change),
   }
 }
 
@@ -69,16 +71,16 @@ describe('the map of a sphere', () => {
     ['simplex', 60, 40],
   ])
     test(`${name}: every pixel is within 3 of 255`, async () => {
-      const { ofVertices, ofMap } = picturesOf(offsets[name], columns, rows)
-      const [vertices, map] = [await ofVertices(), await ofMap()]
+      const { compareVertices, compareMap } = comparisonsOf(offsets[name], columns, rows)
+      const [vertices, map] = [await compareVertices(), await compareMap()]
       assert.ok(vertices.max > 40 && vertices.within3 < 0.6, JSON.stringify(vertices))
       assert.ok(map.max <= 3, JSON.stringify(map))
     })
 
   test('fbm: on average within 1.5, and nearly everywhere within 3 if the texture is anisotropic', async (t) => {
-    const { ofVertices, ofMap } = picturesOf(offsets.fbm, 60, 40, 2048)
-    const [vertices, map] = [await ofVertices(), await ofMap()]
-    const anisotropic = await ofMap('anisotropic')
+    const { compareVertices, compareMap } = comparisonsOf(offsets.fbm, 60, 40, 2048)
+    const [vertices, map] = [await compareVertices(), await compareMap()]
+    const anisotropic = await compareMap('anisotropic')
     t.diagnostic(JSON.stringify({ vertices, map, anisotropic }))
     assert.ok(vertices.mean > 15, JSON.stringify(vertices))
     assert.ok(map.mean < 1.5 && map.within3 > 0.96, JSON.stringify(map))
@@ -86,12 +88,12 @@ describe('the map of a sphere', () => {
   })
 })
 
-test('green is up, so that a program which finds its own tangents shows about the same', async () => {
-  const { ofVertices, ofMap } = picturesOf(offsets.waves, 24, 16)
+test('green is up, so that a program that computes tangents itself draws about the same', async () => {
+  const { compareVertices, compareMap } = comparisonsOf(offsets.waves, 24, 16)
   const [vertices, up, down] = [
-    await ofVertices(),
-    await ofMap('no tangents'),
-    await ofMap('green down'),
+    await compareVertices(),
+    await compareMap('no tangents'),
+    await compareMap('green down'),
   ]
   assert.ok(up.mean < vertices.mean / 2, JSON.stringify({ up, vertices }))
   assert.ok(down.mean > vertices.mean, JSON.stringify({ down, vertices }))

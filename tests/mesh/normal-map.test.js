@@ -1,4 +1,4 @@
-// bakeNormalMap: what a program reads from the map is the exact normal of the warp between the vertices.
+// Tests bakeNormalMap: the normals that a program reads from the map equal the exact normals of the warp, also between vertices.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import validator from 'gltf-validator'
@@ -42,7 +42,7 @@ describe('the map holds exact normals', () => {
   const up = () => [0, 0, 1]
   const uvMaps = {
     'mirrored uvs': [(x, y) => [1 - x, y], ([u, v]) => [1 - u, v, 0]],
-    'turned uvs': [(x, y) => [0.2 + y / 2, x / 2], ([u, v]) => [2 * v, 2 * u - 0.4, 0]],
+    'swapped uvs': [(x, y) => [0.2 + y / 2, x / 2], ([u, v]) => [2 * v, 2 * u - 0.4, 0]],
     'uvs beyond 1, which repeat the image': [
       (x, y) => [x + 2.25, y - 0.5],
       ([u, v]) => [u - 2.25, v + 0.5, 0],
@@ -76,12 +76,12 @@ describe('the map holds exact normals', () => {
   })
 })
 
-test('a geometry of three.js, and the default size', () => {
+test('a geometry of three.js gets a map, of 1024 by 1024 texels by default', () => {
   const { image } = readNormalMap(exportGLB(bakeNormalMap(new SphereGeometry(1, 8, 4), waves)))
   assert.deepEqual([image.width, image.height], [1024, 1024])
 })
 
-test('the values of uniforms are those of one moment, which the options override', () => {
+test('the function of a uniform is called once per bake, unless the options override its value', () => {
   let calls = 0
   const warp = compileWarp(
     ({ glsl, position: p, uniforms: { slope } }) => glsl.vec3(0, 0, p.x().mult(slope)),
@@ -98,7 +98,7 @@ test('the values of uniforms are those of one moment, which the options override
   assert.equal(calls, before + 1)
 })
 
-test('a warp that depends on uv, colour and normal, each interpolated', () => {
+test('a warp may read uv, colour and normal, which are interpolated', () => {
   const warp = compileWarp(
     ({ glsl, normal, uv, color }) =>
       normal.mult(glsl.sin(uv.x().mult(9)).mult(color.x()).mult(0.1)),
@@ -131,7 +131,7 @@ test('bakeWarp and subdivide keep a normal map', () => {
   )
 })
 
-test('a normal that points to the other side is stored as the nearest that can be', () => {
+test('a normal that points to the back of its triangle is stored as the nearest normal that a map can hold', () => {
   // Two triangles that an overhanging wave bends between their vertices.
   const wave = compileWarp(({ glsl, position: p }) =>
     glsl.vec3(
@@ -150,7 +150,7 @@ test('a normal that points to the other side is stored as the nearest that can b
   assert.equal(Math.min(...blues), 128)
 })
 
-test('where the warp collapses the surface, the map is flat', () => {
+test('the map is flat where the warp collapses the surface', () => {
   const collapse = compileWarp(({ position }) => position.mult(-1))
   const { image } = readNormalMap(exportGLB(bakeNormalMap(plainSphere(), collapse, { size: 8 })))
   assert.deepEqual(image.pixel(4, 4), [128, 128, 255])
@@ -167,9 +167,9 @@ test('triangles without area get any tangents, and the file stays valid', async 
       positions: flat.positions.map((_, i) => (i % 3 ? 0 : i)),
     },
   }
-  const still = compileWarp(({ glsl }) => glsl.vec3(0))
+  const zeroWarp = compileWarp(({ glsl }) => glsl.vec3(0))
   for (const [name, mesh] of Object.entries(meshes)) {
-    const glb = exportGLB(bakeNormalMap(mesh, still, { size: 32 }))
+    const glb = exportGLB(bakeNormalMap(mesh, zeroWarp, { size: 32 }))
     const { issues } = await validator.validateBytes(glb)
     assert.deepEqual(
       issues.messages.filter(({ severity }) => severity < 2),

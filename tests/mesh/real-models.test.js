@@ -18,9 +18,9 @@ async function assertValid(bytes) {
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages))
 }
 
-function assertClose(found, expected, tolerance, what) {
-  assert.equal(found.length, expected.length, what)
-  found.forEach((x, i) => {
+function assertClose(actual, expected, tolerance, what) {
+  assert.equal(actual.length, expected.length, what)
+  actual.forEach((x, i) => {
     if (Math.abs(x - expected[i]) > tolerance) assert.fail(`${what}[${i}]: ${x}, ${expected[i]}`)
   })
 }
@@ -48,7 +48,7 @@ for (const [name, make] of Object.entries(models))
       assertClose(cornersOf(loaded), cornersOf(model), 6e-4, 'corner')
     })
 
-    test('is a valid file after warping, too', async () => {
+    test('is a valid file after warping and subdividing, too', async () => {
       const baked = bakeWarp(model, twist, { uniforms })
       await assertValid(exportGLB(baked))
       const radius = (mesh, i) => Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 2])

@@ -1,4 +1,4 @@
-// subdivide: levels, tolerance, limits, and messages about wrong options.
+// Tests subdivide: levels, tolerance, limits, and messages about wrong options.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -11,7 +11,7 @@ import { throwsWarpError } from '../support/warp-errors.js'
 checkMemoryAfterEach()
 
 describe('subdivide', () => {
-  // The file of the issue: 16,000 coincident triangles took 10 s, and more blocked the page.
+  // Formerly, 16,000 coincident triangles took 10 s, and more of them blocked the page.
   test('handles a model whose nodes repeat one mesh at the same place', async () => {
     const { json, chunks } = readGlb(exportGLB(triangle()))
     json.nodes = Array.from({ length: 20_000 }, () => ({ mesh: 0 }))
@@ -39,22 +39,22 @@ describe('subdivide', () => {
       glsl.vec3(0, 0, position.x().mult(position.x()).mult(0.5)),
     )
     const plane = grid(2, 2)
-    const worst = (mesh) => {
+    const maxDeviation = (mesh) => {
       // Along x the surface is z = x² / 2: between two vertices it deviates from the chord by the square of their distance / 8.
-      let most = 0
+      let max = 0
       for (let i = 0; i < mesh.indices.length; i += 3) {
         const xs = [...mesh.indices.subarray(i, i + 3)].map((v) => mesh.positions[3 * v])
-        most = Math.max(most, (Math.max(...xs) - Math.min(...xs)) ** 2 / 8)
+        max = Math.max(max, (Math.max(...xs) - Math.min(...xs)) ** 2 / 8)
       }
-      return most
+      return max
     }
-    assert.equal(worst(plane), 1 / 8)
+    assert.equal(maxDeviation(plane), 1 / 8)
     const fine = subdivide(plane, { warp: bump, tolerance: 0.01, angle: Infinity })
-    assert.ok(worst(fine) <= 0.01, `${worst(fine)}`)
+    assert.ok(maxDeviation(fine) <= 0.01, `${maxDeviation(fine)}`)
     assert.equal(fine.warnings, undefined)
     assert.ok(fine.indices.length < 3 * 200)
-    const still = subdivide(plane, { warp: rise, uniforms: { millis: 3 }, tolerance: 0.01 })
-    assert.equal(still.indices.length, plane.indices.length)
+    const flat = subdivide(plane, { warp: rise, uniforms: { millis: 3 }, tolerance: 0.01 })
+    assert.equal(flat.indices.length, plane.indices.length)
   })
 
   test('stops at maxTriangles with a warning', () => {
@@ -115,27 +115,27 @@ describe('subdivide', () => {
   })
 
   test('checks the results of objects with their own evaluate', () => {
-    const of = (evaluate, pattern) => {
+    const rejectsEvaluate = (evaluate, pattern) => {
       for (const work of [
         () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 }),
         () => bakeWarp(triangle(), { evaluate }),
       ])
         throwsWarpError(work, pattern)
     }
-    of(
+    rejectsEvaluate(
       () => undefined,
       /expected the warp's evaluate to return \{ positions, normals \}, got undefined/,
     )
-    of(() => ({}), /to return positions as an array of \d+ numbers, .*, got undefined/)
-    of(
+    rejectsEvaluate(() => ({}), /to return positions as an array of \d+ numbers, .*, got undefined/)
+    rejectsEvaluate(
       ({ positions }) => ({ positions: [...positions, 0] }),
       /to return positions as an array of \d+ numbers, .*, got an array of /,
     )
-    of(
+    rejectsEvaluate(
       ({ positions }) => ({ positions, normals: new BigInt64Array(positions.length) }),
       /expected the warp's evaluate to return a number as normals\[0\], got the bigint 0/,
     )
-    of(
+    rejectsEvaluate(
       ({ positions }) => ({ positions: [...positions].map(String) }),
       /expected the warp's evaluate to return a number as positions\[0\], got the text "0"/,
     )

@@ -1,4 +1,4 @@
-// Tests that `subdivide` serves its purpose: a coarse mesh bends accurately. Measures the error independently of its own samples.
+// Tests that `subdivide` makes coarse meshes bend accurately. Measures the error independently of the samples that `subdivide` takes.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -9,21 +9,21 @@ import { cube as large, noiseWarps } from '../support/noise-warps.js'
 import { sketchWarps } from '../warps/sketches.js'
 
 const sketches = await sketchWarps()
-/** With or without normals. */
-const warpOf = (wanted, normals = false) =>
-  compileWarp(sketches.find(({ name }) => name === wanted).warp, { normals })
+/** Compiles the warp of a sketch, with or without normals. */
+const warpOf = (sketchName, normals = false) =>
+  compileWarp(sketches.find(({ name }) => name === sketchName).warp, { normals })
 
 for (const tolerance of [2, 0.5])
   test(`a cube of 180 units with one edge per side becomes accurate to ${tolerance} units`, () => {
     const cube = box([90, 90, 90])
     const [warp, shape] = [warpOf('coarse-and-fine', true), warpOf('coarse-and-fine')]
     const uniforms = { millis: 1571 }
-    assert.ok(deviation(cube, shape, uniforms, 2) > 20, 'it is wrong before')
+    assert.ok(deviation(cube, shape, uniforms, 2) > 20, 'the cube is accurate without subdivision')
     for (const angle of [0.17, Infinity]) {
       const fine = subdivide(cube, { warp, uniforms, tolerance, angle })
       const error = deviation(fine, shape, uniforms, 2)
       assert.ok(error <= tolerance, `${error}`)
-      assert.deepEqual(edgesNotUsed(2, fine), [], 'there are no cracks')
+      assert.deepEqual(edgesNotUsed(2, fine), [], 'expected no cracks')
       assert.equal(fine.warnings, undefined)
     }
   })
@@ -33,7 +33,7 @@ for (const [name, warp] of Object.entries(noiseWarps))
     for (const tolerance of [1, 0.5, 0.25]) {
       const fine = subdivide(large, { warp, tolerance, angle: Infinity })
       assert.equal(fine.warnings, undefined)
-      // Four times as many samples, half as far apart, found an error only 2% larger.
+      // With four times as many samples, half as far apart, the measured error was only 2% larger.
       const error = deviation(fine, warp, {}, 1)
       assert.ok(error <= 0.97 * tolerance, `${error} of ${tolerance}`)
     }
@@ -55,7 +55,9 @@ test('if a warp bends only one part, at most a third of the triangles of uniform
     const error = deviation(adaptive, warp, uniforms, 2)
     assert.ok(error <= allowed, `${error} of ${allowed}`)
     assert.deepEqual(edgesNotUsed(2, adaptive), [])
-    const [few, many] = [adaptive, uniform].map(({ indices }) => indices.length / 3)
-    assert.ok(few <= many / 3, `${few} of ${many}`)
+    const [adaptiveCount, uniformCount] = [adaptive, uniform].map(
+      ({ indices }) => indices.length / 3,
+    )
+    assert.ok(adaptiveCount <= uniformCount / 3, `${adaptiveCount} of ${uniformCount}`)
   }
 })

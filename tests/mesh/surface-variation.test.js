@@ -1,11 +1,11 @@
-// Normals of warps that depend on normal and uv, computed from the gradients of normal and uv over the surface.
+// Tests the normals of warps that depend on normal and uv, computed from the gradients of normal and uv over the surface.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { describe, test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
 import { bakeWarp, subdivide, surfaceVariation } from 'warpjet/mesh'
 import { models } from '../../web/models/index.js'
-import { interpolatePoints, subdivide as rounded } from '../../web/models/subdivide.js'
+import { interpolatePoints, subdivide as loopSubdivide } from '../../web/models/subdivide.js'
 import { angleBetween } from '../support/browser/oracle.js'
 import { movedNormal, surfaceMesh, surfaces } from '../support/surfaces.js'
 
@@ -88,16 +88,16 @@ for (const [name, surface] of Object.entries(surfaces))
         const compiled = compileWarp(warp, { surfaceVariation: true })
         const errorsOf = (variation) =>
           errors(compiled.evaluate({ ...mesh, ...variation }).normals, expected)
-        const known = Math.max(...errorsOf(exact))
+        const withExact = Math.max(...errorsOf(exact))
         const computed = Math.max(...errorsOf(surfaceVariation(mesh)))
-        assert.ok(known < 0.01, `${known}° off with exact gradients`)
+        assert.ok(withExact < 0.01, `${withExact}° off with exact gradients`)
         assert.ok(computed < 0.5, `${computed}° off with gradients computed from the triangles`)
         const zeros = Object.fromEntries(
           Object.entries(exact).map(([key, numbers]) => [key, numbers.map(() => 0)]),
         )
         const without = Math.max(...errorsOf(zeros))
         // An inflated sphere is a sphere, so its normals stay the same, and so do those of every parallel surface.
-        if (title !== 'inflated') assert.ok(without > 1.5, `${without}° off without it`)
+        if (title !== 'inflated') assert.ok(without > 1.5, `${without}° off without gradients`)
         const baked = errors(bakeWarp(mesh, compiled).normals, expected)
         assert.ok(Math.max(...baked) === computed, 'bakeWarp computes the gradients itself')
       })
@@ -126,8 +126,8 @@ test('tangents are transformed too', () => {
     tangents,
   })
   uvs.forEach(([u, v], i) => {
-    const found = [...moved.tangents.slice(4 * i, 4 * i + 3)]
-    const angle = angleBetween(found, tangentAt(u, v, offset))
+    const actual = [...moved.tangents.slice(4 * i, 4 * i + 3)]
+    const angle = angleBetween(actual, tangentAt(u, v, offset))
     assert.ok(angle < 0.01, `${angle}° off`)
   })
 })
@@ -138,10 +138,10 @@ test('tangents are transformed too', () => {
 describe('the bunny', () => {
   const { positions, indices } = models.bunny()
   let model = interpolatePoints({ points: triples(positions), triangles: triples(indices) })
-  const levels = [model, ...[1, 2, 3].map(() => (model = rounded(model)))]
+  const levels = [model, ...[1, 2, 3].map(() => (model = loopSubdivide(model)))]
   const { points, triangles } = levels[3]
-  const resting = areaNormals(points, triangles)
-  const normals = resting.map(({ sum }) => unit(sum))
+  const originalNormals = areaNormals(points, triangles)
+  const normals = originalNormals.map(({ sum }) => unit(sum))
 
   const heights = {
     'wide bumps': { size: 0.8, frequency: 0.06 },
@@ -160,7 +160,7 @@ describe('the bunny', () => {
     )
     const moved = points.map((p, i) => p.map((x, k) => x + normals[i][k] * height(p)))
     const reference = areaNormals(moved, triangles).map(({ sum, area }, i) =>
-      Math.hypot(...sum) < 0.9 * area || area < 0.2 * resting[i].area ? null : unit(sum),
+      Math.hypot(...sum) < 0.9 * area || area < 0.2 * originalNormals[i].area ? null : unit(sum),
     )
 
     for (const level of [1, 2])
@@ -174,23 +174,23 @@ describe('the bunny', () => {
         const expected = reference.slice(0, count)
         assert.ok(expected.filter((normal) => !normal).length < 0.01 * count)
         const zeros = new Float32Array(3 * count)
-        const nothing = {
+        const zeroGradients = {
           normalXGradients: zeros,
           normalYGradients: zeros,
           normalZGradients: zeros,
         }
-        const withIt = errors(
+        const errorsWith = errors(
           warp.evaluate({ ...mesh, ...surfaceVariation(mesh) }).normals,
           expected,
         )
-        const without = errors(warp.evaluate({ ...mesh, ...nothing }).normals, expected)
+        const errorsWithout = errors(warp.evaluate({ ...mesh, ...zeroGradients }).normals, expected)
         const median = (list) => quantile(list, 0.5)
         // On the coarser mesh the worst places, ears and toes, are smaller than its triangles.
         const measures =
-          level === 1 ? { median } : { mean, median, most: (list) => quantile(list, 0.95) }
+          level === 1 ? { median } : { mean, median, quantile95: (list) => quantile(list, 0.95) }
         for (const [name, measure] of Object.entries(measures)) {
-          const [found, bound] = [measure(withIt), measure(without) / 3]
-          assert.ok(found <= bound, `${name}: ${found}°, and ${3 * bound}° without it`)
+          const [actual, bound] = [measure(errorsWith), measure(errorsWithout) / 3]
+          assert.ok(actual <= bound, `${name}: ${actual}°, and ${3 * bound}° without gradients`)
         }
       })
   }
@@ -250,7 +250,7 @@ describe('compileWarp', () => {
   })
 })
 
-/** Returns the lines that a program prints on console.error. */
+/** Runs a program; returns the lines that it prints on console.error. */
 function linesPrintedBy(code) {
   const script = `
     import { compileWarp } from 'warpjet'
@@ -278,7 +278,7 @@ describe('a warning that normals are approximate', () => {
     )
   })
 
-  test('is printed by evaluate, if it lacks the promised arrays', () => {
+  test('is printed by evaluate, if arrays that the option promised are missing', () => {
     const lines = linesPrintedBy('compileWarp(bumpy, { surfaceVariation: true }).evaluate(mesh)')
     assert.equal(lines.length, 1)
     assert.match(lines[0], /^evaluate: .* warpjet\/mesh/)
@@ -290,7 +290,7 @@ describe('a warning that normals are approximate', () => {
     assert.match(lines[0], /^warp: .*; await addSurfaceVariation\(geometry\) makes them exact/)
   })
 
-  test('is not printed without a reason', () => {
+  test('is not printed if normals are exact, omitted, or approximate by choice', () => {
     const lines = linesPrintedBy(`
       warpObject(plane(), plain)
       warpObject(plane(), bumpy, { surfaceVariation: false })
@@ -325,7 +325,7 @@ describe('on the CPU', () => {
   })
 
   test('foldover reports where the surface is turned inside out', () => {
-    // Moves inwards by 0.5: past the centre of curvature at distance 1/2.5, but not past the others.
+    // The warp moves vertices inwards by 0.5: past a centre of curvature at the distance 1/2.5, but not past those at 1 and 1/1.5.
     const mesh = { positions: [0, 0, 0, 0, 0, 0], normals: [1, 0, 0, 1, 0, 0] }
     const normalYGradients = [0, 1, 0, 0, 1, 0]
     const normalZGradients = [0, 0, 2.5, 0, 0, 1.5]
@@ -363,8 +363,8 @@ describe('meshes', () => {
     assert.deepEqual(Object.keys(fine), ['positions', 'normals', 'uvs', 'indices'])
     const { normals } = bakeWarp(fine, warp)
     const { offset } = warps['bumps along the normal']
-    const known = mesh.uvs.length / 2
-    for (let i = 0; i < known; i++) {
+    const originalCount = mesh.uvs.length / 2
+    for (let i = 0; i < originalCount; i++) {
       const expected = movedNormal(surfaces.torus, offset, mesh.uvs[2 * i], mesh.uvs[2 * i + 1])
       const angle = angleBetween([...normals.slice(3 * i, 3 * i + 3)], expected)
       assert.ok(angle < 0.5, `${angle}° off at vertex ${i}`)
@@ -376,18 +376,22 @@ function unit(v) {
   return v.map((x) => x / Math.hypot(...v))
 }
 
-/** Returns, for each vertex, the sum of the area vectors of its triangles, and of their lengths. */
+/** Returns, for each vertex, the sum of the area vectors of its triangles, and the sum of the lengths of these vectors. */
 function areaNormals(points, triangles) {
-  const found = points.map(() => ({ sum: [0, 0, 0], area: 0 }))
+  const sums = points.map(() => ({ sum: [0, 0, 0], area: 0 }))
   for (const corners of triangles) {
     const [p, q, r] = corners.map((i) => points[i])
     const [a, b] = [q, r].map((end) => end.map((x, k) => x - p[k]))
-    const across = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    const area = Math.hypot(...across)
+    const areaVector = [
+      a[1] * b[2] - a[2] * b[1],
+      a[2] * b[0] - a[0] * b[2],
+      a[0] * b[1] - a[1] * b[0],
+    ]
+    const area = Math.hypot(...areaVector)
     for (const i of corners) {
-      found[i].area += area
-      for (let k = 0; k < 3; k++) found[i].sum[k] += across[k]
+      sums[i].area += area
+      for (let k = 0; k < 3; k++) sums[i].sum[k] += areaVector[k]
     }
   }
-  return found
+  return sums
 }

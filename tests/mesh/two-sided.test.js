@@ -1,4 +1,4 @@
-// Surfaces that exist twice, facing both ways, in files without normals whose two sides share vertices. The expected result of a
+// Tests surfaces that exist twice, facing both ways, in files without normals, where the two sides share vertices. The expected result of a
 // side is that of a file with only this side.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
@@ -8,7 +8,7 @@ import { edgesNotUsed } from '../support/deviation.js'
 import { writeGlb } from '../support/glb.js'
 import { grid } from '../support/meshes.js'
 
-/** A saddle over a grid, with an asymmetric bend. */
+/** Makes a saddle over a grid, with an asymmetric bend. */
 function saddle() {
   const { positions, indices } = grid(6, 5)
   for (let i = 0; i < positions.length; i += 3)
@@ -58,7 +58,7 @@ const files = {
 }
 
 /** Returns three numbers of an array for each corner of each triangle. */
-const ofCorners = (array, indices) =>
+const cornersOf = (array, indices) =>
   Array.from(indices, (vertex) => Array.from(array.subarray(3 * vertex, 3 * vertex + 3)))
 
 function assertNear(actual, expected) {
@@ -78,19 +78,19 @@ for (const [name, fileOf] of Object.entries(files))
   describe(name, () => {
     test('each side has its own normals, of length 1 and opposite', async () => {
       const { positions, indices } = saddle()
-      const one = await loadMesh(fileOf({ positions, indices }))
-      const two = await loadMesh(
+      const oneSided = await loadMesh(fileOf({ positions, indices }))
+      const twoSided = await loadMesh(
         fileOf({ positions, indices: [...indices, ...backwards(indices)] }),
       )
-      assert.equal(two.positions.length, 2 * one.positions.length)
-      assert.deepEqual(ofCorners(two.positions, two.indices), [
-        ...ofCorners(positions, indices),
-        ...ofCorners(positions, backwards(indices)),
+      assert.equal(twoSided.positions.length, 2 * oneSided.positions.length)
+      assert.deepEqual(cornersOf(twoSided.positions, twoSided.indices), [
+        ...cornersOf(positions, indices),
+        ...cornersOf(positions, backwards(indices)),
       ])
-      const front = ofCorners(one.normals, one.indices)
+      const front = cornersOf(oneSided.normals, oneSided.indices)
       for (const normal of front) assert.ok(Math.abs(Math.hypot(...normal) - 1) < 1e-6, `${normal}`)
       const back = backwards(front).map((normal) => normal.map((number) => -number))
-      const computed = ofCorners(two.normals, two.indices)
+      const computed = cornersOf(twoSided.normals, twoSided.indices)
       assertNear(computed, [...front, ...back])
 
       // By Lambert's law, a light from above lights the front, and the back is dark.
@@ -102,30 +102,30 @@ for (const [name, fileOf] of Object.entries(files))
     test('an adjacent part with one side continues the side that it faces with', async () => {
       const { positions, indices } = saddle()
       const half = indices.slice(0, indices.length / 2)
-      const one = await loadMesh(fileOf({ positions, indices }))
+      const oneSided = await loadMesh(fileOf({ positions, indices }))
       const mixed = await loadMesh(fileOf({ positions, indices: [...backwards(half), ...indices] }))
-      const front = ofCorners(one.normals, one.indices)
-      assertNear(ofCorners(mixed.normals, mixed.indices).slice(half.length), front)
+      const front = cornersOf(oneSided.normals, oneSided.indices)
+      assertNear(cornersOf(mixed.normals, mixed.indices).slice(half.length), front)
     })
 
-    test('warping and subdividing treat it as two surfaces', async () => {
+    test('warping and subdividing treat the sides as two surfaces', async () => {
       const { positions, indices } = saddle()
-      const one = await loadMesh(fileOf({ positions, indices }))
-      const two = await loadMesh(
+      const oneSided = await loadMesh(fileOf({ positions, indices }))
+      const twoSided = await loadMesh(
         fileOf({ positions, indices: [...indices, ...backwards(indices)] }),
       )
-      const front = bakeWarp(one, wave)
-      const both = bakeWarp(two, wave)
+      const front = bakeWarp(oneSided, wave)
+      const bakedTwoSided = bakeWarp(twoSided, wave)
       assertNear(
-        ofCorners(both.normals, both.indices).slice(0, indices.length),
-        ofCorners(front.normals, front.indices),
+        cornersOf(bakedTwoSided.normals, bakedTwoSided.indices).slice(0, indices.length),
+        cornersOf(front.normals, front.indices),
       )
       for (const options of [{ levels: 2 }, { warp: wave, tolerance: 0.001, angle: Infinity }]) {
-        const [fine, fineOfOne] = [two, one].map((mesh) => subdivide(mesh, options))
+        const [fine, fineOfOne] = [twoSided, oneSided].map((mesh) => subdivide(mesh, options))
         assert.equal(fine.indices.length, 2 * fineOfOne.indices.length)
         const inside = new Set(edgesNotUsed(2, fine))
         const cracks = edgesNotUsed(4, fine).filter((edge) => inside.has(edge))
-        assert.deepEqual(cracks, [], 'each edge has one triangle on each side, or two')
+        assert.deepEqual(cracks, [], 'an edge belongs to neither two nor four triangles')
         for (let i = 0; i < fine.normals.length; i += 3)
           assert.ok(Math.abs(Math.hypot(...fine.normals.subarray(i, i + 3)) - 1) < 1e-6)
       }

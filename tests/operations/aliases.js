@@ -1,7 +1,7 @@
-// Maps names that people know from three's TSL, p5.strands, p5 and GLSL to our operations.
+// Names that people know from three's TSL, p5.strands, p5 and GLSL.
 
-/** Maps an operation to its other names. */
-export const sameAs = {
+/** Maps an alias → the name of the same operation. */
+export const operationOfAlias = {
   mul: 'mult',
   multiply: 'mult',
   times: 'mult',
@@ -34,8 +34,8 @@ export const sameAs = {
   perlin: 'noise',
 }
 
-/** The aliases as plain functions of numbers; those of vectors return their squared length. */
-export const madeOf = {
+/** Maps a composition of operations → the same function in plain JavaScript. The functions of three numbers are for a vec3. */
+export const compositions = {
   oneMinus: (x) => 1 - x,
   saturate: (x) => Math.min(Math.max(x, 0), 1),
   reciprocal: (x) => 1 / x,
@@ -46,4 +46,4 @@ export const madeOf = {
 }
 
 /** Methods of p5.Vector, whose values tests/core/vectors.test.js compares with p5's own. */
-export const ofVectors = ['copy', 'rem', 'limit', 'setMag', 'heading', 'angleBetween', 'array']
+export const vectorMethods = ['copy', 'rem', 'limit', 'setMag', 'heading', 'angleBetween', 'array']

@@ -1,4 +1,4 @@
-// Checks whether a measurement, on any pipeline, meets the requirements: returns a list of problems, as sentences.
+// Checks whether the results of a case, on any pipeline, are within the tolerances: returns descriptions of the problems.
 import { errorOf, measure } from './measure.js'
 
 /** Tolerances on the CPU: double precision for values, and the precision of finite differences for derivatives. */
@@ -8,24 +8,26 @@ export const inDouble = {
   because: 'double precision, and differences are good to 1e-10',
 }
 
-const inWords = (kind, { error, at, got, expected, by }, allowed) =>
+const describe = (kind, { error, at, got, expected, by }, allowed) =>
   `${kind}${by === undefined ? '' : ` by number ${by} of the operands`} is ${got} at ` +
   `(${at.join(', ')}), expected ${expected}: ${error.toExponential(1)} off, ${allowed} allowed`
 
-/** Measures a case of the reference → problems; see `measure` for `run`. */
+/** Measures a case of the reference; returns descriptions of the problems. See `measure` for `run`. */
 export async function problemsOf(operation, run, tolerance = operation.tolerance) {
   const measured = await measure(operation, run)
   const problems = ['value', 'derivative']
     .filter((kind) => !(measured[kind].error <= tolerance[kind]))
-    .map((kind) => inWords(kind, measured[kind], tolerance[kind]))
+    .map((kind) => describe(kind, measured[kind], tolerance[kind]))
   if (measured.fewest < 200)
-    problems.push(`a derivative is compared at ${measured.fewest} points only`)
+    problems.push(
+      `expected 200 points at which each derivative is compared, got ${measured.fewest}`,
+    )
   if (measured.excluded && !operation.kinks)
-    problems.push(`there are ${measured.excluded} kinks, and the reference has none`)
+    problems.push(`expected no kinks, as in the reference, got ${measured.excluded}`)
   return problems.map((problem) => `${operation.title}: ${problem}`)
 }
 
-/** Does the same for the conventions of a case. */
+/** Compares the results of a case with its conventions; returns descriptions of the problems. */
 export async function brokenConventions(
   { operation, points },
   run,
@@ -37,9 +39,9 @@ export async function brokenConventions(
       const kind = k < value.length ? 'value' : 'derivative'
       const [got, error] = [results[i][k], errorOf(results[i][k], expected, 1)]
       const by = k < value.length ? undefined : Math.floor(k / value.length) - 1
-      const found = { error, at, got, expected, by }
+      const measured = { error, at, got, expected, by }
       if (error <= tolerance[kind]) return []
-      return [`${operation.title}: ${inWords(kind, found, tolerance[kind])}`]
+      return [`${operation.title}: ${describe(kind, measured, tolerance[kind])}`]
     }),
   )
 }

@@ -6,7 +6,7 @@ import { cases } from './reference.js'
 const { PI } = Math
 const zeros = (count) => Array(count).fill(0)
 
-const agreed = {
+const conventionsByTitle = {
   'abs(float)': [{ at: [0], value: [0], slopes: [0] }],
   'abs(vec3)': [{ at: [0, -2, 3], value: [0, 2, 3], slopes: [0, 0, 0, 0, -1, 0, 0, 0, 1] }],
   'sign(float)': [{ at: [0], value: [0], slopes: [0] }],
@@ -116,8 +116,8 @@ const agreed = {
   ],
 }
 
-/** [{ operation, points: [{ at, value, slopes }] }], with the cases of the reference. */
-export const conventions = Object.entries(agreed).map(([title, points]) => {
+/** The conventions as [{ operation, points: [{ at, value, slopes }] }], where `operation` is a case of the reference. */
+export const conventions = Object.entries(conventionsByTitle).map(([title, points]) => {
   const operation = cases.find((candidate) => candidate.title === title)
   if (!operation) throw new Error(`The reference has no case ${title}.`)
   return { operation, points }

@@ -26,12 +26,12 @@ function operandsOf({ inputs }, point) {
   return inputs.map(({ shape }) => point.slice(next, (next += sizeOf(shape))))
 }
 
-const sampled = new Map()
-const known = new Map()
+const pointCache = new Map()
+const expectationCache = new Map()
 
 function pointsOf(operation) {
-  if (!sampled.has(operation)) sampled.set(operation, samplePoints(operation))
-  return sampled.get(operation)
+  if (!pointCache.has(operation)) pointCache.set(operation, samplePoints(operation))
+  return pointCache.get(operation)
 }
 
 /**
@@ -39,13 +39,13 @@ function pointsOf(operation) {
  * the sensitivities of the value and its derivatives have a number for each component.
  */
 function expectations(operation) {
-  if (!known.has(operation)) {
+  if (!expectationCache.has(operation)) {
     const f = (point) => operation.reference(...operandsOf(operation, point))
     const expected = pointsOf(operation).map((point) => {
       const value = f(point)
       const sensitivity = (kind) => {
-        const given = operation.sensitivity[kind]?.(...operandsOf(operation, point)) ?? [1]
-        return value.map((_, k) => given[k % given.length])
+        const sensitivities = operation.sensitivity[kind]?.(...operandsOf(operation, point)) ?? [1]
+        return value.map((_, k) => sensitivities[k % sensitivities.length])
       }
       return {
         point,
@@ -54,9 +54,9 @@ function expectations(operation) {
         sensitivity: { value: sensitivity('value'), derivative: sensitivity('derivative') },
       }
     })
-    known.set(operation, expected)
+    expectationCache.set(operation, expected)
   }
-  return known.get(operation)
+  return expectationCache.get(operation)
 }
 
 /** Returns the error relative to the expected number if that is above 1. A NaN has an infinite error. */
@@ -66,7 +66,7 @@ export function errorOf(got, expected, sensitivity) {
 }
 
 /**
- * Runs a case: `run(points)` returns all resulting numbers at each point → {
+ * Runs a case; `run(points)` must return all resulting numbers at each point. Returns {
  * - `value`, `derivative`: the max errors, { error, at, got, expected, by }, each divided by the sensitivity;
  * - `points`;
  * - `derivatives`: the number of derivatives that were compared; `excluded`: the number of those that were not, since the differences
@@ -80,8 +80,8 @@ export async function measure(operation, run) {
     setImmediate().then(() => expectations(operation)),
   ])
   const worst = { value: { error: 0 }, derivative: { error: 0 } }
-  const raise = (kind, found) => {
-    if (!(found.error <= worst[kind].error)) worst[kind] = found
+  const raise = (kind, measured) => {
+    if (!(measured.error <= worst[kind].error)) worst[kind] = measured
   }
   const size = expected[0].value.length
   const compared = expected[0].slopes.map(() => Array(size).fill(0))
@@ -92,12 +92,12 @@ export async function measure(operation, run) {
       raise('value', { error: errorOf(got, x, sensitivity.value[k]), at: point, got, expected: x })
     })
     slopes.forEach((row, by) =>
-      row.forEach((found, k) => {
-        if (!found) return
+      row.forEach((estimate, k) => {
+        if (!estimate) return
         compared[by][k]++
         const got = results[i][size * (by + 1) + k]
-        const error = errorOf(got, found.slope, sensitivity.derivative[k])
-        raise('derivative', { error, at: point, got, expected: found.slope, by })
+        const error = errorOf(got, estimate.slope, sensitivity.derivative[k])
+        raise('derivative', { error, at: point, got, expected: estimate.slope, by })
       }),
     )
   })

@@ -6,7 +6,7 @@ import glsl from 'highlight.js/lib/languages/glsl'
 const words = (text) => text.trim().split(/\s+/)
 
 /** Sections 8.1 to 8.6 of both GLSL ES specifications. */
-const ofBothGlsl = `
+const functionsOfBothGlsl = `
   radians degrees sin cos tan asin acos atan
   pow exp log exp2 log2 sqrt inversesqrt
   abs sign floor ceil fract mod min max clamp mix step smoothstep
@@ -15,9 +15,9 @@ const ofBothGlsl = `
 
 /** The built-in functions of each language. */
 export const functions = {
-  glsl100: words(`${ofBothGlsl}
+  glsl100: words(`${functionsOfBothGlsl}
     texture2D texture2DProj texture2DLod texture2DProjLod textureCube textureCubeLod`),
-  glsl300: words(`${ofBothGlsl}
+  glsl300: words(`${functionsOfBothGlsl}
     sinh cosh tanh asinh acosh atanh trunc round roundEven modf isnan isinf
     floatBitsToInt floatBitsToUint intBitsToFloat uintBitsToFloat
     packSnorm2x16 unpackSnorm2x16 packUnorm2x16 unpackUnorm2x16 packHalf2x16 unpackHalf2x16
@@ -42,7 +42,7 @@ export const functions = {
 
 const { keywords } = (hljs.registerLanguage('glsl', glsl), hljs.getLanguage('glsl'))
 
-/** Names of desktop GLSL, and some that only look reserved. */
+/** Names to try: built-in functions, names of desktop GLSL, and some that only look reserved. */
 export const candidates = [
   ...new Set([
     ...Object.values(functions).flat(),

@@ -25,24 +25,24 @@ export const fractals = noises.filter(isFractal)
 /** Noises from which others can be composed. */
 export const bases = noises.filter((kind) => propertiesOf[kind].isBase)
 
-/** { kind, dimensions } of each noise. */
+/** { kind, dimensions } for each kind of noise and each number of dimensions that it accepts. */
 export const kindsOfNoise = noises.flatMap((kind) =>
   propertiesOf[kind].dimensions.map((dimensions) => ({ kind, dimensions })),
 )
 
-/** Options other than the defaults. */
+/** Returns options that differ from the defaults. */
 export const settingsOf = (kind) =>
   isFractal(kind) ? { octaves: 3, lacunarity: 1.9, gain: 0.6, seed: 7 } : { seed: 7 }
 
 /**
- * Points among the cells near the origin and up to `far` cells from it, as float32 numbers. Their coordinates keep a distance of
- * 1/1024 from integers and halves, where third derivatives jump.
+ * Returns points of cells near the origin and of cells up to `maxDistance` cells from it, as float32 numbers. Their coordinates keep a
+ * distance of 1/1024 from integers and halves, where third derivatives jump.
  */
-export function noisePoints(dimensions, count, far = 1000) {
+export function noisePoints(dimensions, count, maxDistance = 1000) {
   const random = randomOf(dimensions)
   return Array.from({ length: count }, (_, i) =>
     Array.from({ length: dimensions }, () => {
-      const cell = Math.floor(2 * (i % 2 ? far : 6) * (random() - 0.5))
+      const cell = Math.floor(2 * (i % 2 ? maxDistance : 6) * (random() - 0.5))
       return Math.fround(cell + (Math.floor(random() * 511) + 0.5) / 512)
     }),
   )

@@ -1,18 +1,17 @@
-// Derivatives of plain functions of numbers, from differences in double precision. The method is that of
-// tests/support/browser/oracle.js, but for any number of arguments and results, and with adaptive steps: a kink nearby only makes
-// them shorter.
+// Computes derivatives of plain functions of numbers from finite differences in double precision. The method is that of
+// tests/support/browser/oracle.js, but for any number of arguments and results, and with adaptive steps: near a kink, steps are shorter.
 
 /** Step sizes from 1/128 to 2e-7. Longer steps lose less to rounding, shorter ones come closer to a kink. */
 const steps = [7, 10, 13, 16, 19, 22].map((power) => 2 ** -power)
 
-/** We try no shorter step once the error is below this. */
-const good = 1e-10
+/** We try no shorter step once the estimated error is below this. */
+const sufficientError = 1e-10
 
 /** A slope with a larger error than this has a kink or a jump within the shortest step. */
-const roughest = 1e-7
+const maxError = 1e-7
 
 /** A kink changes the slope by more than this. Both are relative to slopes above 1. */
-const turn = 1e-5
+const minKink = 1e-5
 
 /** Returns `point` moved by `step` along `direction`. */
 const movePoint = (point, direction, step) => point.map((x, k) => x + step * direction[k])
@@ -39,7 +38,7 @@ function slopesByStep(f, point, direction, h, middle) {
     const slope = (16 * fine - coarse) / 15
     const scale = Math.max(1, Math.abs(slope))
     const rounding = (Math.abs(value) * 2 ** -51) / h
-    const smooth = Math.abs(bend1 - 2 * bend2) <= turn * scale
+    const smooth = Math.abs(bend1 - 2 * bend2) <= minKink * scale
     return { slope, error: smooth ? (Math.abs(fine - coarse) + rounding) / scale : Infinity }
   })
 }
@@ -48,11 +47,11 @@ function slopesByStep(f, point, direction, h, middle) {
 function slopes(f, point, direction, middle) {
   let best = middle.map(() => ({ error: Infinity }))
   for (const h of steps) {
-    if (best.every(({ error }) => error <= good)) break
-    const found = slopesByStep(f, point, direction, h, middle)
-    best = best.map((known, i) => (found[i].error < known.error ? found[i] : known))
+    if (best.every(({ error }) => error <= sufficientError)) break
+    const results = slopesByStep(f, point, direction, h, middle)
+    best = best.map((slope, i) => (results[i].error < slope.error ? results[i] : slope))
   }
-  return best.map((known) => (known.error <= roughest ? known : null))
+  return best.map((slope) => (slope.error <= maxError ? slope : null))
 }
 
 /**
@@ -68,5 +67,5 @@ export function jacobian(f, point) {
   // The oblique direction finds kinks that the axes miss, such as the jump of sign(x) y at the origin.
   const oblique = point.map((_, k) => (k % 2 ? -1 : 1) * (1 + k / 10))
   const smooth = slopes(f, point, oblique, middle)
-  return rows.map((row) => row.map((known, i) => smooth[i] && known))
+  return rows.map((row) => row.map((slope, i) => smooth[i] && slope))
 }

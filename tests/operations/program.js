@@ -12,7 +12,7 @@ const makers = {
   mat4: 'mat4Param',
 }
 
-/** The builder's functions that make inputs; each has a case, since its shape is the shape of an input. */
+/** The builder's functions that make inputs. The cases call all of them, since they have inputs of every shape. */
 export const inputMakers = Object.values(makers)
 
 /** Returns the numbers of an input, as expressions; a matrix in column-major order. */
@@ -25,7 +25,7 @@ export function components(input, shape) {
     : letters.flatMap((_, i) => letterOf(input.column(i)))
 }
 
-/** The derivative of a condition is the number 0. */
+/** Returns the shape of a derivative. That of a condition is the number 0. */
 const slopeShape = (shape) => (/^b/.test(shape) ? Number(`${shape}`.at(-1)) || 1 : shape)
 
 /** The ways to call the operation: as a method of its first operand, and as a function of the builder. */
@@ -63,10 +63,10 @@ export function programOf(operation, target, form = forms(operation).at(-1)) {
 export const runOnCpu = ({ inputs, outputs, evaluate }, points) =>
   points.map((point) => {
     let next = 0
-    const given = inputs.map(({ name, shape }) => {
+    const values = inputs.map(({ name, shape }) => {
       const numbers = point.slice(next, (next += sizeOf(shape)))
       return [name, shape === 1 ? numbers[0] : numbers]
     })
-    const results = evaluate(Object.fromEntries(given))
+    const results = evaluate(Object.fromEntries(values))
     return outputs.flatMap(({ name }) => results[name])
   })

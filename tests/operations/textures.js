@@ -1,5 +1,5 @@
-// Images as functions of texture coordinates, in double, from the papers: each texel is weighted by a kernel of its distance.
-// Independent of warpjet's own implementation.
+// Evaluates images at texture coordinates in double precision, by the formulas of the papers: each texel is weighted by a kernel of its
+// distance. This is independent of warpjet's implementation.
 import { randomOf } from '../random/generate.js'
 
 const cube = (x) => x ** 3
@@ -23,7 +23,7 @@ const kernels = {
 /** The continuous kernels. */
 export const filters = Object.keys(kernels).filter((name) => name !== 'nearest')
 
-/** Maps the index of a texel on an endless row to one of `size`. */
+/** Each maps the index of a texel on an endless row to one of `size` texels. */
 const wrappers = {
   clamp: (i, size) => Math.min(Math.max(i, 0), size - 1),
   repeat: (i, size) => ((i % size) + size) % size,
@@ -39,7 +39,7 @@ const wrappers = {
 
 export const wraps = Object.keys(wrappers)
 
-/** Returns red, green, blue and alpha of { width, height, data }, bytes, at u, v. `wrap` is one mode, or one for each axis. */
+/** Returns red, green, blue and alpha of an image of bytes at u, v. `wrap` is one mode, or one for each axis. */
 export function sample(
   { width, height, data },
   u,
@@ -51,9 +51,9 @@ export function sample(
   const sums = [0, 0, 0, 0]
   for (let row = Math.floor(y) - 2; row <= y + 2; row++)
     for (let column = Math.floor(x) - 2; column <= x + 2; column++) {
-      const share = kernels[filter](Math.abs(x - column)) * kernels[filter](Math.abs(y - row))
+      const weight = kernels[filter](Math.abs(x - column)) * kernels[filter](Math.abs(y - row))
       const at = wrappers[down](row, height) * width + wrappers[across](column, width)
-      for (let i = 0; i < 4; i++) sums[i] += (share * data[4 * at + i]) / 255
+      for (let i = 0; i < 4; i++) sums[i] += (weight * data[4 * at + i]) / 255
     }
   return sums
 }

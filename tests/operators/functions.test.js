@@ -1,4 +1,4 @@
-// Functions, methods, classes and helpers of a sketch with operators, translated in a page and by the plugin.
+// Tests functions, methods, classes and helpers of a sketch with operators, translated in a page and by the plugin.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { MathUtils } from 'three'
@@ -53,8 +53,8 @@ describe('functions, methods and classes:', () => {
         return position * this.factor
       },
     }
-    const read = operators(object.wave)
-    assert.equal(compileWarp((inputs) => read.call(object, inputs)).code, expected)
+    const translated = operators(object.wave)
+    assert.equal(compileWarp((inputs) => translated.call(object, inputs)).code, expected)
     // The method is also translated when it is called as a helper, with expressions.
     const offset = ({ position }) => [waves.wave({ position: position * 1 })][0]
     assert.equal(
@@ -107,7 +107,7 @@ describe('functions, methods and classes:', () => {
       )
   })
 
-  test('a function with new.target is rejected with a message', () => {
+  test('a function can read its own new.target', () => {
     const offset = function ({ position }) {
       return position * (new.target ? 1 : 2)
     }
@@ -187,11 +187,11 @@ describe('helper functions:', () => {
         glsl.vec3(glsl.add(0, x).add(y).add(1), x.mult(x).mult(x), 3),
     ],
   }
-  for (const [name, [written, twin]] of Object.entries(cases))
+  for (const [name, [withOperators, withMethods]] of Object.entries(cases))
     test(name, () => {
-      const expected = callOffset(twin)
-      assert.equal(compileWarp(operators((0, eval)(`(${written})`))).code, expected)
-      const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${written}))`
+      const expected = callOffset(withMethods)
+      assert.equal(compileWarp(operators((0, eval)(`(${withOperators})`))).code, expected)
+      const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${withOperators}))`
       assert.equal(runTranslated(module), expected)
     })
 
@@ -220,7 +220,7 @@ describe('helper functions:', () => {
     )
   })
 
-  test('a helper of another library gets a message', () => {
+  test('a helper of another library works with expressions, if it is in the scope', () => {
     assert.equal(
       compileWarp(operators(({ position }) => MathUtils.lerp(position, 2, 0.25) * 1, { MathUtils }))
         .code,

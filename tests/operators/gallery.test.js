@@ -1,19 +1,20 @@
-// Every warp of the gallery that has its own formula is written again with operators, and generates the same code, byte for byte.
+// Every warp of the gallery whose offset function is in the sketch is written again with operators in tests/warps/with-operators.js. Both
+// versions generate the same code, byte for byte.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 import { sketchWarps } from '../warps/sketches.js'
 import { threeWarps } from '../warps/three-sketches.js'
-import { texts } from '../warps/with-operators.js'
+import { offsetSources } from '../warps/with-operators.js'
 
-/** Ready-made deformers, compositions, GLSL source and results of `gen` are not functions of the sketch. */
-const isOwn = ({ name, warp }) => warp && !/^(deformer|composition|glsl)-/.test(name)
+/** Returns whether the offset function is in the sketch, unlike those of deformers, compositions and GLSL source. */
+const hasOffsetFunction = ({ name, warp }) => warp && !/^(deformer|composition|glsl)-/.test(name)
 
-const sketches = [...(await sketchWarps()).filter(isOwn), ...threeWarps()]
+const sketches = [...(await sketchWarps()).filter(hasOffsetFunction), ...threeWarps()]
 
-test('each warp has its second version, and there are no others', () => {
-  assert.deepEqual(sketches.map(({ name }) => name).sort(), Object.keys(texts).sort())
+test('each warp has a version with operators, and there are no others', () => {
+  assert.deepEqual(sketches.map(({ name }) => name).sort(), Object.keys(offsetSources).sort())
 })
 
 for (const { name, warp, options } of sketches)
@@ -24,6 +25,6 @@ for (const { name, warp, options } of sketches)
       return `${declarations}${code}`
     }
     // Loads the source file itself, as in a page.
-    const again = operators((0, eval)(texts[name]))
-    assert.ok(codeOf(again) === codeOf(warp), 'the texts differ')
+    const withOperators = operators((0, eval)(offsetSources[name]))
+    assert.ok(codeOf(withOperators) === codeOf(warp), 'the code differs')
   })

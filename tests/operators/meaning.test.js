@@ -1,4 +1,5 @@
-// Operators have JavaScript's meaning: compares each function with its version by methods, translated in a page and by the plugin.
+// Tests that operators have JavaScript's meaning: compares each function, translated in a page and by the plugin, with its version with
+// methods.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
@@ -170,10 +171,10 @@ const pairs = {
 }
 
 describe('JavaScript has the same meaning for expressions as for numbers:', () => {
-  for (const [name, [written, twin]] of Object.entries(pairs))
+  for (const [name, [withOperators, withMethods]] of Object.entries(pairs))
     test(name, () => {
-      const expected = callOffset(twin)
-      const [inPage, byBuild] = compileBoth(written)
+      const expected = callOffset(withMethods)
+      const [inPage, byBuild] = compileBoth(withOperators)
       assert.equal(inPage, expected)
       assert.equal(byBuild, expected)
     })

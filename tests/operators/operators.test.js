@@ -1,4 +1,4 @@
-// Offset functions with operators generate the same code as with methods, byte for byte.
+// Tests that offset functions with operators generate the same code as with methods, byte for byte.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { translateModule } from '../../dist/operators-plugin.js'
@@ -6,7 +6,7 @@ import { withOperators } from '../../dist/operators-runtime.js'
 import { operators } from '../../dist/operators.js'
 import { WarpError, compileWarp } from '../../dist/warpjet.js'
 
-/** Maps a name to the function with operators and the one with methods. */
+/** Maps a name → the offset function with operators, and the same function with methods. */
 const pairs = {
   arithmetic: [
     ({ position, millis }) => [position.y * 4 + millis / 500, -position.x, 2 - position.z ** 2],
@@ -109,10 +109,10 @@ const pairs = {
   ],
   'early returns of a block that returns': [
     ({ position, millis }) => {
-      const kept = { n: 1 }
-      if (kept.n > 0) {
-        kept.n = 2
-        if (position.x > 0) return position * kept.n
+      const counter = { n: 1 }
+      if (counter.n > 0) {
+        counter.n = 2
+        if (position.x > 0) return position * counter.n
         return position
       }
       return millis
@@ -190,7 +190,7 @@ const pairs = {
       return glsl.vec3(0, sum, 0)
     },
   ],
-  'a function inside': [
+  'an inner function': [
     function ({ position, millis }) {
       const wave = (x, speed = 2) => Math.sin(x + (speed * millis) / 1000)
       return [wave(position.y), wave(position.z, 3), 0]
@@ -213,16 +213,16 @@ const pairs = {
 }
 
 describe('with operators as with methods:', () => {
-  for (const [name, [written, called]] of Object.entries(pairs))
+  for (const [name, [offsetWithOperators, offsetWithMethods]] of Object.entries(pairs))
     test(name, () => {
-      const expected = compileWarp(called).code
-      assert.equal(compileWarp(operators(written)).code, expected)
+      const expected = compileWarp(offsetWithMethods).code
+      assert.equal(compileWarp(operators(offsetWithOperators)).code, expected)
       // Translated by the plugin.
-      const module = translateModule(`createWarp(${written})`)
+      const module = translateModule(`createWarp(${offsetWithOperators})`)
       const [, text, last] = /^createWarp\(warpjetWithOperators\((.*)\)\)(\nimport .*\n)$/s.exec(
         module,
       )
-      assert.equal(text.split('\n').length, `${written}`.split('\n').length, 'lines')
+      assert.equal(text.split('\n').length, `${offsetWithOperators}`.split('\n').length, 'lines')
       assert.equal(last.split('\n').length, 3)
       const make = new Function(`return ${text}`)()
       assert.equal(compileWarp(withOperators(make)).code, expected)
@@ -322,15 +322,15 @@ test('numbers decide conditions as in JavaScript', () => {
 test('each call has its own scope, and a name may become global later', () => {
   const amount = 3
   const offset = ({ position }) => position * amount
-  const by = (n) => compileWarp(({ position }) => position.mult(n)).code
-  assert.equal(compileWarp(operators(offset, { amount: 2 })).code, by(2))
-  assert.equal(compileWarp(operators(offset, { amount: 4 })).code, by(4))
+  const codeOfFactor = (n) => compileWarp(({ position }) => position.mult(n)).code
+  assert.equal(compileWarp(operators(offset, { amount: 2 })).code, codeOfFactor(2))
+  assert.equal(compileWarp(operators(offset, { amount: 4 })).code, codeOfFactor(4))
   assert.throws(() => compileWarp(operators(offset)), /cannot access "amount"/)
   globalThis.amount = 5
-  const known = operators(offset)
-  assert.equal(compileWarp(known).code, by(5))
+  const translated = operators(offset)
+  assert.equal(compileWarp(translated).code, codeOfFactor(5))
   delete globalThis.amount
-  assert.equal(operators(known), known)
+  assert.equal(operators(translated), translated)
 })
 
 test('conditions that only JavaScript can decide have a message', () => {

@@ -1,4 +1,4 @@
-// The plugin that translates operators when a project is built: modules, the loader of webpack, and source maps.
+// Tests the plugin that translates operators when a project is built: modules, the loader of webpack, and source maps.
 import assert from 'node:assert/strict'
 import { SourceMap } from 'node:module'
 import { test } from 'node:test'
@@ -27,9 +27,9 @@ test("a module's own imports stay intact, and its directive stays first", () => 
 
 test('the loader of webpack generates the same code as the plugin, with a map', () => {
   const load = (code) => {
-    let given
-    loader.call({ resourcePath: 'sketch.js', callback: (...all) => (given = all) }, code)
-    return given
+    let result
+    loader.call({ resourcePath: 'sketch.js', callback: (...args) => (result = args) }, code)
+    return result
   }
   const code = 'createWarp(({ position }) => position * 2)'
   const [error, translated, map] = load(code)
@@ -56,7 +56,7 @@ createWarp(({ position, millis }) => {
   assert.deepEqual(map.sources, ['sketch.js'])
   const sourceMap = new SourceMap(JSON.parse(map.toString()))
   const lines = translated.split('\n')
-  const found = new Set()
+  const mappedPlaces = new Set()
   for (const [line, text] of lines.entries())
     for (const { 0: word, index } of text.matchAll(
       /\b(position|millis|height|rest|twice|value)\b/g,
@@ -64,7 +64,7 @@ createWarp(({ position, millis }) => {
       const { originalLine, originalColumn } = sourceMap.findEntry(line, index)
       const original = code.split('\n')[originalLine]?.slice(originalColumn)
       // Generated code, such as a list of variables, maps to the beginning of the code that it replaces.
-      if (original?.startsWith(word)) found.add(`${originalLine}:${originalColumn}`)
+      if (original?.startsWith(word)) mappedPlaces.add(`${originalLine}:${originalColumn}`)
     }
   const words = code
     .split('\n')
@@ -74,7 +74,7 @@ createWarp(({ position, millis }) => {
       ),
     )
   assert.deepEqual(
-    words.filter((place) => !found.has(place)),
+    words.filter((place) => !mappedPlaces.has(place)),
     [],
   )
 })

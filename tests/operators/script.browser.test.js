@@ -1,5 +1,5 @@
-// Sketches with operators, by the second script: they draw the same picture as with methods, and errors name the sketch's own
-// lines.
+// Tests sketches with operators, which the second script translates: they draw the same picture as with methods, and errors name the lines
+// of the sketch.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { launchBrowser, leavePage, openPage } from '../support/browser/browser.js'
@@ -56,13 +56,13 @@ for (const [version, p5] of p5InThisRun) {
             const y = position.y * 2
             return glsl.vec3(y.sine(), 0, 0)
           })
-        } catch ({ message }) { window.saidFirst = message }
-        try { createWarp(({ position }) => position * hidden) } catch ({ message }) { window.saidSecond = message }
+        } catch ({ message }) { window.firstMessage = message }
+        try { createWarp(({ position }) => position * hidden) } catch ({ message }) { window.secondMessage = message }
         done = true
       }`,
     )
     const [first, second, source] = await page.evaluate(
-      '[saidFirst, saidSecond, document.documentElement.outerHTML]',
+      '[firstMessage, secondMessage, document.documentElement.outerHTML]',
     )
     await leavePage(page)
     assert.deepEqual(messages, [])
@@ -135,7 +135,7 @@ for (const [version, p5] of p5InThisRun) {
     assert.deepEqual([third, fourth], ['done', 'done'])
   })
 
-  test(`p5 ${version}: on a page that forbids new Function, functions without operators work, and others have a message`, async () => {
+  test(`p5 ${version}: on a page that forbids new Function, functions without operators work, and others throw a message`, async () => {
     const { page, messages } = await openPage(
       browser,
       server.page(`<!doctype html>
@@ -151,20 +151,20 @@ function setup() {
     for (let i = 1; i < 3; i++) sum = sum ? sum.add(position.mult(i * factor)) : position
     return sum
   })
-  try { createWarp(({ position }) => position * 2) } catch ({ message }) { window.said = message }
+  try { createWarp(({ position }) => position * 2) } catch ({ message }) { window.errorMessage = message }
   window.done = true
 }
 </script>`),
     )
     await page.waitForFunction(() => window.done)
-    const said = await page.evaluate('said')
+    const errorMessage = await page.evaluate('errorMessage')
     await leavePage(page)
     assert.deepEqual(
-      messages.filter((each) => !/Content Security Policy/.test(each)),
+      messages.filter((message) => !/Content Security Policy/.test(message)),
       [],
     )
     assert.match(
-      said,
+      errorMessage,
       /^createWarp: operators are translated in the function's source code, which this page's Content-Security-Policy forbids; allow 'unsafe-eval'/,
     )
   })

@@ -1,5 +1,5 @@
-// Typical p5 sketches with the script of operators: each has the same picture as its version by methods on a page without that
-// script, or a message with advice. Each runs on its own page, since variables around functions matter.
+// Tests typical p5 sketches with the script of operators: each draws the same picture as its version with methods, on a page without that
+// script, or prints a message with advice. Each sketch runs on its own page, since the variables around its functions matter.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
@@ -28,10 +28,14 @@ after(async () => {
 
 const clock = 'p5.prototype.millis = () => 1700'
 
-const sketchSource = ({ whole, top = '', setup }) =>
+/**
+ * Returns the source of a sketch, which has either `source` or the parts `top` and `setup`. Its `error` or `warning` matches the message
+ * that it prints, and `twin` is the same offset function with methods.
+ */
+const sketchSource = ({ source, top = '', setup }) =>
   `${clock}
 ${
-  whole ??
+  source ??
   `let wave
 ${top}
 function setup() {
@@ -45,7 +49,7 @@ function draw() {
 }`
 }`
 
-/** Opens a page with a sketch → its picture, and all console messages. */
+/** Runs a sketch on a page; returns its picture and all console messages. */
 async function run(scripts, sketch) {
   const { page, messages } = await runSketch(browser, server, scripts, sketchSource(sketch))
   const image = (await page.$('canvas')) && (await readPixels(page))
@@ -53,7 +57,7 @@ async function run(scripts, sketch) {
   return { image, messages }
 }
 
-/** Draws the versions written with methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
+/** Draws the versions with methods, and the sphere without a warp as `plain`, on one page. Returns the pictures by name. */
 function drawTwins(p5) {
   const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
   const draw = (call) => `lights(); noStroke(); fill('coral'); ${call} sphere(40)`
@@ -71,7 +75,7 @@ function drawTwins(p5) {
   })
 }
 
-test('there are sixty sketches', () => assert.ok(Object.keys(sketches).length >= 60))
+test('there are at least sixty sketches', () => assert.ok(Object.keys(sketches).length >= 60))
 
 for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: each sketch draws the same picture as with methods, or has a message`, async () => {
@@ -79,15 +83,15 @@ for (const [version, p5] of p5InThisRun)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {
       const { image, messages } = await run([p5, warpjet, operators], sketch)
-      const expected = sketch.says ?? sketch.notes
-      const isSaid = expected
-        ? messages.some((each) =>
+      const expected = sketch.error ?? sketch.warning
+      const isAsExpected = expected
+        ? messages.some((message) =>
             expected.test(
-              each.replace(/^uncaught: (WarpError: )?|^.*?(?=createWarp:|noise:|v\.mult)/, ''),
+              message.replace(/^uncaught: (WarpError: )?|^.*?(?=createWarp:|noise:|v\.mult)/, ''),
             ),
           )
         : !messages.length
-      if (!isSaid) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
+      if (!isAsExpected) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
       if (!sketch.twin) continue
       const twin = pictures[name]
       const differing = image ? differingPixels(image, twin, 4) : 'all'
@@ -95,7 +99,7 @@ for (const [version, p5] of p5InThisRun)
       const lit = litPixels(twin).length
       if (!(differing < 5 && moved > 150 && lit > 1000))
         problems.push(
-          `${name}: ${differing} pixels differ, ${moved} of the shape itself, ${lit} are lit`,
+          `${name}: ${differing} pixels differ, the warp changes ${moved}, ${lit} are lit`,
         )
     }
     assert.deepEqual(problems, [])
@@ -107,10 +111,13 @@ for (const [version, p5] of p5InThisRun)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {
       const { image, messages } = await run([p5, warpjet], sketch)
-      if (messages.some((each) => /WarpError|warpjet|createWarp: |; write /.test(each))) continue
+      if (messages.some((message) => /WarpError|warpjet|createWarp: |; write /.test(message)))
+        continue
       if (messages.length) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
       else if (!sketch.twin)
-        problems.push(`${name}: it says nothing, and no twin judges its picture`)
+        problems.push(
+          `${name}: expected a message, since there is no version with methods, got none`,
+        )
       else {
         const differing = image ? differingPixels(image, pictures[name], 4) : 'all'
         if (!(differing < 5)) problems.push(`${name}: ${differing} pixels differ`)

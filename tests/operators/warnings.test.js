@@ -1,4 +1,4 @@
-// When operators are translated automatically, and the warnings and errors if they are not.
+// Tests when operators are translated automatically, and the warnings and errors if they are not.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { BoxGeometry, Mesh } from 'three'
@@ -48,9 +48,9 @@ test('compileWarp, compile and compositions translate operators automatically', 
 })
 
 test('a variable whose value is read only once causes a warning with its name and a suggested uniform', () => {
-  const notes = []
+  const warnings = []
   const { warn } = console
-  console.warn = (note) => notes.push(note)
+  console.warn = (message) => warnings.push(message)
   try {
     globalThis.mouseX = 20
     globalThis.warpjetLevel = 0.5
@@ -74,7 +74,7 @@ test('a variable whose value is read only once causes a warning with its name an
   ]) {
     const label = name.replace('p.', '')
     assert.equal(
-      notes.filter(
+      warnings.filter(
         (note) =>
           note.includes(`reads ${name} once`) &&
           note.includes(
@@ -82,15 +82,15 @@ test('a variable whose value is read only once causes a warning with its name an
           ),
       ).length,
       1,
-      `${name} in ${notes.join('\n')}`,
+      `${name} in ${warnings.join('\n')}`,
     )
   }
 })
 
 test('code that is ignored or has a different meaning causes a warning', () => {
-  const notes = []
+  const warnings = []
   const { warn } = console
-  console.warn = (note) => notes.push(note)
+  console.warn = (message) => warnings.push(message)
   try {
     compileWarp(
       operators((0, eval)('({ position }) => { let v = position * 1; v.mult(2); return v }')),
@@ -99,9 +99,9 @@ test('code that is ignored or has a different meaning causes a warning', () => {
   } finally {
     console.warn = warn
   }
-  assert.match(notes[0], /^v\.mult\(2\) has no effect: .* as in v = v\.mult\(2\)/)
+  assert.match(warnings[0], /^v\.mult\(2\) has no effect: .* as in v = v\.mult\(2\)/)
   assert.match(
-    notes[1],
+    warnings[1],
     /^noise: p5's noise\(\) works on numbers; for expressions it becomes warpjet's glsl\.fbm/,
   )
   assert.throws(
@@ -121,8 +121,8 @@ test("noise() is warpjet's fbm, scaled to 0 to 1", () => {
         ),
       ).code,
       compileWarp(({ glsl, position: { x, y, z } }) => {
-        const of = (p) => glsl.fbm(p, { octaves: 4 }).mult(0.5).add(0.5)
-        return glsl.vec3(of(glsl.vec3(x, y, z)), of(x), of(glsl.vec2(x, y)))
+        const scaledFbm = (p) => glsl.fbm(p, { octaves: 4 }).mult(0.5).add(0.5)
+        return glsl.vec3(scaledFbm(glsl.vec3(x, y, z)), scaledFbm(x), scaledFbm(glsl.vec2(x, y)))
       }).code,
     )
   } finally {

@@ -113,6 +113,77 @@ for (const host of hosts) {
     assert.ok(broken.framesWithHoles > 0, 'a broken edge is not seen')
   })
 
+  test(`${host.name}: what keeps its vertices is said once`, async () => {
+    const triangle = 'beginShape(); vertex(0, 0); vertex(30, 0); vertex(0, 30); endShape(CLOSE)'
+    const onlyLines =
+      /: lines, and shapes between beginShape\(\) and endShape\(\), are not divided\./
+    /** Maps a name → [offset function, code, message if there is one]. */
+    const cases = {
+      'a box': [offsets.bend, 'box(50); push(); stroke(0); box(40); pop()'],
+      'a shape of vertices': [offsets.bend, triangle, onlyLines],
+      'a line': [offsets.bend, 'stroke(0); warp(); line(0, 0, 30, 30)', onlyLines],
+      'a line that the warp does not move': [
+        offsets.flag,
+        'box(50); resetShader(); stroke(0); line(0, 0, 9, 9)',
+      ],
+      'a hundred boxes': [offsets.bend, 'for (let i = 0; i < 50; i++) box(5)'],
+      'more boxes': [
+        offsets.bend,
+        'for (let i = 0; i < 51; i++) box(5)',
+        /: only the first 100 draws of a shape in a frame are divided\./,
+      ],
+      'only on the GPU': [
+        `({ glsl, position }) => {
+          const glslText = 'float mine(float x) { return x; }'
+          const wgslText = 'fn mine(x: f32) -> f32 { return x; }'
+          return glsl.fn({ name: 'mine', source: { glsl: glslText, wgsl: wgslText }, arity: 1, derivatives: [1] })(position)
+        }`,
+        'box(50)',
+        /each shape .*: the offset calls a glsl\.fn or reads an image/,
+      ],
+      // On WEBGPU, p5 throws for such shapes.
+      ...(!host.isWebGPU && {
+        'no uvs': [offsets.flag, 'model(bare)', /: it has no uvs, which the offset reads\./],
+      }),
+      ...(!host.isV1 && {
+        instances: [offsets.bend, 'model(shape, 2)', /: instances are not divided\./],
+      }),
+    }
+    const draws = Object.entries(cases).map(
+      ([name, [offset, code]]) => `'${name}': [${offset}, (warp) => { ${code} }]`,
+    )
+    const { result } = await host.run(`
+      const said = []
+      console.warn = (message) => said.push(message)
+      async function setup() {
+        ${host.canvas(100, 100)}
+        const shape = buildGeometry(() => box(20))
+        const bare = new p5.Geometry(1, 1, function () {
+          this.gid = 'bare'
+          this.vertices = [createVector(0, 0), createVector(9, 0), createVector(0, 9)]
+          this.faces = [[0, 1, 2]]
+        })
+        window.result = {}
+        for (const [name, [offset, draw]] of Object.entries({ ${draws} })) {
+          const warp = createWarp(offset, { detail: 1 })
+          // Both are in one frame.
+          for (let i = 0; i < 2; i++) {
+            push()
+            noStroke()
+            warp()
+            draw(warp)
+            pop()
+          }
+          window.result[name] = said.splice(0)
+        }
+        window.done = true
+      }`)
+    for (const [name, [, , message]] of Object.entries(cases)) {
+      assert.equal(result[name].length, message ? 1 : 0, `${name}: ${result[name]}`)
+      if (message) assert.match(result[name][0], message)
+    }
+  })
+
   test(`${host.name}: strokes lie on the surface`, async () => {
     // The edges of a box, each of 64 pieces.
     const dense = `warps.dense = new p5.Geometry(1, 1, function () {

@@ -88,7 +88,7 @@ for (const { name, isV1, isWebGPU, canvas, run, open } of await openP5Hosts())
         text('b', 0, 0)`),
       )
       assert.equal(messages.length, 1, messages.join('; '))
-      assert.match(messages[0], /^text: a warp cannot move it, .*textToModel.*createGraphics/)
+      assert.match(messages[0], /^text: a warp cannot move text, .*textToModel.*createGraphics/)
     })
 
     test('subdivide follows the warp', async () => {

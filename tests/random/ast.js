@@ -35,7 +35,7 @@ function componentText({ name, shape }, index) {
   return `${vector}.${'xyzw'[index % size]}()`
 }
 
-/** Returns the variables of derivatives: numbers, and components of vectors and matrices. */
+/** The variables by which expressions are differentiated: numbers, and components of vectors and matrices. */
 export const components = inputs.flatMap((input) =>
   Array.from({ length: sizeOf(input.shape) }, (_, index) => ({
     name: input.name,
@@ -103,28 +103,29 @@ export function callbackText(root, results) {
   ].join('\n')
 }
 
-/** The result that is the value itself. */
+/** Returns the result that is the value itself. */
 export const valueResult = ({ shape }) => ({ name: 'value', text: 'value', shape })
 
 /**
- * Returns the derivatives of an expression → [{ name, text, shape, entries }]: its first derivatives with respect to all components of
+ * Returns the derivatives of an expression as [{ name, text, shape, entries }]: its first derivatives with respect to all components of
  * numbers and vectors, and to one entry of each matrix. `entries` maps each number of the result to a component of the value and of an
  * input.
  */
 export function derivativeResults(root, random) {
   if (root.shape === 'bool') return []
-  const used = inputsOf(root)
+  const usedInputs = inputsOf(root)
   return inputs
-    .filter(({ name }) => used.has(name))
+    .filter(({ name }) => usedInputs.has(name))
     .flatMap(({ name, shape }) => {
       const by = components.filter((component) => component.name === name)
       if (isMatrix(shape)) return singleResult(root, by[Math.floor(by.length * random())])
-      if (shape !== 'float' && !isMatrix(root.shape) && random() < 0.5) return whole(root, name, by)
+      if (shape !== 'float' && !isMatrix(root.shape) && random() < 0.5)
+        return gradientResult(root, name, by)
       return by.map((component) => singleResult(root, component))
     })
 }
 
-const places = (root) => Array.from({ length: root.size }, (_, i) => i)
+const componentIndices = (root) => Array.from({ length: root.size }, (_, i) => i)
 
 /** Returns the derivative with respect to one component. */
 export function singleResult(root, by) {
@@ -132,12 +133,12 @@ export function singleResult(root, by) {
     name: `d_${by.name}${by.index}`,
     text: `glsl.derivative(value, ${by.text})`,
     shape: root.shape,
-    entries: places(root).map((place) => ({ place, by: [by] })),
+    entries: componentIndices(root).map((place) => ({ place, by: [by] })),
   }
 }
 
 /** Returns the gradient of a number, or the Jacobian of a vector: a row for each component of the value. */
-function whole(root, name, by) {
+function gradientResult(root, name, by) {
   const scalar = root.shape === componentShape(root.shape)
   const [rows, columns] = [dimension(root.shape), by.length]
   const square = rows === columns ? rows : `${columns}x${rows}`
@@ -145,7 +146,9 @@ function whole(root, name, by) {
     name: `${scalar ? 'gradient' : 'jacobian'}_${name}`,
     text: `glsl.${scalar ? 'gradient' : 'jacobian'}(value, ${name})`,
     shape: scalar ? `vec${columns}` : `mat${square}`,
-    entries: by.flatMap((component) => places(root).map((place) => ({ place, by: [component] }))),
+    entries: by.flatMap((component) =>
+      componentIndices(root).map((place) => ({ place, by: [component] })),
+    ),
   }
 }
 
@@ -154,5 +157,5 @@ export const secondResult = (root, first, second) => ({
   name: `d_${first.name}${first.index}_${second.name}${second.index}`,
   text: `glsl.derivative(glsl.derivative(value, ${first.text}), ${second.text})`,
   shape: root.shape,
-  entries: places(root).map((place) => ({ place, by: [first, second] })),
+  entries: componentIndices(root).map((place) => ({ place, by: [first, second] })),
 })

@@ -19,7 +19,7 @@ const derivativeTolerance = 1e-6
 /** Rounding errors of double precision, which are added to those that `noise.js` estimates. */
 const doubleTolerance = 1e-12
 const doublePerFloat = 1e-8
-/** The max uncertain fraction of a value. */
+/** The max uncertainty of a value that is compared, relative to its size if that is above 1. */
 const maxUncertain = 1e-2
 
 export const kinds = ['value', 'derivative', 'second']
@@ -27,7 +27,7 @@ export const kinds = ['value', 'derivative', 'second']
 const scaleOf = (x) => Math.max(1, Math.abs(x))
 export const kindOf = ({ entries }) => kinds[entries?.[0]?.by.length ?? 0]
 
-/** Returns all results to check: the value, its first derivatives, and two second ones for every third seed. */
+/** Returns all results to check: the value, its first derivatives, and, for every third seed, two second derivatives. */
 export function resultsOf({ seed, root }) {
   const random = randomOf(seed)
   const firsts = derivativeResults(root, random)
@@ -36,33 +36,33 @@ export function resultsOf({ seed, root }) {
 
 /** Returns `count` second derivatives, each with respect to two random components of existing inputs. */
 export function secondResults(root, random, count) {
-  const used = inputsOf(root)
-  const usable = components.filter(({ name }) => used.has(name))
+  const usedInputs = inputsOf(root)
+  const usable = components.filter(({ name }) => usedInputs.has(name))
   if (root.shape === 'bool' || !usable.length) return []
   const pick = () => usable[Math.floor(usable.length * random())]
   const results = Array.from({ length: count }, () => secondResult(root, pick(), pick()))
-  return results.filter(({ name }, i) => results.findIndex((each) => each.name === name) === i)
+  return results.filter(({ name }, i) => results.findIndex((result) => result.name === name) === i)
 }
 
 /**
- * Computes the derivatives in a result from finite differences → [{ value, error }]. The error is infinite if there is a kink at the point
- * or nearby.
+ * Computes the derivatives in a result from finite differences, as [{ value, error }]. The error is infinite if there is a kink at the
+ * point or nearby.
  */
 export function differentiate(root, { entries }, point, operations) {
   const f = (at) => evaluate(root, at, { operations })
   const [middle, choices] = [f(point), choicesAt(root, point)]
-  const known = new Map()
+  const cache = new Map()
   return entries.map(({ place, by }) => {
     const key = by.map(({ text }) => text).join()
-    if (!known.has(key)) {
+    if (!cache.has(key)) {
       const isSmooth = outermost(point, by).every((at) => choicesAt(root, at) === choices)
-      known.set(key, isSmooth ? derivative(f, point, by, middle) : undefined)
+      cache.set(key, isSmooth ? derivative(f, point, by, middle) : undefined)
     }
-    return known.get(key)?.[place] ?? { value: middle[place], error: Infinity }
+    return cache.get(key)?.[place] ?? { value: middle[place], error: Infinity }
   })
 }
 
-/** Returns the expected numbers of a result at a point → [{ value, tolerance }], or null if they are too uncertain. */
+/** Returns the expected numbers of a result at a point, each as { value, tolerance }, or null if it is too uncertain. */
 export function expectedAt(root, result, point, operations) {
   if (result.entries)
     return differentiate(root, result, point, operations).map(({ value, error }) =>
@@ -85,7 +85,7 @@ export const callbackOf = (source) => new Function(`return ${source}`)()
 const createCounts = () => ({ compared: 0, total: 0 })
 
 /**
- * Compares a case on the CPU → { counts, failure }. `counts` has { compared, total } numbers of each kind. `evaluateCase(source)`
+ * Compares a case on the CPU; returns { counts, failure }. `counts` has { compared, total } numbers of each kind. `evaluateCase(source)`
  * compiles a callback's code and returns its results at a point, like compile(…).evaluate.
  */
 export function checkCase(test, evaluateCase, operations) {
@@ -95,24 +95,24 @@ export function checkCase(test, evaluateCase, operations) {
   const source = callbackText(root, results)
   const fail = (kind, details) => ({ counts, failure: { kind, source, ...details } })
 
-  let given
+  let resultsAt
   try {
-    given = points.map(evaluateCase(source))
+    resultsAt = points.map(evaluateCase(source))
   } catch (error) {
     return fail('error', { message: error.message })
   }
   for (const [p, point] of points.entries()) {
-    const firm = isFirm(root, point)
+    const isComparable = isFirm(root, point)
     for (const result of results) {
       const kind = kindOf(result)
-      const got = [given[p][result.name]].flat()
-      const known = expectedAt(root, result, point, operations)
-      const expected = known.map((each) => (firm ? each : null))
-      const details = { point, result, got, expected: expected.map((each) => each?.value) }
+      const got = [resultsAt[p][result.name]].flat()
+      const allExpected = expectedAt(root, result, point, operations)
+      const expected = allExpected.map((number) => (isComparable ? number : null))
+      const details = { point, result, got, expected: expected.map((number) => number?.value) }
       if (got.length !== expected.length) return fail('shape', details)
       counts[kind].total += expected.length
       counts[kind].compared += expected.filter(Boolean).length
-      if (!expected.every((each, i) => isNear(got[i], each))) return fail(kind, details)
+      if (!expected.every((number, i) => isNear(got[i], number))) return fail(kind, details)
     }
   }
   return { counts }

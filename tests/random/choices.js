@@ -1,5 +1,5 @@
-// Finds which pieces of piecewise operations an expression uses at a point. If they are the same on all sides, the expression is smooth
-// there; exactly at a kink, which differences may miss, the slope is a matter of convention.
+// Finds which pieces of piecewise operations an expression uses at a point. If they are the same at all points around it, the expression is
+// smooth there; exactly at a kink, which differences may miss, the slope is a matter of convention.
 import { evaluate } from './ast.js'
 
 /** Compares each pair of operands. */
@@ -24,7 +24,7 @@ for (const op of compared.split(' ')) byComponent[op] = order
 
 const dot = (v, w) => v.reduce((sum, x, i) => sum + x * w[i], 0)
 
-const ofVectors = {
+const vectorOperations = {
   faceforward: (_, v, reference) => side(dot(reference, v)),
   // Total reflection begins where this is below zero.
   refract: (v, normal, [eta]) => side(1 - eta * eta * (1 - dot(normal, v) ** 2)),
@@ -32,13 +32,13 @@ const ofVectors = {
   normalize: (v) => side(dot(v, v)),
   dist: (v, w) => [v.every((x, i) => x === w[i])],
 }
-ofVectors.distance = ofVectors.dist
+vectorOperations.distance = vectorOperations.dist
 
 /** Returns the choices of an expression at a point, as a string. `around`, as for `evaluate`, may change intermediate values. */
 export function choicesAt(root, point, around = (_, values, compute) => compute(values)) {
   const choices = []
   const record = ({ op }, values) => {
-    if (ofVectors[op]) choices.push(...ofVectors[op](...values))
+    if (vectorOperations[op]) choices.push(...vectorOperations[op](...values))
     const choose = byComponent[op]
     const size = choose ? Math.max(...values.map(({ length }) => length)) : 0
     for (let i = 0; i < size; i++)

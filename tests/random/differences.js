@@ -19,7 +19,7 @@ function extrapolate([d1, d2, d3]) {
   return { value: (16 * fine - coarse) / 15, error: Math.abs(coarse - fine) }
 }
 
-/** Returns ∂f/∂input for each component of f → [{ value, error }]; a kink or a jump nearby makes the error large. */
+/** Returns [{ value, error }]: ∂f/∂input for each component of f. A kink or a jump nearby makes the error large. */
 function firstDerivative(f, point, by, middle) {
   const steps = [1, 2, 4].map((part) => stepOfFirst / part)
   const pairs = steps.map((step) => [
@@ -49,7 +49,7 @@ function corners(point, first, second, step) {
 }
 const isSame = (a, b) => a.name === b.name && a.index === b.index
 
-/** Returns ∂²f/∂first ∂second for each component of f → [{ value, error }]. */
+/** Returns [{ value, error }]: ∂²f/∂first ∂second for each component of f. */
 function secondDerivative(f, point, first, second, middle) {
   const steps = [1, 2, 4].map((part) => stepOfSecond / part)
   const differences = steps.map((step) => {
@@ -67,7 +67,7 @@ function secondDerivative(f, point, first, second, middle) {
 export const outermost = (point, [first, second]) =>
   second ? corners(point, first, second, stepOfSecond) : corners(point, first, first, stepOfFirst)
 
-/** Returns the derivative with respect to one or two components, for each component of f → [{ value, error }]. */
+/** Returns [{ value, error }]: the derivative of each component of f with respect to one or two components. */
 export const derivative = (f, point, [first, second], middle) =>
   second
     ? secondDerivative(f, point, first, second, middle)

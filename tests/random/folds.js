@@ -1,5 +1,5 @@
-// Random bodies for glsl.repeat, each as expressions and as plain numbers, with states of one to three components. The increment
-// of each step is bounded, so that no state diverges.
+// Generates random loops for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states. The
+// increment of each step is bounded, so that no state diverges.
 import { randomOf } from './generate.js'
 
 const unary = {
@@ -19,7 +19,7 @@ const binary = {
 
 const pick = (random, list) => list[Math.floor(list.length * random())]
 
-/** A formula of numbers that reads variables by name. */
+/** Generates a formula of numbers that reads variables by name. */
 function grow(random, names, depth) {
   if (depth === 0)
     return random() < 0.2 ? Number((4 * random() - 2).toFixed(1)) : pick(random, names)
@@ -36,7 +36,7 @@ function numberOf(formula, values) {
   if (typeof formula === 'number') return formula
   if (typeof formula === 'string') return values[formula]
   const [op, ...operands] = formula
-  return (unary[op] ?? binary[op])(...operands.map((each) => numberOf(each, values)))
+  return (unary[op] ?? binary[op])(...operands.map((operand) => numberOf(operand, values)))
 }
 
 /** Builds a formula as an expression. */
@@ -44,28 +44,28 @@ function expressionOf(glsl, formula, values) {
   if (typeof formula === 'number') return glsl.val(formula)
   if (typeof formula === 'string') return values[formula]
   const [op, ...operands] = formula
-  return glsl[op](...operands.map((each) => expressionOf(glsl, each, values)))
+  return glsl[op](...operands.map((operand) => expressionOf(glsl, operand, values)))
 }
 
 /**
- * Returns the fold of a seed: `outer` is a loop of `steps`, whose body may contain an `inner` one. Each has formulas for its
- * states; those of the inner loop read the outer states and step too.
+ * Generates a loop of `steps` steps, whose body may contain an `inner` loop. Each has formulas for its
+ * states; those of the inner loop may read the outer states and step, too.
  */
 function randomFold(random, outside, depth) {
   const level = depth === 0 ? 'inner' : 'outer'
   const states = Array.from({ length: 1 + Math.floor(3 * random()) }, (_, i) => `${level}${i}`)
   const step = `${level}Step`
-  const known = [...outside, ...states, step]
-  const inner = depth > 0 && random() < 0.5 ? randomFold(random, known, depth - 1) : undefined
-  const read = inner ? [...known, ...inner.states.map((name) => `${name}End`)] : known
+  const variables = [...outside, ...states, step]
+  const inner = depth > 0 && random() < 0.5 ? randomFold(random, variables, depth - 1) : undefined
+  const readable = inner ? [...variables, ...inner.states.map((name) => `${name}End`)] : variables
   return {
     steps: Math.floor(6 * random()),
     states,
     step,
     starts: states.map(() => grow(random, outside, 2)),
     inner,
-    // A state, and the sine of anything, which is at most 1.
-    nexts: states.map((name) => ['add', ['mult', name, 0.5], ['sin', grow(random, read, 3)]]),
+    // Half of the state, plus the sine of a formula, which is at most 1.
+    nexts: states.map((name) => ['add', ['mult', name, 0.5], ['sin', grow(random, readable, 3)]]),
   }
 }
 
@@ -78,40 +78,40 @@ export function randomFoldCase(seed) {
 }
 
 function runNumbers({ steps, states, step, starts, inner, nexts }, outside) {
-  let now = starts.map((each) => numberOf(each, outside))
+  let now = starts.map((formula) => numberOf(formula, outside))
   for (let i = 0; i < steps; i++) {
     const values = { ...outside, [step]: i }
     states.forEach((name, k) => (values[name] = now[k]))
     if (inner)
       runNumbers(inner, values).forEach((end, k) => (values[`${inner.states[k]}End`] = end))
-    now = nexts.map((each) => numberOf(each, values))
+    now = nexts.map((formula) => numberOf(formula, values))
   }
   return now
 }
 
 function runExpressions(glsl, { steps, states, step, starts, inner, nexts }, outside) {
-  const record = (list) => Object.fromEntries(list.map((each, i) => [states[i], each]))
+  const record = (list) => Object.fromEntries(list.map((state, i) => [states[i], state]))
   const ends = glsl.repeat(
     steps,
-    record(starts.map((each) => expressionOf(glsl, each, outside))),
+    record(starts.map((formula) => expressionOf(glsl, formula, outside))),
     (state, i) => {
       const values = { ...outside, ...state, [step]: i }
       if (inner)
         for (const [k, end] of runExpressions(glsl, inner, values).entries())
           values[`${inner.states[k]}End`] = end
-      return record(nexts.map((each) => expressionOf(glsl, each, values)))
+      return record(nexts.map((formula) => expressionOf(glsl, formula, values)))
     },
   )
   return states.map((name) => ends[name])
 }
 
-/** Returns the sum of the outcomes, in double. */
+/** Returns the sum of the final states, in double precision. */
 export const foldNumber = ({ fold, inputs }, point) =>
   runNumbers(fold, Object.fromEntries(inputs.map((name, i) => [name, point[i]]))).reduce(
     (a, b) => a + b,
   )
 
-/** Returns outputs for `compile`: the sum of the outcomes and its derivatives with respect to x, y, z, and x and y. */
+/** Returns outputs for `compile`: the sum of the final states, its slopes by x, y and z, and its second derivative by x and y. */
 export const foldCallback =
   ({ fold, inputs, seed }) =>
   (glsl) => {
@@ -129,12 +129,12 @@ export const foldCallback =
     }
   }
 
-/** Returns central differences, in double, and whether those of two step sizes agree. */
+/** Returns the slopes by x, y and z from central differences in double precision; `isFirm` if those of two step sizes agree. */
 export function slopes(test, point) {
   const at = (i, h) =>
     foldNumber(
       test,
-      point.map((each, k) => (k === i ? each + h : each)),
+      point.map((x, k) => (k === i ? x + h : x)),
     )
   return point.map((_, i) => {
     const [coarse, fine] = [1e-4, 1e-5].map((h) => (at(i, h) - at(i, -h)) / (2 * h))

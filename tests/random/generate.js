@@ -6,12 +6,14 @@ import { signaturesFor } from './operations.js'
 import { isMatrix, matrixShapes, sizeOf, vectorShapes } from './shapes.js'
 import { createTamer } from './tame.js'
 
-/** Number of consecutive seeds that have the same points, so that they can share a shader. */
+/** The number of consecutive seeds that have the same points, so that they can share a shader. */
 export const blockSize = 40
 export const pointCount = 6
 
 const maxDepth = 12
-/** Matrices are seldom the result, since they have many numbers; inside of expressions they are frequent. */
+/**
+ * The shapes of results, by frequency: matrices are seldom the result, since they have many numbers, but frequent inside of expressions.
+ */
 const rootShapes = [
   ...Array(6).fill('float'),
   ...Array(4).fill(vectorShapes).flat(),
@@ -52,7 +54,7 @@ function randomConstant(random) {
 }
 
 /**
- * Returns the case of a seed → { seed, points, root }. `allowed(name)` may exclude operations. Without `isTame`, operations get
+ * Returns the case of a seed, { seed, points, root }. `allowed(name)` may exclude operations. Without `isTame`, operations get
  * any operands, also outside their domains.
  */
 export function randomCase(seed, allowed = () => true, isTame = true) {
@@ -73,7 +75,7 @@ export function randomCase(seed, allowed = () => true, isTame = true) {
   function leaf(shape, mayBeConstant) {
     if (shape === 'float' && mayBeConstant && random() < 0.4)
       return number(randomConstant(random), random() < 0.8)
-    const input = pick(inputs.filter((each) => each.shape === shape))
+    const input = pick(inputs.filter((input) => input.shape === shape))
     if (shape === 'float' && random() < 0.4) return swizzle(leaf(pick(vectorShapes)), shape)
     if (shape === 'float') return inputNode(input)
     if (!isMatrix(shape) && mayBeConstant && random() < 0.2)
@@ -87,8 +89,8 @@ export function randomCase(seed, allowed = () => true, isTame = true) {
 
   function swizzle(argument, shape) {
     const letters = pick(['xyzw', 'xyzw', 'rgba', 'stpq']).slice(0, argument.size)
-    const chosen = Array.from({ length: sizeOf(shape) }, () => pick([...letters])).join('')
-    return node('swizzle', shape, [argument], { letters: chosen })
+    const selectedLetters = Array.from({ length: sizeOf(shape) }, () => pick([...letters])).join('')
+    return node('swizzle', shape, [argument], { letters: selectedLetters })
   }
 
   /** Side branches are mostly short, so that a deep expression is a long chain rather than a wide tree. */
@@ -99,12 +101,12 @@ export function randomCase(seed, allowed = () => true, isTame = true) {
     const isCondition = shape.startsWith('b')
     if (depth <= 0 && !isCondition) return leaf(shape, mayBeConstant)
     const { op, broadcasts, chained, exponent, indexed, ...row } = pickSignature(shape)
-    const wanted = [...row.arguments]
-    if (chained) while (wanted.length < 4 && random() < 0.2) wanted.push(wanted.at(-1))
-    const main = Math.floor(random() * wanted.length)
+    const parameters = [...row.arguments]
+    if (chained) while (parameters.length < 4 && random() < 0.2) parameters.push(parameters.at(-1))
+    const main = Math.floor(random() * parameters.length)
     // Several numbers after a vector are its components, as in v.sub(x, y, z).
-    const areComponents = wanted.length > 2 && /^(add|sub|mult|div)$/.test(op)
-    const args = wanted.map(({ shape, domain }, i) => {
+    const areComponents = parameters.length > 2 && /^(add|sub|mult|div)$/.test(op)
+    const args = parameters.map(({ shape, domain }, i) => {
       const isNumber = broadcasts && i !== main && random() < 0.4 && !areComponents
       const argument = grow(
         isNumber ? 'float' : shape,

@@ -1,4 +1,4 @@
-// Random cases on a GPU: many in one shader, compared with plain numbers within the effects of float32 errors.
+// Evaluates random cases on a GPU, many in one shader, and compares them with plain numbers, within the effects of float32 errors.
 import {
   callbackText,
   components,
@@ -26,8 +26,8 @@ const maxUncertain = 0.05
 /** Returns the results to check: the value, a first derivative for every third seed, and a second one for every ninth. */
 export function gpuResults({ seed, root }) {
   const random = randomOf(seed)
-  const used = inputsOf(root)
-  const usable = root.shape === 'bool' ? [] : components.filter(({ name }) => used.has(name))
+  const usedInputs = inputsOf(root)
+  const usable = root.shape === 'bool' ? [] : components.filter(({ name }) => usedInputs.has(name))
   const first = usable[Math.floor(usable.length * random())]
   const results = [valueResult(root)]
   if (first && seed % 3 === 0) results.push(singleResult(root, first))
@@ -35,7 +35,7 @@ export function gpuResults({ seed, root }) {
   return results.map((result) => ({ ...result, name: `s${seed}_${result.name}` }))
 }
 
-/** Returns the program of some cases for `pipelines.run`; `compile` is ours. */
+/** Returns the program of some cases for `pipelines.run`. `compile` is that of warpjet, or a wrong one. */
 export function programOf(cases, target, compile) {
   const compiled = cases.map((test) =>
     compile(callbackOf(callbackText(test.root, gpuResults(test))), { target }),
@@ -56,15 +56,14 @@ const toVariable = ({ name, shape }) => ({
 export const toFloats = (point) => inputs.flatMap(({ name }) => point[name])
 
 /**
- * Returns the numbers expected from a GPU at a point, for each number of each result → { value, tolerance }, or null if too
- * uncertain.
+ * Returns what we expect from a GPU at a point: for each number of each result { value, tolerance }, or null if it is too uncertain.
  */
 export function gpuExpected(test, point) {
   const { root } = test
-  const firm = isFirm(root, point)
+  const isComparable = isFirm(root, point)
   return gpuResults(test).map((result) => {
     const { entries } = result
-    if (!firm) return Array(sizeOf(root.shape)).fill(null)
+    if (!isComparable) return Array(sizeOf(root.shape)).fill(null)
     const estimate = (f) => (entries ? slopeOf(f, point, entries[0].by) : f(point))
     const numbers = entries
       ? differentiate(root, result, point)
@@ -81,10 +80,10 @@ export function gpuExpected(test, point) {
 }
 
 /**
- * Compares the GPU's results for the cases of a program at each point → { failures, counts }; `expected` has the results of
+ * Compares the GPU's results for the cases of a program at each point; returns { failures, counts }. `expected` has the results of
  * `gpuExpected` by case and by point.
  */
-export function compareGpu(cases, given, expected) {
+export function compareGpu(cases, results, expected) {
   const counts = { compared: 0, total: 0 }
   const failures = []
   let start = 0
@@ -93,18 +92,18 @@ export function compareGpu(cases, given, expected) {
     for (const [r, result] of gpuResults(test).entries()) {
       const size = sizeOf(result.shape)
       for (const [p, point] of test.points.entries()) {
-        const got = Array.from(given[p].slice(start, start + size))
+        const got = Array.from(results[p].slice(start, start + size))
         const wanted = expected[c][p][r]
         counts.total += size
         counts.compared += wanted.filter(Boolean).length
-        const isNear = (each, i) => !each || Math.abs(got[i] - each.value) <= each.tolerance
+        const isNear = (number, i) => !number || Math.abs(got[i] - number.value) <= number.tolerance
         if (!wanted.every(isNear))
           failure ??= {
             kind: kindOf(result),
             point,
             result,
             got,
-            expected: wanted.map((each) => each?.value),
+            expected: wanted.map((number) => number?.value),
           }
       }
       start += size

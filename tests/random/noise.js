@@ -6,17 +6,18 @@ import { randomOf } from './generate.js'
 import { plainOperations, rotationFrom, structural } from './plain.js'
 
 /** A few units in the last place. */
-const relative = 2 ** -22
+const relativeError = 2 ** -22
 
 /** Operations that only select, or whose results are exact in float32. */
-const exact = new Set(
+const exactOperations = new Set(
   [
     'input neg abs sign floor ceil round trunc step min max clamp vecMin vecMax vecClamp',
     'lt le gt ge eq ne and or not ifElse vecIfElse swizzle column row transpose',
     'vec2 vec3 vec4 mat2 mat3 mat4 mat2Rows mat3Rows mat4Rows',
   ].flatMap((names) => names.split(' ')),
 )
-const isExact = ({ op, value }) => (op === 'number' ? Math.fround(value) === value : exact.has(op))
+const isExact = ({ op, value }) =>
+  op === 'number' ? Math.fround(value) === value : exactOperations.has(op)
 
 /** Sums of products, whose intermediate results may be larger than the final one. */
 const sums = new Set([...Object.keys(structural), 'mult', 'mix', 'vecMix'])
@@ -24,21 +25,21 @@ sums.delete('dist')
 sums.delete('distance')
 
 /** Operations whose errors do not shrink with the result: differences of exponentials, and logarithms. */
-const absolute = 1e-6
-const withAbsolute = new Set(['sinh', 'tanh', 'asinh', 'atanh', 'acosh', 'log', 'log2'])
+const absoluteError = 1e-6
+const withAbsoluteError = new Set(['sinh', 'tanh', 'asinh', 'atanh', 'acosh', 'log', 'log2'])
 
 /** Returns rounding errors for one evaluation, for `evaluate`; each sample has different ones. */
 function roundingErrors(sample) {
-  // Every second sample has the errors of the previous one with opposite sign, so that one of the two crosses a jump nearby.
+  // Every second sample has the errors of the previous one with opposite sign, so that one of the two crosses a nearby jump.
   const random = randomOf(sample >> 1)
   const sign = sample % 2 ? -1 : 1
   const noise = () => sign * (random() < 0.5 ? -1 : 1) * (0.5 + random())
-  const blur = (value) => value.map((x) => x * (1 + relative * noise()))
+  const blur = (value) => value.map((x) => x * (1 + relativeError * noise()))
 
   return (node, values, compute) => {
     const value = compute(sums.has(node.op) ? values.map(blur) : values)
     if (isExact(node)) return value
-    const offset = withAbsolute.has(node.op) ? absolute : 0
+    const offset = withAbsoluteError.has(node.op) ? absoluteError : 0
     return blur(value).map((x) => x + offset * noise())
   }
 }
@@ -53,16 +54,16 @@ export function isFirm(root, point) {
 }
 
 /**
- * Returns the max distance of `estimate(f)` from `exactly`, for each number of it, over a few samples of f, which is the
+ * Returns, for each number, the max distance of `estimate(f)` from `exactValues` over a few samples of f, which is the
  * expression with rounding errors.
  */
-export function roundingSpread(root, exactly, estimate, operations) {
-  const largest = exactly.map(() => 0)
+export function roundingSpread(root, exactValues, estimate, operations) {
+  const largest = exactValues.map(() => 0)
   for (const sample of samples) {
     const roundedValue = (point) =>
       evaluate(root, point, { operations, around: roundingErrors(sample) })
     estimate(roundedValue).forEach((value, i) => {
-      const distance = Math.abs(value - exactly[i])
+      const distance = Math.abs(value - exactValues[i])
       // NaN stays NaN.
       largest[i] = distance <= largest[i] ? largest[i] : distance
     })
@@ -70,14 +71,14 @@ export function roundingSpread(root, exactly, estimate, operations) {
   return largest
 }
 
-/** Errors of SwiftShader's functions. */
+/** The max errors of SwiftShader's functions. */
 const errors = { sin: 2.5e-4, cos: 2.5e-4, asin: 1e-4, acos: 1e-4, atan: 1e-4 }
 
 /**
- * Returns the function at a point with an error only in call number `source` of those functions. The error oscillates with the
- * argument, so that it affects the derivative; `phase` shifts it. `count` gets the number of calls.
+ * Returns the expression as a function of a point, with an error in call number `source` of these functions only. The error oscillates with
+ * the argument, so that it affects the derivative, too; `phase` shifts it. Calls `count` with the number of calls.
  */
-function wavy(root, source, phase, count = () => {}) {
+function withSineError(root, source, phase, count = () => {}) {
   return (point) => {
     let calls = 0
     const wave = (name) => (x, other) => {
@@ -92,15 +93,15 @@ function wavy(root, source, phase, count = () => {}) {
   }
 }
 
-/** Does the same for the errors of sines and arcs: the max is the sum of their separate effects. */
-export function sineSpread(root, point, exactly, estimate) {
+/** Like `roundingSpread`, for the errors of sines and arc functions: returns the sum of their separate effects. */
+export function sineSpread(root, point, exactValues, estimate) {
   let calls
-  wavy(root, -1, 0, (count) => (calls = count))(point)
-  const sum = exactly.map(() => 0)
+  withSineError(root, -1, 0, (count) => (calls = count))(point)
+  const sum = exactValues.map(() => 0)
   for (let source = 0; source < calls; source++)
     for (const phase of [0, Math.PI / 2])
-      estimate(wavy(root, source, phase)).forEach((value, i) => {
-        sum[i] += Math.abs(value - exactly[i])
+      estimate(withSineError(root, source, phase)).forEach((value, i) => {
+        sum[i] += Math.abs(value - exactValues[i])
       })
   return sum
 }

@@ -59,11 +59,15 @@ const onVectors = {
 const comparisons = ['lt', 'le', 'gt', 'ge', 'eq', 'ne']
 
 const signature = (op, shapes, domains = '', weight = 1) => {
-  const each = domains.split(' ')
-  return { op, weight, arguments: shapes.map((shape, i) => ({ shape, domain: each[i] || 'any' })) }
+  const domainList = domains.split(' ')
+  return {
+    op,
+    weight,
+    arguments: shapes.map((shape, i) => ({ shape, domain: domainList[i] || 'any' })),
+  }
 }
 
-/** Returns arguments of one shape; if that is a vector, some of them may become numbers. */
+/** Returns a signature whose arguments have one shape; if that is a vector, some of them may become numbers. */
 function componentSignature(op, shape, domains, weight) {
   const { length } = domains.split(' ')
   const row = signature(op, Array(length).fill(shape), domains, weight)
@@ -73,7 +77,7 @@ function componentSignature(op, shape, domains, weight) {
 const rows = (table, shape) =>
   Object.entries(table).map(([op, domains]) => componentSignature(op, shape, domains))
 
-const ofFloat = [
+const floatSignatures = [
   ...rows(componentwise, 'float'),
   componentSignature('atan', 'float', 'nonzero any', 2),
   { ...signature('pow', ['float'], 'nonzero', 2), exponent: true },
@@ -88,7 +92,7 @@ const ofFloat = [
   ...matrixShapes.map((m) => signature('determinant', [m], '', 2)),
 ]
 
-const ofVector = (v) => {
+const vectorSignatures = (v) => {
   const n = dimension(v)
   const m = `mat${n}`
   return [
@@ -99,7 +103,7 @@ const ofVector = (v) => {
       ['bool', `b${v}`].map((condition) => signature(op, [condition, v, v])),
     ),
     ...vectorShapes.map((from) => signature('swizzle', [from], '', 2)),
-    ...parts(n).map((shapes) => signature(v, shapes)),
+    ...constructorShapes(n).map((shapes) => signature(v, shapes)),
     signature('scale', [v, 'float'], '', 2),
     signature('normalize', [v], 'direction', 2),
     signature('reflect', [v, v], '', 2),
@@ -113,8 +117,8 @@ const ofVector = (v) => {
   ]
 }
 
-/** The ways to construct a vector: from floats and shorter vectors, or from one number. */
-function parts(n) {
+/** Returns the shapes of arguments that construct a vector: floats and shorter vectors, or one number. */
+function constructorShapes(n) {
   const shapes = ['float', 'vec2', 'vec3']
   const ways = (rest) =>
     rest === 0
@@ -125,7 +129,7 @@ function parts(n) {
   return [['float'], ...ways(n)]
 }
 
-const ofMatrix = (m) => {
+const matrixSignatures = (m) => {
   const n = dimension(m)
   return [
     signature('add', [m, m]),
@@ -148,8 +152,8 @@ const rotations = [
   ...['rotateX', 'rotateY', 'rotateZ'].map((op) => signature(op, ['float'])),
 ]
 
-/** A condition (bool) from numbers, or one for each component (bvec) from vectors. */
-const ofCondition = (shape) => {
+/** Returns signatures whose result is a bool, from numbers, or a bvec, from vectors. */
+const conditionSignatures = (shape) => {
   const operand = shape === 'bool' ? 'float' : shape.slice(1)
   return [
     ...comparisons.map((op) => componentSignature(op, operand, 'any any')),
@@ -159,12 +163,12 @@ const ofCondition = (shape) => {
   ]
 }
 
-const table = { float: ofFloat, bool: ofCondition('bool') }
+const table = { float: floatSignatures, bool: conditionSignatures('bool') }
 for (const shape of vectorShapes) {
-  table[shape] = ofVector(shape)
-  table[`b${shape}`] = ofCondition(`b${shape}`)
+  table[shape] = vectorSignatures(shape)
+  table[`b${shape}`] = conditionSignatures(`b${shape}`)
 }
-for (const shape of matrixShapes) table[shape] = ofMatrix(shape)
+for (const shape of matrixShapes) table[shape] = matrixSignatures(shape)
 
 /** Returns the signatures with the result `shape`. */
 export const signaturesFor = (shape) => table[shape]

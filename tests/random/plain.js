@@ -1,8 +1,8 @@
 // Computes each operation in double precision: written from chapter 8 of the GLSL ES 3.00 specification and from the
-// conventions in the README, independently of our own table.
+// conventions in the README, independently of the compiler's table.
 import { dimension, isMatrix } from './shapes.js'
 
-const truth = (condition) => (condition ? 1 : 0)
+const toNumber = (condition) => (condition ? 1 : 0)
 const clampTo = (x, low, high) => Math.min(Math.max(x, low), high)
 
 /** Rounds to the nearest integer; a half to the even one. */
@@ -55,19 +55,19 @@ export const byComponent = {
   max: (x, y) => Math.max(x, y),
   clamp: clampTo,
   mix: (x, y, t) => x * (1 - t) + y * t,
-  step: (edge, x) => truth(x >= edge),
+  step: (edge, x) => toNumber(x >= edge),
   smoothstep,
   radians: (x) => (x * Math.PI) / 180,
   degrees: (x) => (x * 180) / Math.PI,
-  lt: (x, y) => truth(x < y),
-  le: (x, y) => truth(x <= y),
-  gt: (x, y) => truth(x > y),
-  ge: (x, y) => truth(x >= y),
-  eq: (x, y) => truth(x === y),
-  ne: (x, y) => truth(x !== y),
-  and: (a, b) => truth(a && b),
-  or: (a, b) => truth(a || b),
-  not: (a) => truth(!a),
+  lt: (x, y) => toNumber(x < y),
+  le: (x, y) => toNumber(x <= y),
+  gt: (x, y) => toNumber(x > y),
+  ge: (x, y) => toNumber(x >= y),
+  eq: (x, y) => toNumber(x === y),
+  ne: (x, y) => toNumber(x !== y),
+  and: (a, b) => toNumber(a && b),
+  or: (a, b) => toNumber(a || b),
+  not: (a) => toNumber(!a),
   ifElse: (condition, yes, no) => (condition ? yes : no),
 }
 const aliases = {
@@ -120,20 +120,20 @@ const determinant = (m) =>
   m.length < 2 ? (m[0] ?? 1) : column(m, 0).reduce((sum, x, i) => sum + x * cofactor(m, 0, i), 0)
 function inverse(m) {
   const n = Math.sqrt(m.length)
-  const whole = determinant(m)
-  return range(n).flatMap((j) => range(n).map((i) => cofactor(m, i, j) / whole))
+  const divisor = determinant(m)
+  return range(n).flatMap((j) => range(n).map((i) => cofactor(m, i, j) / divisor))
 }
 
-/** Rodrigues' formula: v cos + (axis × v) sin + axis (axis · v) (1 - cos), for each column of the identity. */
+/** Computes a rotation by Rodrigues' formula: v cos + (axis × v) sin + axis (axis · v) (1 - cos), for each column of the identity. */
 function rotation(axis, s, c) {
   const unit = normalize(axis)
   return [0, 1, 2].flatMap((i) => {
-    const e = [0, 1, 2].map((j) => truth(i === j))
+    const e = [0, 1, 2].map((j) => toNumber(i === j))
     return plus(plus(times(e, c), times(cross(unit, e), s)), times(unit, unit[i] * (1 - c)))
   })
 }
 
-/** Computes matrices of sine and cosine, with any two functions instead of these. */
+/** Returns the operations that use sine and cosine, with any two functions instead of these. */
 export function rotationFrom(sin, cos) {
   const rotate = (axis, [angle]) => rotation(axis, sin(angle), cos(angle))
   return {
@@ -179,12 +179,12 @@ const matrixProduct = (m, k, shapeM, shapeK) => {
   return isMatrix(shapeM) ? timesMatrix(m, k) : timesVector(transpose(k), m)
 }
 
-/** vec2…4, mat2…4 and mat2Rows…4Rows from their components. */
-function construct(name, size, parts) {
-  const all = parts.flat()
-  if (all.length > 1) return name.endsWith('Rows') ? transpose(all) : all
+/** Constructs a vector or a matrix, by columns or by rows, from its components. */
+function construct(name, size, components) {
+  const numbers = components.flat()
+  if (numbers.length > 1) return name.endsWith('Rows') ? transpose(numbers) : numbers
   const n = dimension(name)
-  return range(size).map((i) => (isMatrix(name) && i % (n + 1) ? 0 : all[0]))
+  return range(size).map((i) => (isMatrix(name) && i % (n + 1) ? 0 : numbers[0]))
 }
 
 /** Operations by name; another table may replace some of them. */
@@ -205,11 +205,11 @@ export function apply(node, values, operations = plainOperations) {
   const operation = operations[op]
   if (structural[op]) return operation(...values)
   const isChain = chained.has(op) && values.length > 2
-  const all = isChain ? (first, ...others) => others.reduce(fold(operation), first) : operation
+  const operate = isChain ? (first, ...others) => others.reduce(fold(operation), first) : operation
   const [a, b, c, ...more] = values
   const part = (value, i) => value?.[value.length === 1 ? 0 : i]
   return range(size).map((i) =>
-    all(part(a, i), part(b, i), part(c, i), ...more.map((value) => part(value, i))),
+    operate(part(a, i), part(b, i), part(c, i), ...more.map((value) => part(value, i))),
   )
 }
 const fold = (operation) => (sum, operand) => operation(sum, operand)

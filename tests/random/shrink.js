@@ -27,11 +27,11 @@ const mayBeNumber = ({ shape }) => !isMatrix(shape) && !isCondition(shape)
 
 /** Returns possible replacements of a node. */
 function* simpler(node, isRoot) {
-  const fits = ({ shape }) =>
+  const isReplacement = ({ shape }) =>
     isRoot
       ? !shape.startsWith('bvec')
       : shape === node.shape || (shape === 'float' && mayBeNumber(node))
-  for (const below of nodesOf(node)) if (below !== node && fits(below)) yield below
+  for (const below of nodesOf(node)) if (below !== node && isReplacement(below)) yield below
   for (const input of inputs) if (input.shape === node.shape) yield inputNode(input)
   if (mayBeNumber(node)) for (const value of constants) yield number(value)
   if (node.op === 'number')
@@ -45,7 +45,7 @@ const isSame = (a, b) => a?.kind === b.kind && stem(a.message) === stem(b.messag
 const stem = (message = '') => message.replace(/".*?"|[-\d.]+|\w+\(.*/gs, '').slice(0, 60)
 
 /**
- * Returns the smallest case it finds that fails in the same way → { test, failure }. `check(test)` returns the failure, if any,
+ * Returns the smallest case it finds that fails in the same way, as { test, failure }. `check(test)` returns the failure, if any,
  * or a promise of it.
  */
 export async function shrink(test, failure, check) {
@@ -59,9 +59,9 @@ export async function shrink(test, failure, check) {
         const key = JSON.stringify(root)
         if (weight(root) >= weight(best.test.root) || tried.has(key)) continue
         tried.add(key)
-        const found = await attempt(check, { ...best.test, root })
-        if (!isSame(found, failure)) continue
-        best = { test: { ...best.test, root }, failure: found }
+        const newFailure = await attempt(check, { ...best.test, root })
+        if (!isSame(newFailure, failure)) continue
+        best = { test: { ...best.test, root }, failure: newFailure }
         isSmaller = true
         break search
       }
@@ -69,7 +69,7 @@ export async function shrink(test, failure, check) {
   return best
 }
 
-/** An invalid candidate, such as a cross product of numbers, throws; this is not a failure of the compiler. */
+/** Checks a candidate. An invalid one, such as a cross product of numbers, throws, which is not a failure of the compiler. */
 async function attempt(check, test) {
   try {
     return await check(test)
@@ -87,8 +87,8 @@ export function describe({ test, failure }) {
   const lines = [`seed ${test.seed}: ${kind} ${result?.text ?? ''}`, source]
   if (message) lines.push(message)
   if (point) {
-    const read = Object.entries(point).filter(([name]) => source.includes(`'${name}'`))
-    lines.push(`at ${read.map(([name, value]) => `${name} = ${numbers(value)}`).join(', ')}`)
+    const readInputs = Object.entries(point).filter(([name]) => source.includes(`'${name}'`))
+    lines.push(`at ${readInputs.map(([name, value]) => `${name} = ${numbers(value)}`).join(', ')}`)
     lines.push(`expected ${numbers(expected)}`, `but got  ${numbers(got)}`)
   }
   return lines.join('\n')

@@ -4,7 +4,7 @@ import { number, node as plainNode } from './ast.js'
 import { apply } from './plain.js'
 import { isCondition } from './shapes.js'
 
-/** Ranges within each domain, with a distance to its edge. */
+/** Maps a domain → whether a number is in it, at some distance from its edges. */
 const domains = {
   any: () => true,
   positive: (x) => x > 0.05,
@@ -15,35 +15,35 @@ const domains = {
   small: (x) => Math.abs(x) < 3,
 }
 
-/** Larger values and slopes are squashed. */
-const largest = 20
-const steepest = 12
+/** Expressions with larger values or slopes are squashed. */
+const maxValue = 20
+const maxSlope = 12
 const step = 1e-4
 
 export function createTamer({ points, random, make, allowed }) {
   // Evaluates at each point, and at one nearby.
-  const near = seededRandom(Math.floor(1e9 * random()) + 1)
+  const nearbyRandom = seededRandom(Math.floor(1e9 * random()) + 1)
   const nearby = points.map((point) =>
     Object.fromEntries(
       Object.entries(point).map(([name, value]) => [
         name,
-        value.map((x) => x + step * (near() < 0.5 ? -1 : 1) * (0.5 + near())),
+        value.map((x) => x + step * (nearbyRandom() < 0.5 ? -1 : 1) * (0.5 + nearbyRandom())),
       ]),
     ),
   )
-  const places = [...points, ...nearby]
-  const known = new WeakMap()
+  const allPoints = [...points, ...nearby]
+  const valueCache = new WeakMap()
 
   /** Returns the values of a node at all points, from those of its arguments. */
   function valuesOf(node) {
-    if (!known.has(node)) known.set(node, compute(node))
-    return known.get(node)
+    if (!valueCache.has(node)) valueCache.set(node, compute(node))
+    return valueCache.get(node)
   }
   function compute(node) {
-    if (node.op === 'input') return places.map((point) => point[node.name])
-    if (node.op === 'number') return places.map(() => [node.value])
+    if (node.op === 'input') return allPoints.map((point) => point[node.name])
+    if (node.op === 'number') return allPoints.map(() => [node.value])
     const lists = node.args.map(valuesOf)
-    return places.map((_, i) =>
+    return allPoints.map((_, i) =>
       apply(
         node,
         lists.map((values) => values[i]),
@@ -52,9 +52,9 @@ export function createTamer({ points, random, make, allowed }) {
   }
 
   const constant = (low, high) => number(Number((low + (high - low) * random()).toFixed(2)))
-  /** Chooses among wrappers whose operations exist. */
-  function choose(...ways) {
-    const usable = ways.filter(([names]) => names.split(' ').every(allowed))
+  /** Calls one of the candidates whose operations are allowed. */
+  function choose(...candidates) {
+    const usable = candidates.filter(([names]) => names.split(' ').every(allowed))
     return usable[Math.floor(random() * usable.length)][1]()
   }
   const call = (op, first, ...others) => make(op, first.shape, [first, ...others])
@@ -81,14 +81,14 @@ export function createTamer({ points, random, make, allowed }) {
     small: (x) => call('mult', wrappers.unit(x), constant(1, 3)),
   }
 
-  const holds = (node, domain) => valuesOf(node).every((value) => value.every(domains[domain]))
+  const isInDomain = (node, domain) => valuesOf(node).every((value) => value.every(domains[domain]))
 
-  /** Bounded functions, mostly with moderate slope. */
+  /** Returns whether a node has bounded values, and a moderate slope at half of the points or more. */
   function isModerate(node) {
     const values = valuesOf(node)
-    if (!values.flat().every((x) => Math.abs(x) <= largest)) return false
+    if (!values.flat().every((x) => Math.abs(x) <= maxValue)) return false
     const steep = points.filter((_, i) =>
-      values[i].some((x, k) => Math.abs(x - values[i + points.length][k]) > steepest * step),
+      values[i].some((x, k) => Math.abs(x - values[i + points.length][k]) > maxSlope * step),
     )
     return steep.length <= points.length / 2
   }
@@ -108,7 +108,7 @@ export function createTamer({ points, random, make, allowed }) {
   }
 
   const lengthsOf = (node) => valuesOf(node).map((value) => Math.hypot(...value))
-  /** Makes a vector that is not near zero. */
+  /** Returns the vector, or a moved one that is not near zero. */
   function direction(node) {
     if (lengthsOf(node).every((length) => length > 0.3)) return node
     const tries = [1, -1, 2, -2, 3, -3, 4, 5].map((shift) => call('add', node, number(shift)))
@@ -131,7 +131,7 @@ export function createTamer({ points, random, make, allowed }) {
     let tamed = isModerate(node) ? node : squash(node)
     if (domain === 'direction') tamed = direction(tamed)
     else if (domain === 'invertible') tamed = invertible(tamed)
-    else if (!holds(tamed, domain)) tamed = wrappers[domain](tamed)
+    else if (!isInDomain(tamed, domain)) tamed = wrappers[domain](tamed)
     return tamed
   }
 }

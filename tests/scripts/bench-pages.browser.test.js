@@ -1,4 +1,4 @@
-// The interactive page of the benchmark as a visitor sees it, and both of its pages as built.
+// Tests the interactive page of the benchmark as a visitor uses it, and both built pages of the benchmark.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { methods } from '../../web/bench/methods.js'
@@ -17,8 +17,8 @@ import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { serveSite, serveSources } from '../support/browser/site.js'
 
 const names = methods.map(({ name }) => name)
-/** The animation is paused at first, so that all methods show the same moment. */
-const still = { ...desktop, reducedMotion: 'reduce' }
+/** Reduced motion pauses the animation at first, so that all methods show the same moment. */
+const stillDesktop = { ...desktop, reducedMotion: 'reduce' }
 
 let browser, server, url
 before(async () => {
@@ -32,7 +32,7 @@ after(async () => {
 })
 
 describe('the benchmark by hand', () => {
-  /** Opens the page, after `prepare(context)`. */
+  /** Opens the page after `prepare(context)` has changed its browser context. */
   async function openByHand(options, prepare) {
     const context = await browser.newContext(options)
     await prepare?.(context)
@@ -42,7 +42,7 @@ describe('the benchmark by hand', () => {
   describe('on a desktop', () => {
     let page, messages
     before(async () => {
-      ;({ page, messages } = await openByHand(still))
+      ;({ page, messages } = await openByHand(stillDesktop))
       await waitUntilMeasured(page)
     })
     after(() => page.context().close())
@@ -152,8 +152,8 @@ describe('the benchmark by hand', () => {
       for (const [name, ...figures] of lines)
         for (const figure of figures.slice(0, 7))
           assert.ok(Number(figure) > 0, `${name}: ${figure}`)
-      const [, , ...ofWarpjet] = lines[names.indexOf('warpjet')]
-      assert.equal(ofWarpjet[3], '1.00')
+      const [, , ...warpjetFigures] = lines[names.indexOf('warpjet')]
+      assert.equal(warpjetFigures[3], '1.00')
     })
 
     test('logs nothing, and shows no error', async () => {
@@ -163,7 +163,7 @@ describe('the benchmark by hand', () => {
   })
 
   test('draws the row that is selected', async () => {
-    const { page, messages } = await openByHand(still)
+    const { page, messages } = await openByHand(stillDesktop)
     await waitUntilMeasured(page)
     await page.locator('.panel select').first().selectOption('14,000 × 3,000')
     await page.locator('dd.nodes').getByText('3,000').waitFor(patience)
@@ -194,7 +194,7 @@ describe('the benchmark by hand', () => {
   })
 
   test('shows a message if a shader does not compile, and continues with another one', async () => {
-    const { page } = await openByHand(still, (context) =>
+    const { page } = await openByHand(stillDesktop, (context) =>
       context.addInitScript(() => {
         const prototype = WebGL2RenderingContext.prototype
         const { shaderSource } = prototype
@@ -218,7 +218,7 @@ test('both built pages work in any folder, and the gallery links to them', async
   const built = await serveSite(5310, base)
   try {
     const { page, messages } = await openPage(
-      await browser.newContext(still),
+      await browser.newContext(stillDesktop),
       new URL(base, built.resolvedUrls.local[0]).href,
     )
     await page.getByRole('link', { name: 'Measured', exact: true }).click()

@@ -1,4 +1,4 @@
-// The page of the benchmark's results: its plots and its table, for known records.
+// Tests the page of the benchmark's results, for given records: its plots and its table.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -17,19 +17,22 @@ const header =
 
 const software =
   '"ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)"'
-const card = '"ANGLE (NVIDIA, Vulkan 1.3.277 (NVIDIA H200 (0x00002335)), NVIDIA-550.54.15)"'
+const graphicsCard = '"ANGLE (NVIDIA, Vulkan 1.3.277 (NVIDIA H200 (0x00002335)), NVIDIA-550.54.15)"'
 
-const older = [
-  `2026-03-01T10:00:00Z,aaa,139.0,${card},timer query,"14,000 × 1,500",14042,1500,warpjet,,0.5,0.4,0.6,1.1,1,2000,60,30,1.2,4,0.0001,0.00005,80,2`,
+const olderLines = [
+  `2026-03-01T10:00:00Z,aaa,139.0,${graphicsCard},timer query,"14,000 × 1,500",14042,1500,warpjet,,0.5,0.4,0.6,1.1,1,2000,60,30,1.2,4,0.0001,0.00005,80,2`,
 ]
 
-const run = `2026-03-02T10:00:00Z,bbb,140.1,${software}`
+const runFields = `2026-03-02T10:00:00Z,bbb,140.1,${software}`
 const rowsOfRun = [
   '"14,000 × 150",14042,150',
   '"14,000 × 3,000",14042,3000',
   '"500,000 × 150",499849,150',
 ]
-/** Figures of each method, as close to each other as measured ones: method, h, frame, quartiles, ratios to positions and to warpjet, …, errors. */
+/**
+ * Figures of each method, as close to each other as measured ones: method, h, frame, quartiles, ratios to positions and to warpjet, …,
+ * errors.
+ */
 const figures = [
   'no warp,,7,6,8,0.7,0.5,143,60,20,0.5,,80,5',
   'positions only,,10,9,11,1,0.7,100,60,40,1,0.2,80,5',
@@ -39,10 +42,12 @@ const figures = [
   'dFdx,,10.1,9,11,1.01,0.98,99,60,40,1,0.2,70,4',
   'by hand,,10.3,10,11,1.03,0.99,97,60,45,1.1,,0,0',
 ]
-const newer = [
-  ...rowsOfRun.flatMap((row) => figures.map((line) => `${run},timer query,${row},${line},90,2`)),
-  `${run},readback fence,"14,000 × 150",14042,150,"p5 1.11.13, no warp",,25,,,,,,,,,,,,,`,
-  `${run},readback fence,"14,000 × 150",14042,150,"p5 1.11.13, warpjet",,30,,,,,,,,,,,,,`,
+const newerLines = [
+  ...rowsOfRun.flatMap((row) =>
+    figures.map((line) => `${runFields},timer query,${row},${line},90,2`),
+  ),
+  `${runFields},readback fence,"14,000 × 150",14042,150,"p5 1.11.13, no warp",,25,,,,,,,,,,,,,`,
+  `${runFields},readback fence,"14,000 × 150",14042,150,"p5 1.11.13, warpjet",,30,,,,,,,,,,,,,`,
 ].map((line) =>
   // Removes a figure, as if it could not be measured.
   line.includes('500,000 × 150",499849,150,forward')
@@ -130,7 +135,7 @@ describe('points of the plots', () => {
 })
 
 describe('labels of the plots', () => {
-  test('move apart no more than necessary, and keep their order', () => {
+  test('are moved apart no more than necessary, and keep their order', () => {
     assert.deepEqual(spread([10, 50, 52], 16, [0, 100]), [10, 43, 59])
     assert.deepEqual(spread([52, 10, 50], 16, [0, 100]), [59, 10, 43])
     assert.deepEqual(spread([98, 99], 16, [0, 100]), [84, 100])
@@ -174,7 +179,7 @@ describe('the results page', () => {
   describe('with two runs', () => {
     let page, messages
     before(async () => {
-      const csv = [header, ...older, ...newer].join('\n')
+      const csv = [header, ...olderLines, ...newerLines].join('\n')
       ;({ page, messages } = await openResults(desktop, csv))
       await page.locator('.error svg').waitFor(patience)
     })
@@ -223,7 +228,7 @@ describe('the results page', () => {
 
     test('lists all figures in the table, with dashes for missing ones', async () => {
       const lines = await cells(page.locator('.wide table'))
-      assert.equal(lines.length, newer.length)
+      assert.equal(lines.length, newerLines.length)
       assert.equal(
         lines[0].join(' '),
         'no warp 7.00 6.00 8.00 0.70 0.50 143 60.0 20.0 0.50 – 80.0 5.00 –',
@@ -250,7 +255,7 @@ describe('the results page', () => {
   })
 
   test('fits a phone screen, and its labels do not overlap', async () => {
-    const { page, messages } = await openResults(phone, [header, ...newer].join('\n'))
+    const { page, messages } = await openResults(phone, [header, ...newerLines].join('\n'))
     await page.locator('.error svg').waitFor(patience)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     for (const plot of ['nodes', 'vertices', 'error']) {
@@ -264,7 +269,7 @@ describe('the results page', () => {
       for (const [i, a] of boxes.entries()) {
         assert.ok(a.left >= 0 && a.right <= 360, `label ${i} of ${plot} is outside the page`)
         for (const b of boxes.slice(i + 1)) {
-          // A line of text has some space above and below its letters.
+          // Boxes may overlap by 4 pixels: a line of text has some space above and below its letters.
           const across = Math.min(a.right, b.right) - Math.max(a.left, b.left)
           const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
           assert.ok(across <= 0 || down <= 4, `labels overlap in ${plot}`)
@@ -281,7 +286,7 @@ describe('the results page', () => {
     assert.deepEqual(messages, [])
   })
 
-  test('says so if there are no results', async () => {
+  test('says that nothing has been measured, if there are no results', async () => {
     const { page, messages } = await openResults(desktop, header)
     await page.getByText('Nothing has been measured yet').waitFor(patience)
     assert.equal(await page.locator('svg').count(), 0)

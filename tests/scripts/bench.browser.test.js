@@ -1,4 +1,4 @@
-// `npm run bench -- --quick` as a whole: it runs, and its figures are plausible. Does not judge how long anything takes.
+// Tests `npm run bench -- --quick` as a whole: it runs, and its figures are plausible. Does not test how long anything takes.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs'
@@ -12,7 +12,7 @@ const root = fileURLToPath(new URL('../../', import.meta.url))
 const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
 after(() => rmSync(folder, { recursive: true }))
 
-/** Runs the benchmark → { code, text }: its exit code and its output. */
+/** Runs the benchmark; returns its exit code and its output as { code, text }. */
 function bench(...args) {
   const child = spawn(process.execPath, ['.scripts/bench.mjs', ...args], {
     cwd: root,
@@ -30,9 +30,17 @@ const unwarped = ['no warp', 'by hand']
 const methods = ['no warp', 'positions only', 'warpjet', ...differences, 'dFdx', 'by hand']
 const sketches = ['p5 1.11.13', 'p5 2.3.4'].flatMap((p5) => [`${p5}, no warp`, `${p5}, warpjet`])
 
-const common = ['sizePx', 'rounds', 'vertices', 'nodes', 'frameMs', 'frameLowMs', 'frameHighMs']
-const rates = ['uncappedFps', 'cappedFps']
-const ofMethods = [
+const commonFigures = [
+  'sizePx',
+  'rounds',
+  'vertices',
+  'nodes',
+  'frameMs',
+  'frameLowMs',
+  'frameHighMs',
+]
+const rateFigures = ['uncappedFps', 'cappedFps']
+const methodFigures = [
   ...['toPositions', 'toWarpjet', 'firstMs', 'firstToPositions', 'firstToByHand'],
   ...['characters', 'charactersToByHand'],
   ...['errorDegrees', 'errorMedianDegrees', 'jsHeapMb', 'wasmHeapMb'],
@@ -40,11 +48,11 @@ const ofMethods = [
 
 /** Returns the names of the figures that a record should have. */
 function expectedFigures({ method }) {
-  if (sketches.includes(method)) return [...common, ...rates]
+  if (sketches.includes(method)) return [...commonFigures, ...rateFigures]
   return [
-    ...common,
-    ...rates,
-    ...ofMethods,
+    ...commonFigures,
+    ...rateFigures,
+    ...methodFigures,
     ...(unwarped.includes(method) ? [] : ['generationMs']),
     ...(differences.includes(method) ? ['h'] : []),
   ]
@@ -71,11 +79,11 @@ describe('npm run bench -- --quick', () => {
 
   test('has exactly the figures that each method can have', () => {
     for (const record of records) {
-      const found = Object.entries(record).filter(([, value]) => typeof value === 'number')
-      const names = found.map(([name]) => name)
+      const numbers = Object.entries(record).filter(([, value]) => typeof value === 'number')
+      const names = numbers.map(([name]) => name)
       const about = `${record.row}, ${record.method}`
       assert.deepEqual(names.sort(), expectedFigures(record).sort(), about)
-      for (const [name, value] of found)
+      for (const [name, value] of numbers)
         assert.ok(Number.isFinite(value) && value > 0, `${about}: ${name} is ${value}`)
     }
   })
@@ -92,7 +100,7 @@ describe('npm run bench -- --quick', () => {
     }
   })
 
-  test('finds the normals of warpjet right, and unchanged normals wrong', () => {
+  test('measures a small error of the normals of warpjet, and a large one of unchanged normals', () => {
     for (const row of rows) {
       const errorOf = (name) =>
         records.find((record) => record.row === row && record.method === name).errorDegrees
@@ -116,7 +124,7 @@ describe('npm run bench -- --quick', () => {
     for (const { clock } of records) assert.match(clock, /^(timer query|readback fence)$/)
   })
 
-  test('prints a table for each row, and one of the goals', () => {
+  test('prints a table for each row, and one for the goals', () => {
     for (const name of [...rows, 'p5', 'What we aim at'])
       assert.match(text, new RegExp(`^▸ ${name}`, 'm'), text)
     for (const method of [...methods, ...sketches])

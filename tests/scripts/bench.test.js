@@ -1,4 +1,4 @@
-// The benchmark without a browser: its command line, statistics, tables and lines of results.csv.
+// Tests the benchmark without a browser: its command line, statistics, tables and lines of results.csv.
 import assert from 'node:assert/strict'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -45,25 +45,30 @@ describe('statistics', () => {
 
 describe('the command line', () => {
   const rows = ['14,000 × 150', '14,000 × 1,500', 'airplane twist', 'wobble']
-  const read = (...args) => readOptions(args, [...rows, 'p5'])
+  const readArguments = (...args) => readOptions(args, [...rows, 'p5'])
 
   test('selects every row by default, p5 last', () => {
-    assert.deepEqual(read().rows, [...rows, 'p5'])
-    assert.equal(read().settings.rounds, 11)
-    assert.match(read().file, /web\/bench\/results\.csv$/)
+    assert.deepEqual(readArguments().rows, [...rows, 'p5'])
+    assert.equal(readArguments().settings.rounds, 11)
+    assert.match(readArguments().file, /web\/bench\/results\.csv$/)
   })
 
   test('finds a row by its name, by its name with x for ×, or by a unique part of its name', () => {
-    assert.deepEqual(read('--row', '14,000 × 150').rows, ['14,000 × 150'])
-    assert.deepEqual(read('--row', '14000x150').rows, ['14,000 × 150'])
-    assert.deepEqual(read('--row', 'p5', '--row', 'Twist').rows, ['airplane twist', 'p5'])
+    assert.deepEqual(readArguments('--row', '14,000 × 150').rows, ['14,000 × 150'])
+    assert.deepEqual(readArguments('--row', '14000x150').rows, ['14,000 × 150'])
+    assert.deepEqual(readArguments('--row', 'p5', '--row', 'Twist').rows, ['airplane twist', 'p5'])
   })
 
   test('selects a few rows with --quick, unless others are named', () => {
-    assert.deepEqual(read('--quick').rows, ['14,000 × 150', 'airplane twist', 'wobble', 'p5'])
-    assert.deepEqual(read('--quick', '--row', 'wobble').rows, ['wobble'])
-    assert.equal(read('--quick').file, undefined)
-    assert.equal(read('--quick', '--rounds', '2').settings.rounds, 2)
+    assert.deepEqual(readArguments('--quick').rows, [
+      '14,000 × 150',
+      'airplane twist',
+      'wobble',
+      'p5',
+    ])
+    assert.deepEqual(readArguments('--quick', '--row', 'wobble').rows, ['wobble'])
+    assert.equal(readArguments('--quick').file, undefined)
+    assert.equal(readArguments('--quick', '--rounds', '2').settings.rounds, 2)
   })
 
   const rejected = {
@@ -82,7 +87,7 @@ describe('the command line', () => {
     ],
   }
   for (const [name, [args, message]] of Object.entries(rejected))
-    test(`rejects ${name}`, () => assert.throws(() => read(...args), { message }))
+    test(`rejects ${name}`, () => assert.throws(() => readArguments(...args), { message }))
 })
 
 describe('a table', () => {
@@ -145,7 +150,7 @@ const rates = {
   uncapped: { warpjet: 80.5, 'by hand': 81, 'p5 2.3.4, no warp': 5 },
   capped: { warpjet: 60, 'by hand': 60, 'p5 2.3.4, no warp': 4 },
 }
-const many = { name: '14,000 × 3,000', nodes: 3000 }
+const rowOf3000Nodes = { name: '14,000 × 3,000', nodes: 3000 }
 
 describe('results.csv', () => {
   const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
@@ -192,7 +197,7 @@ describe('results.csv', () => {
   })
 
   test('has a line for each method of a row', () => {
-    const [line, ...others] = rowRecords(run, many, measured, rates).map(csvLine)
+    const [line, ...others] = rowRecords(run, rowOf3000Nodes, measured, rates).map(csvLine)
     assert.equal(others.length, 2)
     assert.equal(
       columns.join(','),
@@ -207,7 +212,7 @@ describe('results.csv', () => {
   test('has a line for each p5 sketch, with the figures that exist', () => {
     const results = [{ method: 'p5 2.3.4, no warp', frame: { median: 100, low: 90, high: 110 } }]
     const p5 = { clock: 'readback fence', vertices: 14042, results }
-    assert.deepEqual(p5Records(run, many, p5, rates).map(csvLine), [
+    assert.deepEqual(p5Records(run, rowOf3000Nodes, p5, rates).map(csvLine), [
       '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,readback fence,"14,000 × 3,000",14042,3000,"p5 2.3.4, no warp",,100,90,110,,,5,4,,,,,,,,,,',
     ])
   })
@@ -223,7 +228,7 @@ describe('the goals', () => {
   }
 
   test('are ratios of warpjet to the other methods', () => {
-    assert.deepEqual(evaluateGoals(many), [
+    assert.deepEqual(evaluateGoals(rowOf3000Nodes), [
       [1, true],
       [1.25, false],
       [1.02, true],
@@ -242,11 +247,11 @@ describe('the goals', () => {
   })
 
   test('are shown row by row, or not at all if only p5 was measured', () => {
-    const [, , line] = aimsText(rowRecords(run, many, measured, rates)).split('\n')
+    const [, , line] = aimsText(rowRecords(run, rowOf3000Nodes, measured, rates)).split('\n')
     assert.match(
       stripVTControlCharacters(line),
       /^ {2}14,000 × 3,000 +1\.000 ✓ +1\.250 ✗ +1\.020 ✓ +1\.500 ✓ +1\.100 ✓ +1\.250 ✓$/,
     )
-    assert.equal(aimsText([{ method: 'p5 2.3.4, no warp', row: many.name }]), undefined)
+    assert.equal(aimsText([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]), undefined)
   })
 })

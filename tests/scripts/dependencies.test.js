@@ -1,4 +1,4 @@
-// The dependency rules report violations: the tests break each rule in a copy of js-bindings.
+// Tests that each dependency rule reports a violation: breaks the rule in a copy of js-bindings.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { appendFileSync, cpSync, mkdtempSync, rmSync, symlinkSync } from 'node:fs'
@@ -18,8 +18,8 @@ before(() => {
 })
 after(() => rmSync(copy, { recursive: true }))
 
-/** Returns the names of the rules that the copy violates, of these severities. */
-function violations(severities = ['error', 'warn']) {
+/** Returns the names of the rules of these severities that the copy violates. */
+function findViolations(severities = ['error', 'warn']) {
   const cruiser = join(root, 'node_modules/dependency-cruiser/bin/dependency-cruise.mjs')
   const args = ['js-bindings', '--config', '.dependency-cruiser.cjs', '--output-type', 'json']
   const { stdout, stderr } = spawnSync(process.execPath, [cruiser, ...args], {
@@ -28,11 +28,11 @@ function violations(severities = ['error', 'warn']) {
     maxBuffer: 2 ** 26,
   })
   assert.equal(stderr, '')
-  const found = JSON.parse(stdout).summary.violations.map(({ rule }) => rule)
-  return found.filter(({ severity }) => severities.includes(severity)).map(({ name }) => name)
+  const violations = JSON.parse(stdout).summary.violations.map(({ rule }) => rule)
+  return violations.filter(({ severity }) => severities.includes(severity)).map(({ name }) => name)
 }
 
-test('js-bindings violates no rule', () => assert.deepEqual(violations(['error']), []))
+test('js-bindings violates no rule', () => assert.deepEqual(findViolations(['error']), []))
 
 for (const [rule, file, line] of [
   ['no-circular-files', 'errors/describe.ts', "import type {} from './errors.js'"],
@@ -46,7 +46,7 @@ for (const [rule, file, line] of [
     const path = join(copy, 'js-bindings', file)
     appendFileSync(path, `\n${line}\n`)
     try {
-      assert.ok(violations().includes(rule), violations().join())
+      assert.ok(findViolations().includes(rule), findViolations().join())
     } finally {
       const original = join(root, 'js-bindings', file)
       if (rule === 'no-orphans') rmSync(path)

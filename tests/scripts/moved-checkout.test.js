@@ -1,4 +1,4 @@
-// A checkout that was copied or moved together with its .build builds its own sources, not those of the previous folder.
+// Tests that a checkout that was copied or moved together with its .build builds its own sources, not those of the previous folder.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } from 'node:fs'
@@ -27,17 +27,17 @@ before(() => {
     join(first, 'CMakeLists.txt'),
     'cmake_minimum_required(VERSION 3.21)\nproject(moved CXX)\nadd_executable(say say.cpp)\n',
   )
-  say('first')
+  writeProgram('first')
 })
 after(() => rmSync(folder, { recursive: true }))
 
-/** Changes the program of that checkout to print the checkout's name. */
-function say(name) {
+/** Writes the program of a checkout, which prints the name of the checkout. */
+function writeProgram(name) {
   const text = `#include <cstdio>\nint main() { std::puts("${name}"); }\n`
   writeFileSync(join(folder, name, 'say.cpp'), text)
 }
 
-/** Builds the checkout as its scripts do, and returns its program's output. */
+/** Builds a checkout as its scripts do, and returns the output of its program. */
 function buildAndRun(name) {
   const code = "import { cmakeBuild } from './.scripts/lib/cmake.mjs'; await cmakeBuild('native')"
   const cwd = join(folder, name)
@@ -48,13 +48,13 @@ function buildAndRun(name) {
 test('a checkout that was copied together with its .build builds its own sources', () => {
   assert.equal(buildAndRun('first'), 'first')
   cpSync(join(folder, 'first'), join(folder, 'copied'), { recursive: true })
-  say('copied')
+  writeProgram('copied')
   assert.equal(buildAndRun('copied'), 'copied')
   assert.equal(buildAndRun('first'), 'first')
 })
 
 test('a moved checkout also builds its own sources', () => {
   renameSync(join(folder, 'first'), join(folder, 'moved'))
-  say('moved')
+  writeProgram('moved')
   assert.equal(buildAndRun('moved'), 'moved')
 })

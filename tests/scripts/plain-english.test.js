@@ -1,3 +1,4 @@
+// Tests the search for unclear wording in comments, messages and names.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { addedWording, findWording } from '../../.scripts/plain-english.mjs'
@@ -28,7 +29,7 @@ describe('wording to reread, and what to write', () => {
     })
 })
 
-test('reads Markdown line by line, and no code in it as comments', () => {
+test('reads Markdown line by line', () => {
   assert.deepEqual(
     findWording('a.md', 'Fine.\n\nIt tells you.').map(({ line }) => line),
     [3],

@@ -1,4 +1,4 @@
-// A file that grows causes a warning, but never fails the build.
+// Tests that a built file that grows causes a warning, which never fails the build.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { growthWarnings } from '../../.scripts/lib/sizes.mjs'
@@ -15,7 +15,7 @@ test('a file that grew by more than 5% is named with its size', () => {
   ])
 })
 
-test('a new file and a smaller one are no reason to warn', () => {
+test('new files and files that became smaller cause no warning', () => {
   const rows = [
     { file: 'dist/new.js', gzipped: 99_999 },
     { file: 'dist/a.js', gzipped: 1 },

@@ -55,7 +55,7 @@ async function fails(code, args, pattern) {
   assert.equal(result.code, code, result.stderr)
 }
 
-export const usage = (args, pattern) => fails(2, args, pattern)
+export const failsWithUsage = (args, pattern) => fails(2, args, pattern)
 export const failsWithError = (args, pattern) => fails(1, args, pattern)
 
 export async function works(...args) {

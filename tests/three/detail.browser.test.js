@@ -4,6 +4,7 @@ import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { leavePage, webgpuFlags } from '../support/browser/browser.js'
 import { threePages, versions } from '../support/browser/three/open.js'
+import { checkPictures, placesAround } from '../support/places-around.js'
 
 const hosts = [
   ...(isRun('three 0.159') ? versions : versions.slice(0, 1)).map((version) => ({
@@ -60,6 +61,13 @@ for (const { name, version, script, settings } of hosts)
           assert.ok(found.triangles > 100 && found.triangles < found.fine / 10)
         }
       })
+
+    test('a divided box is within a pixel of a dense one from 20 places', async (t) => {
+      const found = await measure('around', { places: placesAround(1) })
+      t.diagnostic(JSON.stringify(found))
+      assert.deepEqual(messages, [])
+      checkPictures(found)
+    })
 
     // Compute passes leave them to the CPU.
     if (!settings.hasPasses)
@@ -204,6 +212,13 @@ for (const { name, version, script, settings } of hosts)
         assert.match(messages[0], /although the option detail asks for more: /)
         assert.match(messages[0], message)
       })
+
+    test('a group gets one message per reason', async () => {
+      await measure('warnOfGroup', { kinds: ['points', 'lines', 'batch'] })
+      assert.equal(messages.length, 2, messages.join('\n'))
+      assert.match(messages[0], /points and lines are not divided/)
+      assert.match(messages[1], /the geometries of a batch are not divided/)
+    })
 
     if (!settings.backend)
       test('a larger canvas gets more triangles, beside a second renderer', async (t) => {

@@ -35,7 +35,7 @@ const wrongCalls = [
   'expected a material or a Mesh of three.js, got undefined.',
   'expected a material or a Mesh of three.js, got a Group.',
   'the LineBasicMaterial has no normals.',
-  "the MeshStandardNodeMaterial is of nodes, which only WebGPURenderer draws; import exactNormals of 'warpjet/three/webgpu'.",
+  "the MeshStandardNodeMaterial is a node material, which only WebGPURenderer draws; import exactNormals from 'warpjet/three/webgpu'.",
   `expected 'auto', 'vertex' or 'pixel' for the option "normals", got the text "face".`,
   'there is no option "normal"; did you mean normals? The options are normals, surfaceVariation.',
 ].map((message) => `WarpError: exactNormals: ${message}`)

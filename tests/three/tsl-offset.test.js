@@ -119,9 +119,9 @@ test('messages of tslOffset', () => {
 test('messages of exactNormals', () => {
   const node = { isMaterial: true, isNodeMaterial: true, type: 'MeshStandardNodeMaterial' }
   for (const [material, options, message] of [
-    [undefined, {}, /^exactNormals: expected a material of nodes, .* got undefined/],
-    [new THREE.MeshBasicMaterial(), {}, /expected a material of nodes, .* got a MeshBasicMaterial/],
-    [node, {}, /expected one whose positionNode is set for the material, got one without/],
+    [undefined, {}, /^exactNormals: expected a node material, .* got undefined/],
+    [new THREE.MeshBasicMaterial(), {}, /expected a node material, .* got a MeshBasicMaterial/],
+    [node, {}, /expected a material with a positionNode, got one without/],
     [
       { ...node, positionNode: {}, vertexNode: {} },
       {},

@@ -26,14 +26,14 @@ const smoothstep = (low, high, x) => {
   return t * t * (3 - 2 * t)
 }
 
-/** A deformer whose options depend on the inputs. */
+/** Makes an offset of a deformer whose options depend on the inputs. */
 const withInputs = (deformer, options) => (p, inputs) =>
   deformer(options(inputs.millis, p))(p, inputs)
 
 const swing = (millis) => cos(millis / 1500)
 const twisted = withInputs(twist, (millis) => ({ length: 150, angle: 2.6 * swing(millis) }))
 const bent = withInputs(bend, (millis) => ({ from: -75, to: 75, angle: 2.1 * swing(millis) }))
-const after = (a, b) => (p, inputs) => {
+const compose = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return add(first, b(add(p, first), inputs))
 }
@@ -97,7 +97,7 @@ export const deformerSketches = {
     })),
   },
   'deformer-noise': {
-    // Not at the borders of cells, where noise has no third derivative and differences are inaccurate.
+    // With this size, vertices are not at the borders of cells, where noise has no third derivative and finite differences are inaccurate.
     size: 130,
     offset: noiseDisplace({ amount: 55, scale: 75, speed: 0.4 }),
   },
@@ -127,8 +127,8 @@ export const deformerSketches = {
 
   'composition-twist': { ...bar, offset: twisted },
   'composition-bend': { ...bar, offset: bent },
-  'composition-twistthenbend': { ...bar, offset: after(twisted, bent) },
-  'composition-bendthentwist': { ...bar, offset: after(bent, twisted) },
+  'composition-twistthenbend': { ...bar, offset: compose(twisted, bent) },
+  'composition-bendthentwist': { ...bar, offset: compose(bent, twisted) },
   'composition-sum': { ...bar, offset: (p, i) => add(twisted(p, i), bent(p, i)) },
   'composition-halfway': { ...bar, offset: (p, i) => times(add(twisted(p, i), bent(p, i)), 0.5) },
   'composition-above': {

@@ -1,5 +1,5 @@
-// The formulas of 'warpjet/deformers' in plain numbers, as documented: from constant options and a point to its offset. Formulas
-// about an axis are written in the frame of that axis.
+// The formulas of 'warpjet/deformers' in plain numbers, as documented. Each maps constant options to a function from a point to its offset.
+// Formulas about an axis are written in the frame of that axis.
 import { add, cross, dot, normalize, subtract } from '../support/browser/matrix.js'
 import { noise } from '../support/noise.js'
 
@@ -17,12 +17,12 @@ const falloff = (r) => (r < 1 ? (1 - r * r) ** 3 : 0)
 /** Normalizes a vector; zero stays zero. */
 const unit = (v) => (v.some(Boolean) ? normalize(v) : [0, 0, 0])
 
-const named = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }
-const direction = (axis) => normalize(named[axis] ?? [...axis])
+const axesByName = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }
+const direction = (axis) => normalize(axesByName[axis] ?? [...axis])
 
 /**
- * Maps a point to a frame at `center` with `axis` as its third direction → [a, b, h], and the inverse for a moved point. The
- * first two directions satisfy a × b = h and are otherwise arbitrary.
+ * Makes a frame at `center` with `axis` as its third direction: `into` maps a point to coordinates [a, b, h], `back` maps coordinates to a
+ * point. The first two directions satisfy a × b = h and are otherwise arbitrary.
  */
 function frame(center, axis) {
   const c = direction(axis)
@@ -34,7 +34,7 @@ function frame(center, axis) {
   }
 }
 
-/** Returns an offset from the image of a point in that frame. */
+/** Makes an offset from `move`, which maps the coordinates of a point in a frame to moved coordinates. */
 const inFrame = (center, axis, move) => (p) => {
   const { into, back } = frame(center, axis)
   return subtract(back(move(into(p))), p)
@@ -70,18 +70,18 @@ export const deformers = {
     to = 100,
   }) => {
     const about = direction(axis)
-    const given = direction(along)
-    const line = normalize(subtract(given, times(about, dot(given, about))))
+    const alongDirection = direction(along)
+    const line = normalize(subtract(alongDirection, times(about, dot(alongDirection, about))))
     const side = cross(about, line)
     const k = angle / (to - from)
     return (p) => {
       if (k === 0) return [0, 0, 0]
       const d = subtract(p, center)
       const [s, t] = [dot(d, line), dot(d, side)]
-      const held = max(from, min(to, s))
-      const [turn, radius] = [k * held, 1 / k]
-      const moved = (radius - t) * sin(turn) + (s - held) * cos(turn)
-      const aside = radius - (radius - t) * cos(turn) + (s - held) * sin(turn)
+      const clamped = max(from, min(to, s))
+      const [turn, radius] = [k * clamped, 1 / k]
+      const moved = (radius - t) * sin(turn) + (s - clamped) * cos(turn)
+      const aside = radius - (radius - t) * cos(turn) + (s - clamped) * sin(turn)
       return add(times(line, moved - s), times(side, aside - t))
     }
   },
@@ -150,13 +150,13 @@ export const deformers = {
       const u = -h - min(max(-h, 0), length * m)
       const width = mix(1, mix(neck, 1, smoothstep(0, length, u)), k)
       let across = subtract(d, times(along, h))
-      let kept = [0, 0, 0]
+      let alongEdge = [0, 0, 0]
       if (edge !== undefined) {
         const e = direction(edge)
-        kept = times(e, dot(across, e))
-        across = subtract(across, kept)
+        alongEdge = times(e, dot(across, e))
+        across = subtract(across, alongEdge)
       }
-      return subtract(sum(center, times(along, -u), kept, times(across, width)), p)
+      return subtract(sum(center, times(along, -u), alongEdge, times(across, width)), p)
     }
   },
 
@@ -172,8 +172,8 @@ export const deformers = {
     ({ center = [0, 0, 0], radius = 100, amount = 1 }) =>
     (p) => {
       const d = subtract(p, center)
-      const on = times(unit(d), radius)
-      return times(subtract(on, d), amount)
+      const onSphere = times(unit(d), radius)
+      return times(subtract(onSphere, d), amount)
     },
 
   shear:

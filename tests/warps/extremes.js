@@ -1,9 +1,9 @@
 // Offsets that are finite although an intermediate value of their derivative is not, with points, normals, and the expected normals
 // from the exact derivative.
-const heightOverX = (name, height, slope, at) => ({
+const heightOverX = (name, height, slope, xs) => ({
   name,
   offset: ({ glsl, position }) => glsl.vec3(0, height(position.x(), glsl), 0),
-  points: at.map((x) => ({
+  points: xs.map((x) => ({
     position: [x, 0.5, 0.25],
     normal: [0, 1, 0],
     expected: unit([-slope(x), 1, 0]),
@@ -12,7 +12,7 @@ const heightOverX = (name, height, slope, at) => ({
 
 const unit = (v) => v.map((x) => x / Math.hypot(...v))
 const sech = (x) => 1 / Math.cosh(x)
-const keeps = (position, normal) => ({ position, normal, expected: normal })
+const keepsNormal = (position, normal) => ({ position, normal, expected: normal })
 
 export const extremes = [
   heightOverX(
@@ -62,13 +62,13 @@ export const extremes = [
   ...[1e8, 1e10, 1e20, 1e30].map((factor) => ({
     name: `position times ${factor}`,
     offset: ({ position }) => position.mult(factor),
-    points: [keeps([1, 2, 3], [0, 0.6, 0.8]), keeps([1, 2, 3], [1, 0, 0])],
+    points: [keepsNormal([1, 2, 3], [0, 0.6, 0.8]), keepsNormal([1, 2, 3], [1, 0, 0])],
   })),
   ...[1e10, 1e20, 1e30].map((factor) => ({
     name: `a shear by ${factor}`,
     offset: ({ glsl, position }) => glsl.vec3(position.y().mult(factor), 0, 0),
     points: [
-      keeps([1, 2, 3], [0, 1, 0]),
+      keepsNormal([1, 2, 3], [0, 1, 0]),
       { position: [1, 2, 3], normal: [1, 0, 0], expected: [0, -1, 0] },
     ],
   })),
@@ -80,7 +80,7 @@ export const extremes = [
     },
     // The slope of x / |xz| along z is infinite at the axis; along x it is 0.
     points: [
-      ...[1e-4, 1e-10, 1e-13, 1e-16].map((x) => keeps([x, 0, 0], [0, 0, 1])),
+      ...[1e-4, 1e-10, 1e-13, 1e-16].map((x) => keepsNormal([x, 0, 0], [0, 0, 1])),
       // Between the axes it is finite and huge: sqrt(1/8) / x along x, and minus that along z.
       ...[1e-4, 1e-10, 1e-13, 1e-16].map((x) => {
         const slope = Math.sqrt(1 / 8) / x

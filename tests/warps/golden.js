@@ -15,12 +15,12 @@ const warpTexts = () =>
   )
 
 /**
- * The golden files by name: the code of the gallery, of the stress test except for its hundreds of sines, and of the differences
- * between languages.
+ * Generates the golden files; returns the code by file name: that of the gallery, of the stress test without its stacked sines, and of the
+ * differences between languages.
  */
 export const goldenTexts = () => ({ ...warpTexts(), ...languageTexts() })
 
-/** Reads the golden files. */
+/** Reads the stored golden files; returns the code by file name. */
 export const readGoldenTexts = () =>
   Object.fromEntries(
     readdirSync(goldenFolder).map((file) => [

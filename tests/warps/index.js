@@ -9,8 +9,8 @@ import { pieces } from './pieces.js'
 import { sketchWarps } from './sketches.js'
 import { stress } from './stress.js'
 
-/** Makes a warp from a height of `gen` over x and y: it moves every point to that height. */
-const asWarp = (text) => ({
+/** Makes the code of a warp from a height of `gen` over x and y: it moves every point to that height. */
+const wrapHeight = (text) => ({
   declarations: '',
   code: `float x = position.x, y = position.y, time = millis / 1000.0;
 ${text}
@@ -18,13 +18,15 @@ vec3 warpedPosition = vec3(x, y, height);
 vec3 warpedNormal = sign(normal.z) * normalize(vec3(-slopeX, -slopeY, 1.0));`,
 })
 
-/** The pipelines of the tests pass no images to warps; tests/p5/inputs.browser.test.js does. */
+/**
+ * Returns whether a warp reads an image. We exclude these: the pipelines of the tests pass no images; tests/p5/inputs.browser.test.js does.
+ */
 const readsImage = ({ warp }) => warp && /sampler2D/.test(compileWarp(warp).declarations)
 
 /** Compiles a sketch's warp like createWarp on p5 2, where normals vary over the surface unless the options say otherwise. */
-function asInSketch({ name, warp, options, text }) {
+function addOracle({ name, warp, options, text }) {
   const oracle = gallery[name]
-  if (text) return { text, compile: () => asWarp(text), ...oracle }
+  if (text) return { text, compile: () => wrapHeight(text), ...oracle }
   const { surfaceVariation = true } = options
   // The oracle evaluates each vertex several times.
   let vertex, moved
@@ -42,7 +44,7 @@ function asInSketch({ name, warp, options, text }) {
 
 const sketches = (await sketchWarps())
   .filter((sketch) => !readsImage(sketch))
-  .map((sketch) => ({ name: sketch.name, isGolden: true, ...asInSketch(sketch) }))
+  .map((sketch) => ({ name: sketch.name, isGolden: true, ...addOracle(sketch) }))
 
 /**
  * All warps, [{ name, compile, offset, size, step, degrees, every, reach, params, collapses, isGolden }].
@@ -69,7 +71,7 @@ export const warps = [...stress, ...sketches, ...operations, ...pieces, ...input
   ...warp,
 }))
 
-/** The languages that this run tests. */
+/** The warps that this run tests. */
 export const warpsInThisRun = warps.filter(({ deep }) => !deep || isRun('deep domain warping'))
 
 /** The names of oracles whose sketch no longer exists. */

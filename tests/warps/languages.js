@@ -51,7 +51,7 @@ const loops = (glsl) => {
   return { sum, slope: glsl.gradient(sum, v), octaves: v.fbm({ octaves: 3 }) }
 }
 
-/** The generated code by file name. */
+/** Generates the code of both in each language; returns it by file name. */
 export const languageTexts = () =>
   Object.fromEntries(
     targets.flatMap((target) => {

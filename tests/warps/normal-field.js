@@ -23,6 +23,10 @@ export function normalAt(p, vertex) {
   const { position, normal, normalXGradient, normalYGradient, normalZGradient } = vertex
   if (!normalXGradient) return normal
   const step = subtract(p, position)
-  const turn = [dot(normalXGradient, step), dot(normalYGradient, step), dot(normalZGradient, step)]
-  return add(normal, turn)
+  const change = [
+    dot(normalXGradient, step),
+    dot(normalYGradient, step),
+    dot(normalZGradient, step),
+  ]
+  return add(normal, change)
 }

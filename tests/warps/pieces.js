@@ -113,12 +113,12 @@ export const pieces = onSmallMesh({
     warp({ glsl, position }) {
       const [x, y] = [position.x(), position.y()]
       const away = position.xy().length()
-      const parts = [
+      const components = [
         away.gt(0).ifElse(y.div(away), 0),
         x.gt(0.37).ifElse(x.log(), 0),
         x.abs().gt(0.37).ifElse(y.div(x), 0),
       ]
-      return glsl.vec3(...parts).mult(0.2)
+      return glsl.vec3(...components).mult(0.2)
     },
     offset([x, y]) {
       const away = hypot(x, y)

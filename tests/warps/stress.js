@@ -140,7 +140,7 @@ const flatten = {
   offset: ([x]) => [-x, 0, 0],
 }
 
-/** `count` sines, each of a random coordinate with random constants, in a random component. `waves` are the constants. */
+/** Makes a warp of `count` sines, each of a random coordinate with random constants, in a random component. `waves` are the constants. */
 export function stackedSines(count) {
   const random = seededRandom(count)
   const waves = Array.from({ length: count }, () => ({

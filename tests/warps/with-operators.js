@@ -1,5 +1,5 @@
-// The warps of the gallery again, with operators, by their names in sketches.js. Each is self-contained, since p5 would also lose
-// the variables around it.
+// The warps of the gallery with operators, by their names in sketches.js. Each is self-contained, since operators are translated in its
+// source code, which cannot access variables around it.
 
 const rotateAboutY = (rate, time) => `({ position, millis }) => {
   const { x, y, z } = position
@@ -34,7 +34,7 @@ const swaying = `({ position, millis }) => {
   return [Math.sin(angle), 0, Math.cos(angle)] * 0.4
 }`
 
-export const texts = {
+export const offsetSources = {
   'airplane-twist': `({ position, millis }) => {
     const { x, y, z } = position
     const angle = Math.sin(millis / 1200) * x * 0.015

@@ -1,13 +1,13 @@
-// The compiler with only 8 MB of memory: running out of it throws one message, and the next warp works.
+// Tests the compiler with only 8 MB of memory: it throws one message if it runs out of memory, and the next warp works.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 
 // The maximum size of the memory in the module: 32,768 pages, in the bytes of LEB128.
-const most = Buffer.from([0x80, 0x80, 0x02])
+const maxPages = Buffer.from([0x80, 0x80, 0x02])
 const { Module } = WebAssembly
 WebAssembly.Module = function (bytes) {
   const copy = Buffer.from(bytes)
-  const memory = copy.indexOf(Buffer.concat([Buffer.from([1, 1]), Buffer.from([0x20]), most]))
+  const memory = copy.indexOf(Buffer.concat([Buffer.from([1, 1]), Buffer.from([0x20]), maxPages]))
   if (memory >= 0) copy.set([0x80, 0x81, 0x00], memory + 3)
   return new Module(copy)
 }
@@ -15,32 +15,32 @@ const { compile, compileWarp } = await import('../../dist/warpjet.js')
 const { throwsWarpError } = await import('../support/warp-errors.js')
 const { memoryInUse } = await import('../../dist/memory.js')
 
-const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-compileWarp(still)
+const zeroOffset = ({ glsl }) => glsl.vec3(0, 0, 0)
+compileWarp(zeroOffset)
 const before = memoryInUse()
 
 afterEach(() => {
-  assert.match(compileWarp(still).code, /warpedPosition/)
+  assert.match(compileWarp(zeroOffset).code, /warpedPosition/)
   assert.equal(memoryInUse(), before)
 })
 
 const outOfMemory =
   /^There is not enough memory for so large a warp: the compiler already holds [2-8] MB\.$/
 
-/** Nests sines of sums. */
-function many(start, count) {
+/** Returns an expression of `count` nested sines. */
+function nestSines(start, count) {
   let sum = start
   for (let i = 0; i < count; i++) sum = sum.add(i).sin()
   return sum
 }
 
 test('rejects a warp that is too large', () => {
-  const large = ({ glsl, millis }) => glsl.vec3(many(millis, 1e6), 0, 0)
+  const large = ({ glsl, millis }) => glsl.vec3(nestSines(millis, 1e6), 0, 0)
   throwsWarpError(() => compileWarp(large), outOfMemory)
 })
 
 test('rejects evaluating a warp that compiles, but is too large to evaluate', () => {
-  const warp = compileWarp(({ glsl, position }) => glsl.vec3(many(position.x(), 10_000), 0, 0))
+  const warp = compileWarp(({ glsl, position }) => glsl.vec3(nestSines(position.x(), 10_000), 0, 0))
   const vertices = { positions: new Float32Array(30_000), normals: new Float32Array(30_000) }
   throwsWarpError(
     () => warp.evaluate(vertices),
@@ -53,7 +53,7 @@ test('rejects too many nested warps', () => {
   const nested = (depth) => () =>
     compileWarp(({ glsl, millis }) => {
       deepest = depth
-      many(millis, 5000)
+      nestSines(millis, 5000)
       if (depth < 100) nested(depth + 1)()
       return glsl.vec3(0, 0, 0)
     })
@@ -69,7 +69,10 @@ test('a warp fails, too, if a nested one runs out of memory', () => {
   throwsWarpError(
     () =>
       compileWarp(({ glsl, millis }) => {
-        throwsWarpError(() => compile((glsl) => ({ y: many(glsl.param('x'), 1e6) })), outOfMemory)
+        throwsWarpError(
+          () => compile((glsl) => ({ y: nestSines(glsl.param('x'), 1e6) })),
+          outOfMemory,
+        )
         return glsl.vec3(millis, 0, 0)
       }),
     /^vec3: the compiler ran out of memory, and this warp was lost with it; make it again\.$/,

@@ -1,4 +1,4 @@
-// The TypeScript declarations that the build generates from the bindings of a wasm module.
+// Tests the TypeScript declarations that the build generates from the bindings of a wasm module.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
@@ -43,7 +43,7 @@ test('reads signatures, also of imported functions', () => {
   )
   assert.ok(WebAssembly.validate(bytes))
   assert.deepEqual(Object.fromEntries(wasmSignatures(bytes)), {
-    f: { given: ['number', 'bigint'], result: 'number' },
-    g: { given: ['never'], result: 'void' },
+    f: { parameters: ['number', 'bigint'], result: 'number' },
+    g: { parameters: ['never'], result: 'void' },
   })
 })

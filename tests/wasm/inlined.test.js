@@ -1,11 +1,12 @@
-// The bytes of the wasm modules, which scripts hold as hexadecimal digits: an engine decodes them, or Node's Buffer, or a loop.
+// Tests how the bytes of the wasm modules, which the built scripts contain as hexadecimal digits, are decoded: by the engine, by Node's
+// Buffer or by a loop.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'
 
 const dist = new URL('../../dist/warpjet.js', import.meta.url).href
 
-/** Runs code in a new process, then compiles sin(x) there and returns the length of its shader code and what was called. */
+/** Runs code in a new process, compiles sin(x) there, and returns the shader code and the decoders that were called. */
 function compileAfter(code) {
   const script = `const calls = []
 ${code}
@@ -25,14 +26,14 @@ Uint8Array.fromHex = function (text) {
   return new Uint8Array(from(text, 'hex'))
 };`
 const countBuffer = `const { from } = Buffer
-Buffer.from = (...given) => (given[1] === 'hex' && calls.push('Buffer'), from.apply(Buffer, given));`
+Buffer.from = (...args) => (args[1] === 'hex' && calls.push('Buffer'), from.apply(Buffer, args));`
 
 for (const [name, code, expected] of [
   ['the engine', withFromHex, ['fromHex']],
   ['Buffer', withoutFromHex + countBuffer, ['Buffer']],
   ['a loop', `${withoutFromHex} delete globalThis.Buffer`, []],
 ])
-  test(`${name} decodes them`, () => {
+  test(`${name} decodes the modules`, () => {
     const { code: shader, calls } = compileAfter(code)
     assert.deepEqual(calls, expected)
     assert.match(shader, /y = sin\(x\);/)

@@ -1,4 +1,4 @@
-// The errors if WebAssembly does not start. Each browser that rejects it is simulated in its own process.
+// Tests the errors if WebAssembly does not start. Simulates each browser that rejects it in a process of its own.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'
@@ -6,8 +6,8 @@ import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
-/** Returns the errors of compileWarp and loadMesh after `change` has modified the global WebAssembly. */
-function problems(change) {
+/** Returns 'works' or the error of compileWarp and of loadMesh, after `change` has modified the global WebAssembly. */
+function outcomesAfter(change) {
   const code = `
     const { Module } = WebAssembly
     ${change}
@@ -25,12 +25,12 @@ function problems(change) {
   return JSON.parse(output)
 }
 
-/** Source of a class for `new WebAssembly.Module(bytes)` whose constructor first runs `statement`, which may throw. */
+/** Returns code that replaces WebAssembly.Module by a class whose constructor first runs `statement`, which may throw. */
 const withModule = (statement) =>
   `WebAssembly.Module = class { constructor(bytes) { ${statement}; return new Module(bytes) } }`
 
 test('WebAssembly starts in an unchanged environment', () => {
-  assert.deepEqual(problems(''), ['works', 'works'])
+  assert.deepEqual(outcomesAfter(''), ['works', 'works'])
 })
 
 test('under a Content-Security-Policy the message says what to add, whatever the browser’s own message is', () => {
@@ -38,18 +38,18 @@ test('under a Content-Security-Policy the message says what to add, whatever the
     "throw new WebAssembly.CompileError('call to WebAssembly.Module() blocked by CSP')",
     "throw new EvalError('Refused to create a WebAssembly object')",
   ])
-    for (const problem of problems(withModule(statement)))
+    for (const problem of outcomesAfter(withModule(statement)))
       assert.match(problem, /^WarpError: .*'wasm-unsafe-eval' to its script-src/)
 })
 
 test('in a browser that compiles no large module synchronously, the message names the required version', () => {
   const statement =
     "if (bytes.length > 4096) throw new RangeError('WebAssembly.Compile is disallowed on the main thread, if the buffer size is larger than 4KB.')"
-  for (const problem of problems(withModule(statement)))
+  for (const problem of outcomesAfter(withModule(statement)))
     assert.match(problem, /^WarpError: .*update it \(Chrome and Edge do since version 114\)/)
 })
 
 test('without WebAssembly, the message says that it is required', () => {
-  for (const problem of problems('delete globalThis.WebAssembly'))
+  for (const problem of outcomesAfter('delete globalThis.WebAssembly'))
     assert.match(problem, /^WarpError: warpjet needs WebAssembly, which this browser lacks/)
 })

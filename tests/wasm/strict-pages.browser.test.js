@@ -1,5 +1,5 @@
-// All four wasm modules work in strict environments: under a Content-Security-Policy without unsafe-eval, in a worker, and from a file
-// without a server; in Chromium and in Firefox.
+// Tests that all four wasm modules work in strict environments: under a Content-Security-Policy without unsafe-eval, in a worker, and from
+// a file without a server. Runs in Chromium and in Firefox.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -10,7 +10,7 @@ import { browsers } from '../support/browser/two-browsers.js'
 const root = fileURLToPath(new URL('../../', import.meta.url))
 const folder = '.build/wasm-modules'
 
-/** Uses each module of a folder dist, and returns the results. */
+/** The source of a function that uses each module in the folder `dist`, and returns the results. */
 const work = `async function work(dist) {
   const { compileWarp } = await import(dist + '/warpjet.js')
   const { loadMesh, subdivide } = await import(dist + '/mesh.js')
@@ -22,9 +22,9 @@ const work = `async function work(dist) {
   const bounds = warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] })
   return [typeof warp.code, positions.slice(0, 9), bounds.max.map(Math.round)].join()
 }`
-const done = 'string,0,0,0,3,0,0,0,3,0,3,3,3'
+const expectedResults = 'string,0,0,0,3,0,0,0,3,0,3,3,3'
 
-/** Source of a module that writes the result of \`promise\` into the title of a page. */
+/** Returns code that writes the result of `promise` into the title of the page. */
 const writeToTitle = (promise) =>
   `${promise}.then((text) => (document.title = text), (error) => (document.title = String(error)))`
 
@@ -65,10 +65,13 @@ for (const [name, launch] of Object.entries(browsers))
       const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'"
       const html = `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">`
       const script = `<script type="module" src="/${folder}/page.js"></script>`
-      assert.equal(await titleOf(server.page(html + script)), done)
+      assert.equal(await titleOf(server.page(html + script)), expectedResults)
       // The policy is in effect: code without permission does not run.
-      const without = html.replace(" 'wasm-unsafe-eval'", '')
-      assert.match(await titleOf(server.page(without + script)), /^WarpError: .*wasm-unsafe-eval/)
+      const htmlWithoutPermission = html.replace(" 'wasm-unsafe-eval'", '')
+      assert.match(
+        await titleOf(server.page(htmlWithoutPermission + script)),
+        /^WarpError: .*wasm-unsafe-eval/,
+      )
     })
 
     test('runs all modules in a module worker', async () => {
@@ -77,7 +80,7 @@ for (const [name, launch] of Object.entries(browsers))
         worker.onmessage = ({ data }) => (document.title = data)
         worker.onerror = ({ message }) => (document.title = message)
       </script>`
-      assert.equal(await titleOf(server.page(html)), done)
+      assert.equal(await titleOf(server.page(html)), expectedResults)
     })
 
     test('runs all modules from a file', async () => {

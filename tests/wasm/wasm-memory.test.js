@@ -1,4 +1,4 @@
-// The wasm modules hold as much memory after a call as before it, whatever happens in the call.
+// Tests that the wasm modules use as much memory after a call as before it, whatever happens in the call.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
@@ -11,7 +11,7 @@ import {
 import { subdivide } from '../../dist/mesh.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 
-const inUse = () => ({
+const measureMemory = () => ({
   core: memoryInUse(),
   evaluation: evaluationMemoryInUse(),
   glsl: glslMemoryInUse(),
@@ -19,7 +19,7 @@ const inUse = () => ({
 })
 
 const mesh = { positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0) }
-const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+const zeroOffset = ({ glsl }) => glsl.vec3(0, 0, 0)
 
 const cases = {
   'a warp that uses every type that embind passes': () =>
@@ -63,7 +63,7 @@ const cases = {
       },
     }),
   'a mesh whose warp uses meshes': () => {
-    const warp = compileWarp(still)
+    const warp = compileWarp(zeroOffset)
     const nested = {
       evaluate: (vertices) => (subdivide(mesh, { levels: 1 }), warp.evaluate(vertices)),
     }
@@ -82,9 +82,9 @@ for (const [name, work] of Object.entries(cases))
       }
     }
     const first = outcome()
-    const before = inUse()
+    const before = measureMemory()
     for (let i = 0; i < 20; i++) assert.equal(outcome(), first)
-    assert.deepEqual(inUse(), before)
+    assert.deepEqual(measureMemory(), before)
     if (/throws|cannot|mistake/.test(name)) assert.notEqual(first, 'done')
     else assert.equal(first, 'done')
   })

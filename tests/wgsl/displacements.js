@@ -1,9 +1,9 @@
-// Displacements in WGSL as people write them, each with a formula in JavaScript, in double precision, that moves the same point.
+// Displacements in WGSL as people write them, each with the same offset in JavaScript, in double precision.
 const { sin, cos, floor, exp, hypot, min, abs, sqrt, pow, PI } = Math
 const mod = (x, y) => x - y * floor(x / y)
 const mix = (a, b, t) => a + (b - a) * t
 
-/** A hash of integers. Float32 represents all of them exactly. */
+/** A hash of integers, all of which float32 represents exactly. */
 const scramble = (x) => mod((x * 34 + 1) * x, 289)
 const cell = (x, y, z) => scramble(scramble(scramble(mod(x, 289)) + mod(y, 289)) + mod(z, 289))
 
@@ -39,9 +39,11 @@ const waves = [
   [-0.5, 1, 0.18, 2.6],
   [0.3, -1, 0.1, 4.3],
 ]
-const seed = [0.3, 0.9, 0.1, 0.6, 0.8, 0.2, 0.7, 0.4, 0.5]
+const heights = [0.3, 0.9, 0.1, 0.6, 0.8, 0.2, 0.7, 0.4, 0.5]
 
-/** `uniforms` are the values by their names in the shader. `moved` returns the offset. */
+/**
+ * Maps a title → the WGSL source, the values of its uniforms by their names in the shader, and `offset`, the same function in JavaScript.
+ */
 export const displacements = {
   'sine sea': {
     uniforms: { 'scene.time': time, 'scene.height': 0.3 },
@@ -50,7 +52,7 @@ export const displacements = {
 fn offset(position: vec3f) -> vec3f {
   return vec3f(0, scene.height * sin(position.x * 3 + scene.time) * cos(2 * position.z), 0);
 }`,
-    moved: ([x, , z]) => [0, 0.3 * sin(x * 3 + time) * cos(2 * z), 0],
+    offset: ([x, , z]) => [0, 0.3 * sin(x * 3 + time) * cos(2 * z), 0],
   },
   'Gerstner waves': {
     uniforms: { time },
@@ -69,7 +71,7 @@ fn offset(position: vec3f) -> vec3f {
   for (var i = 0u; i < 3u; i++) { sum += gerstner(waves[i], position); }
   return sum;
 }`,
-    moved([x, , z]) {
+    offset([x, , z]) {
       const sum = [0, 0, 0]
       for (const [dx, dz, steepness, k] of waves) {
         const [a, b] = [dx / hypot(dx, dz), dz / hypot(dx, dz)]
@@ -97,7 +99,7 @@ fn ridges(at: vec2<f32>) -> f32 {
   return sum;
 }
 fn offset(position: vec3<f32>) -> vec3<f32> { return vec3<f32>(0.0, 0.0, ridges(position.xy)); }`,
-    moved([x, y]) {
+    offset([x, y]) {
       let [sum, amplitude, frequency] = [0, 0.4, 1.3]
       for (let i = 0; i < 4; i++) {
         const ridge = 1 - abs(noise(x * frequency, y * frequency, 0.37))
@@ -117,7 +119,7 @@ fn offset(position: vec3f) -> vec3f {
   if (d > 3.0) { return vec3f(0.0); }
   return vec3f(0.0, 0.2 * sin(9.0 * d - time) * exp(-1.5 * d), 0.0);
 }`,
-    moved([x, , z]) {
+    offset([x, , z]) {
       const d = hypot(x - 0.31, z + 0.22)
       return [0, d > 3 ? 0 : 0.2 * sin(9 * d - time) * exp(-1.5 * d), 0]
     },
@@ -141,7 +143,7 @@ fn fbm(start: vec3f) -> f32 {
   return sum;
 }
 fn offset(position: vec3f) -> vec3f { return normalize(position) * fbm(position * 1.5 + time) * 0.4; }`,
-    moved(p) {
+    offset(p) {
       let q = p.map((x) => x * 1.5 + time)
       let [sum, weight] = [0, 0.5]
       for (let i = 0; i < 3; i++) {
@@ -162,7 +164,7 @@ fn offset(position: vec3f) -> vec3f {
   let bend = pow(up, 2.0) * sway(time, place);
   return vec3f(bend, select(0.0, -0.3 * bend * bend, up > 0.0), bend * 0.3);
 }`,
-    moved([, y]) {
+    offset([, y]) {
       const up = min(1, Math.max(0, y + 0.5))
       const bend = pow(up, 2) * (sin(time + 0.8) * 0.6 + 0.2 * sin(3.1 * time - 1.3))
       return [bend, up > 0 ? -0.3 * bend * bend : 0, bend * 0.3]
@@ -186,7 +188,7 @@ fn voronoi(p: vec2f) -> f32 {
   return sqrt(nearest);
 }
 fn offset(position: vec3f) -> vec3f { return vec3f(0, 0, 0.4 * voronoi(position.xy * 2.3)); }`,
-    moved([px, py]) {
+    offset([px, py]) {
       const [x, y] = [px * 2.3, py * 2.3]
       const [i, j] = [floor(x), floor(y)]
       let nearest = 8
@@ -217,13 +219,13 @@ fn offset(position: vec3f) -> vec3f {
   rotate(&p, position.y * strength * turns);
   return p - position;
 }`,
-    moved([x, y, z]) {
+    offset([x, y, z]) {
       const [c, s] = [cos(1.4 * y), sin(1.4 * y)]
       return [c * x - s * z - x, 0, s * x + c * z - z]
     },
   },
   'a height map with a bilinear fetch': {
-    uniforms: Object.fromEntries(seed.map((height, i) => [`heights[${i}]`, height])),
+    uniforms: Object.fromEntries(heights.map((height, i) => [`heights[${i}]`, height])),
     text: `@group(0) @binding(1) var<storage, read> heights: array<f32>;
 fn at(x: f32, z: f32) -> f32 {
   // The three nearest rows and columns of a table in storage.
@@ -252,11 +254,11 @@ fn heights0(i: i32) -> f32 {
 fn offset(position: vec3f) -> vec3f {
   return vec3f(0, at(clamp(position.x + 1.0, 0.0, 2.0), clamp(position.z + 1.0, 0.0, 2.0)), 0);
 }`,
-    moved([px, , pz]) {
+    offset([px, , pz]) {
       const clamp = (x) => min(2, Math.max(0, x))
       const [x, z] = [clamp(px + 1), clamp(pz + 1)]
       let sum = 0
-      seed.forEach((height, k) => {
+      heights.forEach((height, k) => {
         const tent = (t) => Math.max(0, 1 - abs(t))
         sum += height * tent(x - (k % 3)) * tent(z - floor(k / 3))
       })
@@ -278,7 +280,7 @@ fn offset(position: Point) -> vec3<f32> {
   moved.x -= 0.05 * along * (1.0 - cos(phase));
   return moved;
 }`,
-    moved([x, y]) {
+    offset([x, y]) {
       const along = min(1, Math.max(0, x * 0.5 + 0.5))
       const phase = along * 2 * PI * 1.3 - time * hypot(1.2, 0.4, 0.1)
       return [-0.05 * along * (1 - cos(phase)), -0.1 * along * along, sin(phase + y) * 0.3 * along]

@@ -1,7 +1,7 @@
-// Functions in WGSL, one or more per construct: fn own(p: vec3f) -> vec3f. Points are from -1 to 1.
+// Functions `fn own(p: vec3f) -> vec3f` in WGSL, one or more per construct. Their points have coordinates from -1 to 1.
 const fn = (statements, above = '') => `${above}\nfn own(p: vec3f) -> vec3f {\n  ${statements}\n}`
 
-export const own = {
+export const ownFunctions = {
   'operators of floats': fn('return (p + 1.5) * vec3f(2, -1, 0.5) / (2 - p.zxy) - p * 0.25;'),
   'the remainder has the sign of its dividend': fn(
     'return (p * 7.3) % vec3(2.5, -1.25, 2) + p.x % 0.3;',

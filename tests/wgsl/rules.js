@@ -1,8 +1,9 @@
-// Sources that obey or break a rule of WGSL, each complete, with a function `offset`. The tests ask a browser which of them are valid.
+// Sources that obey or break a rule of WGSL, each complete, with a function `offset`. A browser decides in the tests which of them are
+// valid.
 import { calls } from './rules/calls.js'
 import { globals } from './rules/globals.js'
 import { operators, unary } from './rules/operators.js'
-import { above, body, each } from './rules/sources.js'
+import { makeCases, withBody, withTop } from './rules/sources.js'
 import { statements } from './rules/statements.js'
 
 /** Keywords, reserved words, words of other languages, and valid names. */
@@ -18,19 +19,19 @@ export const words = `
   .trim()
   .split(/\s+/)
 
-export const declaring = {
-  local: (word) => body(`var ${word} = p.x; ${word} += 1;`),
-  global: (word) => above(`var<private> ${word}: f32;`),
-  constant: (word) => above(`const ${word} = 1;`),
-  parameter: (word) => above(`fn f(${word}: f32) -> f32 { return ${word}; }`),
-  field: (word) => above(`struct S { ${word}: f32 }`),
-  structure: (word) => above(`struct ${word} { x: f32 }`),
-  function: (word) => above(`fn ${word}(x: i32, y: bool, z: f32) -> f32 { return z; }`),
+export const declarers = {
+  local: (word) => withBody(`var ${word} = p.x; ${word} += 1;`),
+  global: (word) => withTop(`var<private> ${word}: f32;`),
+  constant: (word) => withTop(`const ${word} = 1;`),
+  parameter: (word) => withTop(`fn f(${word}: f32) -> f32 { return ${word}; }`),
+  field: (word) => withTop(`struct S { ${word}: f32 }`),
+  structure: (word) => withTop(`struct ${word} { x: f32 }`),
+  function: (word) => withTop(`fn ${word}(x: i32, y: bool, z: f32) -> f32 { return z; }`),
 }
 export const rules = Object.fromEntries([
-  ...each('statement', statements, (piece) => body(piece)),
-  ...each('above', globals, above),
-  ...each('call', calls, (piece) => body(`_ = ${piece};`)),
+  ...makeCases('statement', statements, (piece) => withBody(piece)),
+  ...makeCases('global declaration', globals, withTop),
+  ...makeCases('call', calls, (piece) => withBody(`_ = ${piece};`)),
   ...operators,
   ...unary,
 ])

@@ -108,13 +108,15 @@ export async function ownTypes() {
     })
   }
 
-  const ofP5 = findNamed('three/settings.ts', ts.isTypeAliasDeclaration, 'OfP5').type.types.map(
-    ({ literal }) => literal.text,
-  )
+  const p5Inputs = findNamed(
+    'three/settings.ts',
+    ts.isTypeAliasDeclaration,
+    'P5Input',
+  ).type.types.map(({ literal }) => literal.text)
   return {
     inputs: membersOf(['core/types/offset.ts', 'WarpInputs']).map((input) => ({
       ...input,
-      host: ofP5.includes(input.name) ? 'p5' : 'both',
+      host: p5Inputs.includes(input.name) ? 'p5' : 'both',
     })),
     functions: Object.entries(entries).flatMap(([host, entry]) => functionsOf(host, entry)),
   }

@@ -38,7 +38,7 @@ export const aliases = {
   perlin: 'noise',
 } as const
 
-/** Maps a name → function that composes it from methods of its first operand. */
+/** Maps a name → a function that composes the operation from methods of its first operand. */
 export const compositions: Readonly<
   Record<string, (x: Expression & Methods, ...others: unknown[]) => Expression>
 > = {

@@ -29,14 +29,14 @@ const params: Record<string, Shape> = {
   mat4Param: [4, 4],
 }
 
-type BuilderFunction = (...given: unknown[]) => unknown
+type BuilderFunction = (...args: unknown[]) => unknown
 
 /** Makes one function of `glsl` for a session. */
 type Maker = (session: Session, glsl: Builder) => BuilderFunction
 
 /** Maps name → maker. Filled when the first builder is made. */
 const makers = new Map<string, Maker>()
-/** Maps name → whether it is enumerable, which functions for GLSL source only are not. */
+/** Maps name → whether it is enumerable; functions that only GLSL source needs are not. */
 const listed = new Map<string, boolean>()
 
 /** Makes `glsl`. Its functions need no `this`, so that `const { vec3, sin } = glsl` works. */
@@ -60,21 +60,21 @@ function installMakers() {
   add(
     'texture',
     (session) =>
-      (...given) =>
-        callTexture(session, given),
+      (...args) =>
+        callTexture(session, args),
   )
   add(
     'repeat',
     (session) =>
-      (...given) =>
-        repeat(session, given),
+      (...args) =>
+        repeat(session, args),
   )
   add('fn', (session) => (options) => declareFunction(session, options))
   add(
     'source',
     (_, glsl) =>
-      (...given) =>
-        frontEnd()(glsl, ...given),
+      (...args) =>
+        frontEnd()(glsl, ...args),
   )
   for (const [name, shape] of Object.entries(params)) add(name, parameter(name, shape))
   // For front ends, which record functions in sessions of their own; not enumerable.
@@ -84,27 +84,27 @@ function installMakers() {
     add(
       kind,
       (session) =>
-        (...given) =>
-          callNoise(session, kind, given),
+        (...args) =>
+          callNoise(session, kind, args),
     )
   for (const [alias, name] of Object.entries(aliases)) add(alias, (_, glsl) => glsl[name]!)
   for (const alias of Object.keys(compositions)) add(alias, composition(alias))
   installMethods()
 }
 
-function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
+function frontEnd(): (builder: Builder, ...args: unknown[]) => unknown {
   const read = Reflect.get(globalThis, frontEndKey) as ReturnType<typeof frontEnd> | undefined
   if (read) return read
   throw new WarpError("source: import 'warpjet/glsl' first, which reads GLSL source.")
 }
 
-const val = new Place('val')
+const valPlace = new Place('val')
 
 const constant: Maker =
   (session) =>
   (value, ...others) => {
-    rejectMore(val.method, others)
-    return toExpression(session, value, val, 1)
+    rejectMore(valPlace.method, others)
+    return toExpression(session, value, valPlace, 1)
   }
 
 const parameter =
@@ -121,9 +121,9 @@ const parameter =
 const functionOf =
   (operation: Operation): Maker =>
   (session) =>
-  (...given) => {
+  (...args) => {
     const { name, place } = operation
-    const operands = given.map((operand, i) => toExpression(session, operand, place, i + 1))
+    const operands = args.map((operand, i) => toExpression(session, operand, place, i + 1))
     return session.call(operation, gatherNumbers(session, name, operands))
   }
 

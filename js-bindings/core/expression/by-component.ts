@@ -1,4 +1,4 @@
-// Vectors as separate numbers, as methods of p5.Vector take them: `v.mult(x, y, z)` is `v.mult(glsl.vec3(x, y, z))`.
+// Accepts vectors as separate numbers, as methods of p5.Vector do: `v.mult(x, y, z)` is `v.mult(glsl.vec3(x, y, z))`.
 import { describeShape } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
 import type { Expression } from './expression.js'
@@ -19,7 +19,7 @@ const trailingOperands: Readonly<Record<string, number>> = {
   mix: 1,
 }
 
-/** Tests for an operation with any number of operands, where each of too few numbers would apply to all components. */
+/** Tests for an operation that takes any number of operands: if too few numbers were passed, it would apply each to all components. */
 const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
 
 /**
@@ -28,10 +28,10 @@ const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
  */
 export function gatherNumbers(session: Session, name: string, operands: Expression[]) {
   if (operands.length < 3) return operands
-  const after = trailingOperands[name]
-  if (after === undefined || operands.length < 3 + after) return operands
+  const trailing = trailingOperands[name]
+  if (trailing === undefined || operands.length < 3 + trailing) return operands
   const [columns, rows] = session.shapeOf(operands[0]!)
-  const numbers = operands.slice(1, operands.length - after)
+  const numbers = operands.slice(1, operands.length - trailing)
   const isNumber = (each: Expression) => session.shapeOf(each).join() === '1,1'
   if (columns > 1 || rows < 2 || !numbers.every(isNumber)) return operands
   if (numbers.length === rows) {

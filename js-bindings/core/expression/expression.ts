@@ -7,7 +7,7 @@ import type { Shape } from './shapes.js'
 
 const largestFloat32 = 3.4028234663852886e38
 
-/** An expression as a string: not a valid name in a shader, so that it is rejected wherever a name is expected. */
+/** The string to which expressions are converted. It is no valid name in a shader, so it is rejected wherever a name is expected. */
 export const expressionAsText = 'an expression of warpjet'
 
 /** The session of an expression. */
@@ -30,7 +30,7 @@ export class Expression {
     if (hint === 'string') return expressionAsText
     if (operatorsKey in globalThis)
       throw new WarpError(
-        "JavaScript's own + - * / < > and Math functions do not work on expressions here, in a function that warpjet/operators has not read; hand that function to createWarp or operators() itself, or write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin() in it.",
+        "JavaScript's own + - * / < > and Math functions do not work on expressions here, in a function that warpjet/operators has not read; pass that function itself to createWarp or operators(), or write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin() in it.",
       )
     throw new WarpError(
       "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do.",
@@ -53,7 +53,7 @@ export class Expression {
   }
 }
 
-/** Converts an operand to an expression of the session. `place` is the call; with `argument`, the operand is that argument of it. */
+/** Converts an operand to an expression of the session. `place` is the call, `argument` the operand's number among its arguments, if any. */
 export function toExpression(
   session: Origin,
   operand: unknown,
@@ -71,16 +71,16 @@ const isFloat32 = (x: number) => Math.abs(x) <= largestFloat32 && (x === 0 || Ma
 const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers
 
 function invalidOperand(operand: unknown, place: Place): WarpError {
-  const is = (what: string) => place.error(`${place.subject} ${what}`)
+  const errorAbout = (what: string) => place.error(`${place.subject} ${what}`)
   if (typeof operand === 'number')
     return Math.abs(operand) <= largestFloat32
-      ? is(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
-      : is(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
+      ? errorAbout(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
+      : errorAbout(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
   if (!isExpression(operand)) {
     const advice = isVector(operand) ? 'write glsl.vec3(x, y, z) for a vector' : undefined
     return place.expected('a number or an expression', describe(operand), advice)
   }
-  return is(
+  return errorAbout(
     operand instanceof Expression
       ? 'comes from another warp; an expression can only be used inside the function that made it.'
       : 'was made by another copy of warpjet; this page loads two copies, so load all of warpjet from one place.',

@@ -27,19 +27,19 @@ export function declareFunction(session: Session, options: unknown) {
   if (options === undefined)
     throw place.expected('an object { name, source, arity, derivatives }', 'undefined')
   rejectUnknownOptions(options, names, place)
-  const given = options as Record<string, unknown>
-  const name = functionName.read(given.name, place.option('name'))
-  const at = (option: string) => place.part(`the option "${option}" of ${name}`)
-  const arity = arityKind.read(given.arity, at('arity'))
+  const passed = options as Record<string, unknown>
+  const name = functionName.read(passed.name, place.option('name'))
+  const optionPlace = (option: string) => place.part(`the option "${option}" of ${name}`)
+  const arity = arityKind.read(passed.arity, optionPlace('arity'))
   const language = languages[session.target]
-  const sources = new Map(sourcesOf(given.source, language))
+  const sources = new Map(sourcesOf(passed.source, language))
   if (!sources.has(language))
-    throw at('source').expected(
+    throw optionPlace('source').expected(
       `${language.toUpperCase()} source for the target ${session.target}, or an object { ${language}: … } with it,`,
-      describe(given.source),
+      describe(passed.source),
     )
   if ([...sources.values()].some((code) => code.includes(expressionAsText)))
-    throw at('source').error(
+    throw optionPlace('source').error(
       `the option "source" of ${name} contains an expression; make it an argument of the function.`,
     )
   const derivatives = optional(
@@ -47,7 +47,7 @@ export function declareFunction(session: Session, options: unknown) {
       `an array of ${arity}, one for each argument,`,
       (list) => Array.isArray(list) && list.length === arity,
     ),
-  ).read(given.derivatives, at('derivatives'))
+  ).read(passed.derivatives, optionPlace('derivatives'))
   const number = session.addFunction({ name, arity, derivatives }, sources)
   const call = new Place(name)
   return (...operands: unknown[]): Expression =>

@@ -17,7 +17,7 @@ import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
  */
 const methods = Object.create(null) as object
 
-/** Returns the session, which is the only maker of expressions. */
+/** Returns the session of an expression. It is a `Session`, since nothing else makes expressions. */
 const sessionOf = (expression: Expression) => expression.session as Session
 
 export function installMethods() {
@@ -42,7 +42,7 @@ export function installMethods() {
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
-/** Words the error for an unknown method. Swizzles are not suggested, since any two letters are near to one. */
+/** Returns the message about an unknown method. It suggests no swizzles, since any two letters are similar to one. */
 function unknownMethod(name: string) {
   const names = Object.getOwnPropertyNames(methods).filter((each) => !indicesOf(each))
   return `${name}: an expression has no such method; ${didYouMean(name, [...names, 'x', 'y', 'z', 'w'], operationLists, meantByMethods)}`
@@ -93,8 +93,8 @@ const otherMethods = {
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const session = sessionOf(this)
-    const by = toExpression(session, input, outputDeriv, 2)
-    const derivative = session.call(operationNamed('derivative'), [this, by])
+    const variable = toExpression(session, input, outputDeriv, 2)
+    const derivative = session.call(operationNamed('derivative'), [this, variable])
     session.requestOutput(name, derivative, outputDeriv)
   },
 }
@@ -153,8 +153,8 @@ export function rejectMore(name: string, others: readonly unknown[]) {
 }
 
 /**
- * Makes an expression callable: the call returns the expression. A console prints the source of a function, which begins with its
- * description here: as the name of a property, which minifiers do not change.
+ * Makes an expression callable: the call returns the expression. A console prints the source of the function, so its name describes it.
+ * That name is the name of a property, which minifiers do not change.
  */
 export function callable(name: string, expression: Expression): Expression {
   const [component] = Object.values({
@@ -166,7 +166,7 @@ export function callable(name: string, expression: Expression): Expression {
   // `length` and `name` would hide methods of expressions.
   Reflect.deleteProperty(component!, 'length')
   Reflect.deleteProperty(component!, 'name')
-  // Assigned before the prototype is set: its chain ends with a proxy, which would be asked about each new property.
+  // Assigned before the prototype is set: its chain ends with a proxy, which would handle each new property.
   Object.assign(component!, expression)
   return Object.setPrototypeOf(component, Expression.prototype) as Expression
 }

@@ -21,29 +21,30 @@ const isNumber = (value: unknown) => value instanceof Expression || typeof value
 
 const factorName = 'a number above 0, or an expression of one number,'
 /** Returns the kind of an option by which each octave is multiplied. */
-const factor = (standard: number) =>
+const factor = (defaultValue: number) =>
   kind<Expression | number, Operand>(
     factorName,
     (given) => given instanceof Expression || (typeof given === 'number' && given > 0),
-    { default: standard },
+    { default: defaultValue },
   )
 
-const seeded = {
+/** The options of the four sorts of noises; `made` noises are composed of a base noise. */
+const seedKinds = {
   seed: wholeNumber({ min: -maxSeed, max: maxSeed, default: 0 }),
 } satisfies KindsOf<NoiseOptions>
-const made = { noise: oneOf(bases, 'noise'), ...seeded } satisfies KindsOf<CurlOptions>
-const fractal = {
+const madeKinds = { noise: oneOf(bases, 'noise'), ...seedKinds } satisfies KindsOf<CurlOptions>
+const fractalKinds = {
   octaves: wholeNumber({ min: 1, max: maxOctaves, default: 5 }),
   lacunarity: factor(2),
   gain: factor(0.5),
-  ...made,
+  ...madeKinds,
 } satisfies KindsOf<FractalOptions>
 
 const schemas = {
-  base: object(seeded),
-  plain: object(seeded),
-  made: object(made),
-  fractal: object(fractal),
+  base: object(seedKinds),
+  plain: object(seedKinds),
+  made: object(madeKinds),
+  fractal: object(fractalKinds),
 }
 
 export function callNoise(
@@ -62,7 +63,7 @@ export function callNoise(
     throw place.error(
       `it takes ${isMethod ? 'options' : 'a point and options'}; ${describe(others[0])} is too many.`,
     )
-  const options: Partial<ValuesOf<typeof fractal>> = schemas[noises[name]].read(given, place)
+  const options: Partial<ValuesOf<typeof fractalKinds>> = schemas[noises[name]].read(given, place)
   const { octaves = 1, lacunarity, gain, noise = 'noise', seed } = options
   const operands = [operand, toExpression(session, seed, place)]
   for (const [option, value] of Object.entries({ lacunarity, gain }))

@@ -6,11 +6,11 @@ export interface Operation {
   name: string
   /** The number in the wasm. */
   number: number
-  /** `true` if expressions have it as a method; constructors of vectors and matrices are functions only. */
+  /** True if expressions have the operation as a method; constructors of vectors and matrices are functions only. */
   isMethod: boolean
-  /** `false` for an operation of GLSL source only. */
+  /** False for an operation that only GLSL source needs. */
   isListed: boolean
-  /** `true` if its result is a condition: for comparisons and logical operations. */
+  /** True if the result is a condition: for comparisons and logical operations. */
   isCondition: boolean
   /** The call, for messages. */
   place: Place

@@ -31,9 +31,9 @@ export function repeat(
   const next = body.read(step, place.argument(3))
   const state = new StateShape(session, start)
   const results = session.repeat(times, state.starts, (parts, i) =>
-    state.partsOfNext(next(state.from(parts), i)),
+    state.partsOfNext(next(state.assemble(parts), i)),
   )
-  return state.from(results)
+  return state.assemble(results)
 }
 
 /** The shape of a loop's state: an expression, or several by name. */
@@ -55,7 +55,8 @@ class StateShape {
     this.starts = this.partsOf(start, 'start')
   }
 
-  from(parts: readonly Expression[]): unknown {
+  /** Returns the state that consists of these parts. */
+  assemble(parts: readonly Expression[]): unknown {
     return this.names ? Object.fromEntries(this.names.map((name, i) => [name, parts[i]])) : parts[0]
   }
 
@@ -89,12 +90,12 @@ class StateShape {
   }
 
   private rejectOtherShape(next: Expression, i: number) {
-    const [from, to] = [this.starts[i]!, next].map((each) =>
+    const [startShape, nextShape] = [this.starts[i]!, next].map((each) =>
       describeShape(this.session.shapeOf(each)),
     )
-    if (from !== to)
+    if (startShape !== nextShape)
       throw place.error(
-        `${this.labels[i]} starts as ${from}, but the function returns ${to} for it; start with ${to}.`,
+        `${this.labels[i]} starts as ${startShape}, but the function returns ${nextShape} for it; start with ${nextShape}.`,
       )
   }
 

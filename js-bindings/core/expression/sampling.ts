@@ -1,8 +1,8 @@
-// The sampling of an image by its host: wrapping and filter, which the adapter passes to the shader with the image.
+// A host's way to sample an image: wrapping and filter, which the adapter passes to the shader with the image.
 
 /** The parts of the sampling that an adapter passes to the shader. */
 export interface HostSampling {
-  /** `true` if the host multiplies texture coordinates by a mat3 first. */
+  /** True if the host multiplies texture coordinates by a mat3 first. */
   hasTransform: boolean
 }
 

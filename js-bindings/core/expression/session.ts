@@ -1,4 +1,4 @@
-// Records one call of a callback: every operation is a call into the wasm, and results in an expression.
+// Records one call of a callback: every operation calls the wasm, and returns an expression.
 import { WarpError, describe } from '../../errors/errors.js'
 import { text } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
@@ -15,7 +15,7 @@ import { WasmSession, type Recording } from './wasm-session.js'
 /** A function of GLSL source, recorded in its own session, from numbers to numbers. */
 export interface RecordedFunction {
   name: string
-  /** It is differentiated with respect to this number of its first arguments. */
+  /** The number of its first arguments with respect to which it is differentiated. */
   variables: number
   results: number
   module: SerializedModule
@@ -44,9 +44,9 @@ export class Session extends WasmSession {
     super(recording)
   }
 
-  /** Adds a variable of the host. `label` is the expression that reads it there. */
+  /** Adds a variable of the host. `label` is the expression that reads it in the shader. */
   input(label: unknown, [columns, rows]: Shape, method: string): Expression {
-    const session = this.open(method)
+    const session = this.requireOpen(method)
     if (typeof label !== 'string')
       throw new Place(method).expected('the name of a shader variable', describe(label))
     return this.expression(session.input(method, label, columns, rows))
@@ -64,14 +64,14 @@ export class Session extends WasmSession {
     return this.conditions.has(handle)
   }
 
-  /** Copies an expression, so that unused results of methods of the copy are found. */
+  /** Copies an expression such that unused results of the copy's methods cause a warning. */
   copyOf({ handle }: Expression): Expression {
     const copy = new Expression(this, handle)
     this.unused.addCopy(copy)
     return copy
   }
 
-  /** Must be called with the result of every method, to find unused results of copies. */
+  /** Must be called with the result of every method, to find unused results of methods of copies. */
   followCopy(copy: Expression, name: string, result: unknown) {
     this.unused.follow(copy, name, result)
   }
@@ -79,7 +79,7 @@ export class Session extends WasmSession {
   /** Applies an operation. The first operand of a method is the expression that it is called on. */
   call(operation: Operation, operands: readonly Expression[], isMethod = false): Expression {
     const { name, number, isCondition } = operation
-    const at = this.at(name)
+    const address = this.openAddress(name)
     // Up to three operands are arguments of the call; more are pushed before it.
     const count = operands.length <= 3 ? operands.length : 0
     const a = count > 0 ? operands[0]!.handle : 0
@@ -88,7 +88,7 @@ export class Session extends WasmSession {
     for (;;) {
       if (count < operands.length) this.push(operands)
       else if (this.unused.size > 0) for (const operand of operands) this.unused.use(operand)
-      const result = this.core._call(at, number, +isMethod, count, a, b, c)
+      const result = this.core._call(address, number, +isMethod, count, a, b, c)
       if (result !== needsPartials) {
         if (isCondition) {
           this.unused.watch(result)
@@ -101,7 +101,7 @@ export class Session extends WasmSession {
   }
 
   swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
-    const session = this.open(name)
+    const session = this.requireOpen(name)
     this.unused.use(value)
     const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
     const result = this.core._swizzle(this.address, value.handle, indices.length, packed)
@@ -112,22 +112,22 @@ export class Session extends WasmSession {
   /** Declares a function of the host. `sources` maps a language → source. */
   addFunction(hostFunction: HostFunction, sources: ReadonlyMap<string, string>): number {
     const { name, arity } = hostFunction
-    const number = this.open('fn').addFunction(name, [...sources], arity)
+    const number = this.requireOpen('fn').addFunction(name, [...sources], arity)
     if (number === failed) this.fail()
     this.hostFunctions.add(number, hostFunction)
     return number
   }
 
   callFunction(number: number, name: string, operands: readonly Expression[]): Expression {
-    const at = this.at(name)
+    const address = this.openAddress(name)
     this.push(operands)
-    return this.expression(this.core._callFunction(at, number))
+    return this.expression(this.core._callFunction(address, number))
   }
 
   /** Calls a function that a front end recorded. */
   callRecorded(recorded: RecordedFunction, operands: readonly Expression[]): Expression[] {
     const { name, variables, results, module } = recorded
-    const session = this.open(name)
+    const session = this.requireOpen(name)
     let number = this.recorded.get(recorded)
     if (number === undefined)
       this.recorded.set(recorded, (number = session.addRecorded(name, variables, module)))
@@ -145,9 +145,9 @@ export class Session extends WasmSession {
     operands: readonly Expression[],
     isMethod: boolean,
   ): Expression {
-    const at = this.at(name)
+    const address = this.openAddress(name)
     this.push(operands)
-    return this.expression(this.core._callNoise(at, kind, base, octaves, +isMethod))
+    return this.expression(this.core._callNoise(address, kind, base, octaves, +isMethod))
   }
 
   /** Adds a loop, and returns the final states. `body` returns the next states from those of one step. */
@@ -156,7 +156,7 @@ export class Session extends WasmSession {
     starts: readonly Expression[],
     body: (states: Expression[], step: Expression) => readonly Expression[],
   ): Expression[] {
-    const session = this.open('repeat')
+    const session = this.requireOpen('repeat')
     const statesFrom = (handle: number) =>
       starts.map((_, i) => this.expression(handle === failed ? failed : handle + i))
     this.push(starts)
@@ -182,19 +182,19 @@ export class Session extends WasmSession {
     settings?: Expression,
   ): Expression {
     const { Filter, Wrap } = this.core
-    const session = this.open('texture')
+    const session = this.requireOpen('texture')
     this.push(settings ? [uv, settings] : [uv])
     return this.expression(session.callTexture(image, Filter[filter], Wrap[wrap]))
   }
 
   /** Returns the width and height of an image of the host, which each language writes in its own way. */
   imageSize(image: string): Expression {
-    return this.expression(this.open('texture').imageSize(image))
+    return this.expression(this.requireOpen('texture').imageSize(image))
   }
 
   /** Adds the partial derivatives of the calls of the host's functions that a derivative depends on. */
   private addPartials() {
-    const session = this.open('derivative')
+    const session = this.requireOpen('derivative')
     for (const call of session.pendingCalls()) {
       this.push(this.hostFunctions.partialsOf(session, call))
       if (!session.setPartials(call)) this.fail()
@@ -214,12 +214,12 @@ export class Session extends WasmSession {
   output(name: unknown, value: Expression, place: Place) {
     this.unused.use(value)
     const label = resultName.read(name, place.part('the name of a result'))
-    this.open(place.method).output(place.method, label, value.handle)
+    this.requireOpen(place.method).output(place.method, label, value.handle)
   }
 
   /** Adds all results of a warp. The operands are its offset and the `warpOperands` of wasm/tables.ts. */
   warp(place: Place, operands: readonly Expression[], hasNormals: boolean, isFlat: boolean) {
-    const session = this.open(place.method)
+    const session = this.requireOpen(place.method)
     for (;;) {
       this.push(operands)
       const result = session.warp(place.method, hasNormals, isFlat)
@@ -231,7 +231,7 @@ export class Session extends WasmSession {
 
   /** Returns all results as a serialized module. */
   finish(): SerializedModule {
-    const words = this.open('finish').finish()
+    const words = this.requireOpen('finish').finish()
     if (!words.length) this.fail()
     this.unused.warnAll()
     return Object.assign(words as SerializedModule, { conversions: this.conversions })

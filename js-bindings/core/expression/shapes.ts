@@ -21,7 +21,7 @@ type Condition = 'bool' | 'bvec2' | 'bvec3' | 'bvec4'
 export type TypeName = ShapeName | Whole | Condition
 export type ShapeName = 'float' | 'vec2' | 'vec3' | 'vec4' | 'mat2' | 'mat3' | 'mat4' | 'sampler2D'
 
-/** The conversion of an input to floats: a whole number becomes two inputs, since a float represents only 24 of its bits. */
+/** Describes how an input is read as a float: a whole number becomes two inputs, since a float represents only 24 of its bits. */
 export interface ReadAsFloats {
   name: string
   type: TypeName
@@ -30,7 +30,7 @@ export interface ReadAsFloats {
   texts: Readonly<Record<string, string>>
 }
 
-/** Converts a number of the host to the float of such an input. */
+/** Converts a number of the host to the float that such an input reads. */
 export function asFloat({ half }: ReadAsFloats, value: number): number {
   if (half === 'low') return value & 0xffff
   return half === 'high' ? value >> 16 : value

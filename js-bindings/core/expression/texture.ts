@@ -1,4 +1,4 @@
-// `glsl.texture`: an image of the host as a function of texture coordinates. src/texture implements the interpolation.
+// `glsl.texture`: reads an image of the host at texture coordinates. src/texture implements the interpolation.
 import { describe, describeShape } from '../../errors/describe.js'
 import { boolean, oneOf, optional, text } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
@@ -25,8 +25,8 @@ export function callTexture(
   [name, uv, given, ...others]: readonly unknown[],
 ): Expression {
   const image = imageName.read(name, place.argument(1))
-  const at = toExpression(session, uv, place, 2)
-  const shape = session.shapeOf(at)
+  const coordinates = toExpression(session, uv, place, 2)
+  const shape = session.shapeOf(coordinates)
   if (`${shape}` !== '1,2') throw place.argument(2).expected('a vec2', describeShape(shape))
   if (others.length > 0)
     throw place.error(`it takes a name, a vec2 and options; ${describe(others[0])} is too many.`)
@@ -36,8 +36,8 @@ export function callTexture(
   return session.callTexture(
     image,
     isTransformed && sampling?.hasTransform
-      ? transform(session.input(uniforms.transform, [3, 3], 'texture'), at)
-      : at,
+      ? transform(session.input(uniforms.transform, [3, 3], 'texture'), coordinates)
+      : coordinates,
     filter ?? (sampling ? 'host' : 'bilinear'),
     wrap ?? (sampling ? 'host' : 'clamp'),
     sampling && session.input(uniforms.settings, [1, 3], 'texture'),

@@ -36,7 +36,7 @@ type Composition = (x: Operand, ...others: unknown[]) => Expression
 const allSizes = [2, 3, 4]
 
 /** Makes a method of vectors with one operand or none. */
-function ofVector(
+function vectorMethod(
   name: string,
   count: 0 | 1,
   compose: (v: Operand, operand: Operand, rows: number) => Expression,
@@ -57,22 +57,22 @@ export const vectorMethods: Readonly<Record<string, Composition>> = {
     return (x.session as Session).copyOf(x)
   },
   /** The result has the sign of x, as JavaScript's `%` has. */
-  rem(x, ...by) {
-    rejectOtherCount(new Place('rem'), by, [1, shapeOf(x)[1]])
-    const whole = methodsOf(methodsOf(x.div!(...by)).trunc!())
-    return x.sub!(whole.mult!(...by))
+  rem(x, ...divisor) {
+    rejectOtherCount(new Place('rem'), divisor, [1, shapeOf(x)[1]])
+    const quotient = methodsOf(methodsOf(x.div!(...divisor)).trunc!())
+    return x.sub!(quotient.mult!(...divisor))
   },
-  heading: ofVector('heading', 0, (v) => {
+  heading: vectorMethod('heading', 0, (v) => {
     const { x, y } = v as unknown as Record<'x' | 'y', Operand>
     return y.atan!(x)
   }),
   // 1e-30 prevents 0 / 0 for a zero vector and a limit of 0.
-  limit: ofVector('limit', 1, (v, max) =>
+  limit: vectorMethod('limit', 1, (v, max) =>
     v.mult!(max.div!(methodsOf(max.max!(v.length!())).max!(1e-30))),
   ),
-  setMag: ofVector('setMag', 1, (v, length) => methodsOf(v.normalize!()).mult!(length)),
+  setMag: vectorMethod('setMag', 1, (v, length) => methodsOf(v.normalize!()).mult!(length)),
   /** The angle has the sign of the cross product's z, as in p5. */
-  angleBetween: ofVector(
+  angleBetween: vectorMethod(
     'angleBetween',
     1,
     (a, b, rows) => {

@@ -1,6 +1,6 @@
 // The session in the wasm, which holds all nodes that a callback has built. It is closed when the callback returns or throws.
 import { WarpError } from '../../errors/errors.js'
-import { callerOutside } from '../../errors/source-lines.js'
+import { callerLine } from '../../errors/source-lines.js'
 import type { Place } from '../../options/place.js'
 import { core as instance, type Core, type Session as CoreSession } from '../../wasm/core.js'
 import { failed } from '../../wasm/tables.js'
@@ -10,9 +10,9 @@ import { UnusedExpressions } from './unused.js'
 
 /** Options for recording a callback. */
 export interface Recording {
-  /** `true` if expressions request results by `.output(name)`, as in `gen`. */
+  /** True if expressions request results by `.output(name)`, as in `gen`. */
   hasOutputMethods?: boolean
-  /** `true` if comments say which line of the user's code each statement comes from. */
+  /** True if comments say which line of the user's code each statement comes from. */
   debug?: boolean
 }
 
@@ -34,7 +34,7 @@ export class WasmSession {
   }
 
   /** Returns the session. Throws if it is closed. `call` is the name of the called function, for the message. */
-  protected open(call: string): CoreSession {
+  protected requireOpen(call: string): CoreSession {
     if (!this.session)
       throw new WarpError(
         `${call}: the function that made this expression is over; use expressions only inside it.`,
@@ -47,23 +47,24 @@ export class WasmSession {
   }
 
   /** Returns the address of the session. Throws if it is closed. */
-  protected at(call: string): number {
-    this.open(call)
+  protected openAddress(call: string): number {
+    this.requireOpen(call)
     return this.address
   }
 
   /** Throws the problem that the session describes. */
   protected fail(): never {
-    throw new WarpError(this.open('problem').problem())
+    throw new WarpError(this.requireOpen('problem').problem())
   }
 
-  /** Makes the expression of a handle. Throws if there is none. */
+  /** Makes the expression of a handle. Throws the session's problem if the handle is `failed`. */
   protected expression(handle: number): Expression {
     if (handle === failed) this.fail()
-    if (this.recording.debug) this.open('debug').comment(callerOutside())
+    if (this.recording.debug) this.requireOpen('debug').comment(callerLine())
     return new Expression(this, handle)
   }
 
+  /** Passes operands to the wasm, for the next call. */
   protected push(operands: readonly Expression[]) {
     for (const operand of operands) {
       this.core._push(this.address, operand.handle)
@@ -72,17 +73,17 @@ export class WasmSession {
   }
 
   shapeOf(value: Expression): Shape {
-    const shape = this.core._shapeOf(this.at('shape'), value.handle)
+    const shape = this.core._shapeOf(this.openAddress('shape'), value.handle)
     return [shape >> 4, shape & 15]
   }
 
   /** Returns the number of an input in the module. */
   numberOf(input: Expression): number {
-    return this.core._inputOf(this.at('number'), input.handle)
+    return this.core._inputOf(this.openAddress('number'), input.handle)
   }
 
   /** Makes a constant, which float32 must be able to represent; see `toExpression`. */
   constant(value: number, place: Place): Expression {
-    return this.expression(this.core._constant(this.at(place.method), value))
+    return this.expression(this.core._constant(this.openAddress(place.method), value))
   }
 }

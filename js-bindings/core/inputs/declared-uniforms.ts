@@ -1,6 +1,6 @@
-// The option `uniforms`: named values, whose types follow from the values given where the warp is made.
+// The option `uniforms`: named values, whose types follow from the values that are passed when the warp is made.
 import { describe, type WarpError } from '../../errors/errors.js'
-import { isCallable, own } from '../../options/guards.js'
+import { isCallable, ownProperty } from '../../options/guards.js'
 import { record, type Kind } from '../../options/kinds.js'
 import { finiteDouble, readNumbers } from '../../options/numbers.js'
 import type { Place } from '../../options/place.js'
@@ -20,9 +20,9 @@ import {
 /** A uniform as the option declares it. */
 export interface DeclaredUniform {
   shape: Shape
-  /** Returns its current numbers, which its function computes, if it has one. Throws if they no longer have the declared type. */
+  /** Returns the current numbers; calls the user's function, if the uniform is one. Throws if they no longer have the declared type. */
   numbers: (place: Place) => number[]
-  /** Returns its current value, unchecked. Present if that allocates no array. */
+  /** Returns the current value, unchecked. Present if that allocates no array. */
   value?: (() => unknown) | undefined
   isFunction: boolean
   /** Present for an image, which has no numbers: returns the current image. */
@@ -41,31 +41,31 @@ const optionRecord = record<object>(
 const expected =
   'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that returns one of them,'
 
-/** The option `uniforms`. Arrays are copied, and functions called once for their type. */
+/** The kind of the option `uniforms`. Arrays are copied, and functions are called once for the type of their result. */
 export const uniformsKind: Kind<DeclaredUniforms, object> = {
   read: (option, place) =>
     new Map(
       option === undefined
         ? []
         : Object.entries(optionRecord.read(option, place.option('uniforms'))).map(
-            ([name, given]: [string, unknown]) => [name, declare(name, given, place.uniform(name))],
+            ([name, value]: [string, unknown]) => [name, declare(name, value, place.uniform(name))],
           ),
     ),
 }
 
-function declare(name: string, given: unknown, place: Place): DeclaredUniform {
+function declare(name: string, option: unknown, place: Place): DeclaredUniform {
   if (Object.hasOwn(inputSizes, name))
     throw place.error(
       `the uniform "${name}" has the name of an input; give it another one, such as "my${name[0]!.toUpperCase()}${name.slice(1)}".`,
     )
-  const isFunction = isCallable(given)
-  const first: unknown = isFunction ? given() : given
+  const isFunction = isCallable(option)
+  const first: unknown = isFunction ? option() : option
   if (isImage(first))
     return {
       shape: imageShape,
       numbers: () => [],
       isFunction,
-      image: () => (isFunction ? imageFor(place, given()) : first),
+      image: () => (isFunction ? imageFor(place, option()) : first),
     }
   const numbers = numbersOf(first)
   const shape = shapeFor(numbers)
@@ -83,39 +83,43 @@ function declare(name: string, given: unknown, place: Place): DeclaredUniform {
   if (!isFunction) return { shape, numbers: () => numbers, value: () => value, isFunction: false }
   return {
     shape,
-    value: given,
-    numbers: (call) => numbersFor(call.uniform(name), shape, given(), true),
+    value: option,
+    numbers: (call) => numbersFor(call.uniform(name), shape, option(), true),
     isFunction: true,
   }
 }
 
-/** Adds the current values of all functions to `given`, so that many evaluations in a row use the same values. */
+/** Adds the current values of uniforms that are functions to those in `passed`, so that many evaluations in a row use the same values. */
 export function snapshotUniforms<Values extends object>(
   place: Place,
   declared: DeclaredUniforms | undefined,
-  given: Values | undefined,
+  passed: Values | undefined,
 ): Values | undefined {
-  if (!declared?.size || (given !== undefined && typeof given !== 'object')) return given
+  if (!declared?.size || (passed !== undefined && typeof passed !== 'object')) return passed
   const functions = [...declared].filter(
-    ([name, { isFunction, image }]) => isFunction && !image && own(given ?? {}, name) === undefined,
+    ([name, { isFunction, image }]) =>
+      isFunction && !image && ownProperty(passed ?? {}, name) === undefined,
   )
-  const now = functions.map(([name, { numbers }]) => [name, scalarOrArray(numbers(place))])
-  return { ...given, ...Object.fromEntries(now) } as Values
+  const current = functions.map(([name, { numbers }]) => [name, scalarOrArray(numbers(place))])
+  return { ...passed, ...Object.fromEntries(current) } as Values
 }
 
 /** Lists the user's names for a message. */
 export const listNames = (declared: DeclaredUniforms) => [...declared.keys()].join(', ')
 
-/** For the CPU: returns the given values, and the current values of the declared uniforms that are in `read` and not given. */
+/**
+ * Returns the values that a program on the CPU reads: those that were passed, and the current values of the other declared uniforms.
+ * `read` has the names of the uniforms that the program reads.
+ */
 export function withDeclared(
   place: Place,
   declared: DeclaredUniforms,
-  given: Readonly<Record<string, unknown>> = {},
+  passed: Readonly<Record<string, unknown>> = {},
   read: ReadonlySet<string>,
 ): Record<string, unknown> {
-  const all = Object.assign(Object.create(null), given) as Record<string, unknown>
+  const all = Object.assign(Object.create(null), passed) as Record<string, unknown>
   for (const [name, uniform] of declared) {
-    const value = own(given, name)
+    const value = ownProperty(passed, name)
     const isRead = read.has(name)
     if (uniform.image) delete all[name]
     else if (value !== undefined)

@@ -1,4 +1,4 @@
-// Geometries of three.js as flat arrays. They are recognized by their properties, since three.js is not a dependency.
+// Reads geometries of three.js as flat arrays. They are recognized by their properties, since three.js is not a dependency.
 
 /** The used members of a BufferAttribute or an InterleavedBufferAttribute. */
 export interface Attribute {
@@ -35,15 +35,15 @@ export const geometryAttributes = {
 export function arraysOf({ attributes, index }: Geometry) {
   const arrays: Record<string, Float32Array | Uint32Array> = {}
   for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {
-    const given = attributes[attribute] as Attribute | undefined
+    const found = attributes[attribute] as Attribute | undefined
     // Colours without alpha are opaque.
-    if (given) arrays[name] = attributeNumbers(given, size, 1)
+    if (found) arrays[name] = attributeNumbers(found, size, 1)
   }
   if (index) arrays.indices = Uint32Array.from(index.array)
   return arrays
 }
 
-/** Returns the numbers of an attribute as floats, `size` per vertex; `missing` fills up a smaller attribute. */
+/** Returns the numbers of an attribute as floats, `size` per vertex; components that a smaller attribute lacks are `missing`. */
 export function attributeNumbers(attribute: Attribute, size: number, missing = 0): Float32Array {
   const { count, itemSize } = attribute
   if (isPlain(attribute, size)) return attribute.array as Float32Array

@@ -1,4 +1,4 @@
-// The numbers of a program's input, from a value of the host.
+// Converts a value of the host to the numbers of a program's input.
 import { readNumbers, type NumberTest } from '../../options/numbers.js'
 import type { Place } from '../../options/place.js'
 import { asFloat, type ReadAsFloats, type Variable } from '../expression/shapes.js'
@@ -10,13 +10,14 @@ export function inputNumbers(
   value: unknown,
   test?: NumberTest,
 ): number[] {
-  const given = read?.type === 'bool' && typeof value === 'boolean' ? Number(value) : value
+  const numeric = read?.type === 'bool' && typeof value === 'boolean' ? Number(value) : value
   const layout = columns > 1 ? ', column by column,' : ''
-  const numbers = readNumbers(place, given, columns * rows, { test, layout })
-  return read ? numbers.map((number) => asFloat(read, whole(place, read, number))) : numbers
+  const numbers = readNumbers(place, numeric, columns * rows, { test, layout })
+  return read ? numbers.map((number) => asFloat(read, checkWhole(place, read, number))) : numbers
 }
 
-function whole(place: Place, { type }: ReadAsFloats, number: number): number {
+/** Returns the number; throws unless it is a whole number that the type can represent. */
+function checkWhole(place: Place, { type }: ReadAsFloats, number: number): number {
   const [min, max] = type.startsWith('b')
     ? [0, 1]
     : type.startsWith('u')

@@ -18,7 +18,7 @@ export const variationNames = Object.keys(variationInputs) as VariationInput[]
 /** Returns the name of the attribute that carries a gradient in p5's shapes. */
 export const variationAttribute = (name: string) => `aWarpjet_${name}`
 
-/** The key of a function of `uniforms` that marks the uniform of a name as one that GLSL source reads as whole numbers. */
+/** The key of a method of `uniforms`: it takes the name of a uniform and marks it as one that GLSL source reads as whole numbers. */
 export const markWhole = Symbol.for('warpjet.whole')
 
 /** Inputs that differ by vertex. The offset function gets neither the tangent, which is only transformed, nor the gradients. */

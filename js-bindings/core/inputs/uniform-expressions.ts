@@ -1,5 +1,6 @@
-// The argument `uniforms` of an offset function: an expression or, for an image, its name, by the name of a declared uniform.
-import { asOwn, readOperators } from '../../errors/operators.js'
+// The argument `uniforms` of an offset function: maps the name of a declared uniform → its expression or, for an image, the image's name
+// in the shader.
+import { markLibraryFunction, translateOperators } from '../../errors/operators.js'
 import type { Place } from '../../options/place.js'
 import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
@@ -20,8 +21,8 @@ export function withUniforms(
   declared: DeclaredUniforms,
   labelOf: (name: string) => string,
 ): OffsetFunction {
-  const read = readOperators(offset, { method: place.method })
-  return asOwn((inputs: WarpInputs) => {
+  const translated = translateOperators(offset, { method: place.method })
+  return markLibraryFunction((inputs: WarpInputs) => {
     const strings = Reflect.ownKeys(inputs).filter((name) => typeof name === 'string')
     const names = new Map([...strings, 'uniforms'].map((name) => [name, true]))
     const make = (name: string) => {
@@ -29,23 +30,25 @@ export function withUniforms(
       const { session } = inputs.position as unknown as Expression
       return uniformExpressions(place, session as Session, declared, labelOf)
     }
-    // The prototype throws for names that are no inputs.
-    return read(lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs)
+    // The prototype of `inputs` throws for names that are no inputs.
+    return translated(
+      lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs,
+    )
   })
 }
 
-/** Makes an object of expressions and names of images that throws for an undeclared name. */
+/** Makes an object that has the expressions, and the names of images, and throws for an undeclared name. */
 function uniformExpressions(
   place: Place,
   session: Session,
   declared: DeclaredUniforms,
   labelOf: (name: string) => string,
 ): WarpInputs['uniforms'] {
-  const known = Object.create(null) as object
+  const uniforms = Object.create(null) as object
   for (const [name, { shape, sampling }] of declared) {
     const label = labelOf(name)
     if (sampling) session.samplings.set(label, sampling)
-    Object.defineProperty(known, name, {
+    Object.defineProperty(uniforms, name, {
       enumerable: true,
       get: () =>
         shape === imageShape
@@ -53,14 +56,14 @@ function uniformExpressions(
           : session.input(label, shape, `${place.method} uniforms.${name}`),
     })
   }
-  Object.defineProperty(known, markWhole, {
+  Object.defineProperty(uniforms, markWhole, {
     value: (name: string) => {
       const { shape, isFunction, numbers } = declared.get(name)!
       markAsWhole(shape)
       if (!isFunction) checkWhole(place.uniform(name), numbers(place))
     },
   })
-  return new Proxy(known, {
+  return new Proxy(uniforms, {
     get(target, name) {
       if (name in target || typeof name === 'symbol') return Reflect.get(target, name)
       throw place.error(

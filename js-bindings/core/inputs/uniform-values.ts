@@ -1,4 +1,4 @@
-// The value of a uniform as numbers (a number, an array, a vector or colour of p5), or as an image.
+// Reads the value of a uniform as numbers (from a number, an array, a vector or colour of p5), or as an image.
 import { describe } from '../../errors/errors.js'
 import { isList } from '../../options/guards.js'
 import { finiteDouble, readNumbers } from '../../options/numbers.js'
@@ -25,15 +25,20 @@ export function shapeFor(numbers: readonly number[] | undefined): Shape | undefi
   return shape && [...shape]
 }
 
-/** Reads a new value of a declared uniform. `isOwn` says that the uniform's own function returned it. */
-export function numbersFor(place: Place, shape: Shape, value: unknown, isOwn = false): number[] {
+/** Reads a new value of a declared uniform. `isReturned` is true if the uniform's function returned the value. */
+export function numbersFor(
+  place: Place,
+  shape: Shape,
+  value: unknown,
+  isReturned = false,
+): number[] {
   const [columns, rows] = shape
   const list = numbersOf(value, columns * rows)
   const numbers = readNumbers(place, list, columns * rows, {
     test: finiteDouble,
     layout: columns > 1 ? ', column by column,' : '',
     given: value,
-    advice: isOwn ? 'its function must always return what it returned at first' : undefined,
+    advice: isReturned ? 'its function must always return what it returned at first' : undefined,
   })
   if (wholeShapes.has(shape)) checkWhole(place, numbers)
   return numbers
@@ -57,7 +62,7 @@ export function checkWhole(place: Place, numbers: readonly number[]) {
     )
 }
 
-/** Tests for a width and a height, which p5's images, graphics, framebuffers and videos have, and elements of the page. */
+/** Tests for an object with width and height, which p5's images, graphics, framebuffers and videos have, and elements of the page. */
 export const isImage = (value: unknown): value is ImageLike =>
   typeof value === 'object' && value !== null && 'width' in value && 'height' in value
 
@@ -68,8 +73,8 @@ export function imageFor(place: Place, value: unknown): ImageLike {
 }
 
 /**
- * Returns the numbers of a value; `undefined` if it cannot be that of a uniform. A p5.Vector has 3 numbers and a p5.Color 4; if
- * `count` is smaller, the first ones are taken.
+ * Returns the numbers of a value; `undefined` if it cannot be the value of a uniform. A p5.Vector has 3 numbers and a p5.Color 4; if
+ * `count` is smaller, only the first ones are returned.
  */
 export function numbersOf(value: unknown, count = Infinity): number[] | undefined {
   if (typeof value === 'number') return [value]

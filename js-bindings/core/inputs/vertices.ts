@@ -1,4 +1,4 @@
-// The inputs of a warp on the CPU, and their checks: arrays of vertices, uniforms, a box.
+// Checks the inputs of a warp on the CPU: arrays of vertices, uniforms, a box.
 import { describe } from '../../errors/errors.js'
 import { isList } from '../../options/guards.js'
 import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../../options/numbers.js'
@@ -62,23 +62,23 @@ const sizes = Object.entries(arrayNames).map(([input, name]) => ({
 /** Arrays that held finite numbers when they were checked, or that a warp wrote. Only a Float32Array cannot grow afterwards. */
 const checked = new WeakSet<Float32Array>()
 
-/** Marks an array as checked: results of a warp need no check when they are passed to another one. */
-export const noteChecked = (numbers: Float32Array) => void checked.add(numbers)
+/** Marks an array as checked: results of a warp need no check when they are passed to another warp. */
+export const markChecked = (numbers: Float32Array) => void checked.add(numbers)
 
-/** Makes `evaluate` accept numbers that are not finite, for hosts that draw such vertices all the same. Copies their arrays. */
+/** Returns a mesh that `evaluate` accepts although numbers are not finite, for hosts that draw such vertices anyway. Arrays with such numbers are copied. */
 export function allowNonFinite(mesh: Vertices): Vertices {
   const arrays = Object.entries(mesh).map(([name, numbers]: [string, ArrayLike<number>]) => {
     const isFinite = numbers instanceof Float32Array && checked.has(numbers)
     if (isFinite || firstWrong(numbers, finiteFloat) < 0) return [name, numbers] as const
     const copy = Float32Array.from(numbers)
-    noteChecked(copy)
+    markChecked(copy)
     return [name, copy] as const
   })
   return Object.fromEntries(arrays) as unknown as Vertices
 }
 
-/** Counts the vertices. Throws for arrays of different lengths, and for those that hold anything but finite numbers when they are
- * passed for the first time. */
+/** Counts the vertices. Throws for arrays whose lengths do not match. Arrays that are passed for the first time must hold only finite
+ * numbers. */
 export function countVertices(place: Place, mesh: unknown): number {
   if (typeof mesh !== 'object' || mesh === null || !('positions' in mesh))
     throw place.expected('a mesh with an array of positions', describe(mesh))
@@ -108,19 +108,19 @@ export function countVertices(place: Place, mesh: unknown): number {
         )
     const isFloats = numbers instanceof Float32Array
     if (isFloats && checked.has(numbers)) continue
-    const wrong = firstWrong(numbers, finiteFloat)
-    if (wrong >= 0)
+    const wrongIndex = firstWrong(numbers, finiteFloat)
+    if (wrongIndex >= 0)
       throw place
-        .part(`${name}[${wrong}], of vertex ${Math.floor(wrong / size)}`)
-        .expected('a finite number', describeNumber(numbers[wrong]))
-    if (isFloats) noteChecked(numbers)
+        .part(`${name}[${wrongIndex}], of vertex ${Math.floor(wrongIndex / size)}`)
+        .expected('a finite number', describeNumber(numbers[wrongIndex]))
+    if (isFloats) markChecked(numbers)
   }
   return vertices
 }
 
 const adviceForUniform = (name: string) => `if it is a uniform, write { uniforms: { ${name}: … } }.`
 
-/** Returns the uniforms of options. Throws for an option that is not `known`. */
+/** Returns the option `uniforms`. Throws for an option that is not among `known`. */
 export function uniformsOf(
   place: Place,
   options: unknown,
@@ -131,13 +131,15 @@ export function uniformsOf(
 }
 
 /** Throws for a uniform that is neither an input of a draw call nor a parameter of the warp. */
-export function checkUniforms(place: Place, given: unknown, parameters: ReadonlySet<string>) {
-  if (given === undefined) return
-  if (typeof given !== 'object' || given === null || isList(given))
-    throw place.part('uniforms').expected('an object, such as { millis: 1200 },', describe(given))
-  for (const name in given) {
+export function checkUniforms(place: Place, uniforms: unknown, parameters: ReadonlySet<string>) {
+  if (uniforms === undefined) return
+  if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
+    throw place
+      .part('uniforms')
+      .expected('an object, such as { millis: 1200 },', describe(uniforms))
+  for (const name in uniforms) {
     if (Object.hasOwn(drawInputs, name) || parameters.has(name)) continue
-    if (!Object.hasOwn(given, name)) continue
+    if (!Object.hasOwn(uniforms, name)) continue
     const known = new Set([...Object.keys(drawInputs), ...parameters])
     throw unknownUniform(place, name, [...known])
   }

@@ -1,5 +1,5 @@
-// A recorded function as a serialized module (src/module): a word stream outside of the wasm. Shader code and CPU programs are
-// made from it any number of times.
+// A recorded function as a serialized module (src/module): a word stream outside of the wasm. Any number of shaders and CPU programs can
+// be made from it.
 import { WarpError } from '../../errors/errors.js'
 import { oneOf } from '../../options/kinds.js'
 import { core, type Module } from '../../wasm/core.js'
@@ -24,7 +24,7 @@ export type SerializedModule = Uint32Array & {
 export interface Program {
   words: Uint32Array
   instructions: number
-  /** The inputs whose numbers it takes, in order. */
+  /** The inputs whose numbers the program takes, in order. */
   inputs: Variable[]
 }
 
@@ -37,23 +37,23 @@ export interface Names {
   results?: readonly Naming[]
   /** Selects the inputs that frame constants are computed from; see compile/frame.ts. */
   isFrameConstant?: IsFrameConstant | undefined
-  /** `true` fades noise that is finer than a pixel, which only a fragment shader can do. */
+  /** If true, noise that is finer than a pixel fades, which only a fragment shader can do. */
   fadesNoise?: boolean | undefined
-  /** `true` reflects numbers that are less than a pixel outside of the domain of an operation, for fragment shaders; see src/emit/borders.hpp. */
+  /** If true, numbers that are less than a pixel outside of the domain of an operation are reflected, for fragment shaders; see src/emit/borders.hpp. */
   reflectsAtBorders?: boolean | undefined
 }
 
 /** Tests for an input that is constant during a frame, and whose value the host knows. */
 export type IsFrameConstant = (variable: Variable) => boolean
 
-/** Moves what depends on frame constants alone into its own result, and returns its count of vec4s. */
+/** Moves everything that depends on frame constants alone into a separate result, and returns the number of vec4s in that result. */
 function separateFrame(module: Module, isFrameConstant: IsFrameConstant | undefined): number {
   if (!isFrameConstant) return 0
   const constants = module.inputs().filter(isFrameConstant)
   return module.separate(constants.map(({ number }) => number))
 }
 
-/** Makes the program that computes those vec4s; `isRead` says which inputs it reads. `undefined` if there are none. */
+/** Makes the program that computes the vec4s of the frame; `isRead` says which inputs it reads. `undefined` if there are no vec4s. */
 export const makeFrame = (serialized: SerializedModule, isFrameConstant: IsFrameConstant) =>
   withModule(serialized, (module) => {
     const count = separateFrame(module, isFrameConstant)
@@ -108,7 +108,7 @@ export const writeText = (
       reflectsAtBorders,
     )
     if (problem) throw new WarpError(problem)
-    return { ...text, inputs: withReads(serialized, text.inputs) }
+    return { ...text, inputs: withConversions(serialized, text.inputs) }
   })
 
 const numberOf = ([number]: Naming) => number
@@ -116,14 +116,14 @@ const nameOf = ([, name]: Naming) => name
 
 /** Returns all inputs, read or not. */
 export const inputsOf = (serialized: SerializedModule): Variable[] =>
-  withModule(serialized, (module) => withReads(serialized, module.inputs()))
+  withModule(serialized, (module) => withConversions(serialized, module.inputs()))
 
 /** Returns the inputs that results depend on. `results` are their numbers. */
 export const inputsReadBy = (
   serialized: SerializedModule,
   results: readonly number[],
 ): Variable[] =>
-  withModule(serialized, (module) => withReads(serialized, module.inputsRead(results)))
+  withModule(serialized, (module) => withConversions(serialized, module.inputsRead(results)))
 
 /** Returns the results in order. */
 export const resultsOf = (serialized: SerializedModule): Variable[] =>
@@ -154,10 +154,10 @@ export const makeProgram = (
     return programOf(serialized, module, results)
   })
 
-/** The points at which waves and noises of results are evaluated (src/eval/phases.hpp), and the program that computes them. */
+/** The arguments of the waves and noises in results, called phases (src/eval/phases.hpp), and the program that computes them. */
 export interface Phases {
   program: Program
-  /** For each point, its dimensions, and how far it may move between samples. */
+  /** For each phase, its number of components, and the distance that it may move between samples. */
   phases: readonly { size: number; step: number }[]
 }
 
@@ -180,17 +180,22 @@ function programOf(
 ): Program | undefined {
   const { problem, words, instructions, inputs } = module.program(results)
   if (problem) throw new WarpError(problem)
-  return words.length ? { words, instructions, inputs: withReads(serialized, inputs) } : undefined
+  return words.length
+    ? { words, instructions, inputs: withConversions(serialized, inputs) }
+    : undefined
 }
 
-/** Does `work` with the deserialized module, and deletes it. */
+/** Calls `work` with the deserialized module, and deletes the module. */
 const withModule = <Result>(
   serialized: SerializedModule,
   work: (module: Module) => Result,
 ): Result => core.use(({ Module }) => new Module(serialized), work)
 
 /** Adds the conversions of inputs that are not floats in the host. */
-const withReads = ({ conversions }: SerializedModule, inputs: readonly Variable[]): Variable[] =>
+const withConversions = (
+  { conversions }: SerializedModule,
+  inputs: readonly Variable[],
+): Variable[] =>
   inputs.map((input) => {
     const read = conversions.get(input.number)
     return read ? { ...input, name: read.name ?? input.name, read } : input

@@ -15,7 +15,7 @@ export type AliasesOf<Methods> = {
 export interface MadeMethods<Self> {
   /** 1 - x */
   oneMinus(): Self
-  /** Between 0 and 1. */
+  /** x, limited to the range from 0 to 1. */
   saturate(): Self
   /** 1 / x */
   reciprocal(): Self
@@ -61,7 +61,7 @@ export interface Vec2Methods {
 export interface MadeFunctions {
   /** 1 - x */
   oneMinus<Value extends object>(x: Value): Value
-  /** Between 0 and 1. */
+  /** x, limited to the range from 0 to 1. */
   saturate<Value extends object>(x: Value): Value
   /** 1 / x */
   reciprocal<Value extends object>(x: Value): Value

@@ -87,8 +87,8 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
    *     const { z } = glsl.repeat(8, { z: position.xy() }, ({ z }, i) => ({ z: z.mult(1.1).add(i) }))
    *
    * Loops of JavaScript are unrolled in the shader. Use them for a few steps, or for steps that differ; use `repeat` for many steps
-   * that are alike: the code stays short, and the shader compiles faster. `count` is a number, not an expression, up to 10,000, where
-   * the counts of nested repeats are multiplied; 0 returns the start.
+   * that are alike: the code stays short, and the shader compiles faster. `count` is a number, not an expression. It is at most
+   * 10,000, as is the product of the counts of nested repeats; 0 returns the start.
    *
    * Throws a `WarpError` for another `count`, if `body` returns no state or one of another shape, and if an expression of its state
    * is used outside of it.
@@ -138,7 +138,7 @@ type RepeatNextPart<Part> = Part extends Operand ? Operand : Part
 export interface SourceOptions {
   /** The name of the function. Default: `offset`, or the last function. */
   function?: string
-  /** The number of iterations of a loop whose end only the shader knows. Without it, such a loop throws. */
+  /** The number of iterations of a loop whose end only the shader knows. If this option is missing, such a loop throws. */
   maxIterations?: number
   /** The `uniforms` of an offset function. */
   uniforms?: object
@@ -169,8 +169,8 @@ export interface TextureOptions {
    */
   wrap?: 'clamp' | 'repeat' | 'mirror' | 'sampler'
   /**
-   * `true`: a texture of three.js or Babylon.js among the `uniforms` first transforms `uv` by its `offset`, `repeat` and `rotation`, or
-   * by its matrix. `texture()` in GLSL source never does.
+   * If true, a texture of three.js or Babylon.js among the `uniforms` first transforms `uv` by its `offset`, `repeat` and `rotation`, or
+   * by its matrix. `texture()` in GLSL source never does that.
    * @default true
    */
   transform?: boolean

@@ -88,8 +88,8 @@ export interface WarpInputs<Uniforms extends UniformValues = {}> {
   /** The position of the vertex, in the space of the warp: a `sphere()` of p5 ranges from -1 to 1 there, whatever its radius; with
    * `space: 'world'`, positions are in pixels. */
   position: Vec3
-  /** The vertex's normal in the mesh, normally of length 1. The warped normal takes into account how it and `uv` vary over the
-   * surface, if the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` counts as constant. */
+  /** The vertex's normal in the mesh, normally of length 1. The warped normal takes into account how `normal` and `uv` vary over the
+   * surface, if the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` is treated as constant. */
   normal: Vec3
   /** Texture coordinates. */
   uv: Vec2

@@ -52,7 +52,8 @@ export class CutWatch {
     this.left--
     this.slice = (this.slice + 1) % this.slices
     const count = this.gather()
-    surface.evaluate(toSpace ? toSpace(samples, inSpace) : samples, given, phases)
+    const placed = toSpace ? toSpace(samples, inSpace) : samples
+    surface.evaluate(placed, samplesPerSide * count, given, phases)
     for (let i = 0; i < count; i++) if (this.isLong(surface, i)) return true
     return false
   }
@@ -87,19 +88,19 @@ export class CutWatch {
     }
   }
 
-  private isLong({ phases, size }: SurfacePhases, place: number): boolean {
+  private isLong({ sizes, steps, size }: SurfacePhases, place: number): boolean {
     let offset = 0
-    for (const phase of phases) {
+    for (const [i, step] of steps.entries()) {
       let change = 0
-      for (let i = 1; i < samplesPerSide; i++) {
-        const at = size * (samplesPerSide * place + i) + offset
+      for (let sample = 1; sample < samplesPerSide; sample++) {
+        const at = size * (samplesPerSide * place + sample) + offset
         let square = 0
-        for (let k = 0; k < phase.size; k++)
+        for (let k = 0; k < sizes[i]!; k++)
           square += (this.phases[at + k]! - this.phases[at - size + k]!) ** 2
         change += Math.sqrt(square)
       }
-      if (Number.isFinite(change) && change > maxLength * phase.step) return true
-      offset += phase.size
+      if (Number.isFinite(change) && change > maxLength * step) return true
+      offset += sizes[i]!
     }
     return false
   }

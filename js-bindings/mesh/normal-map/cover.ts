@@ -2,11 +2,11 @@
 import { barycentric, type UvTriangles } from './uv-triangles.js'
 
 export interface Cover {
-  /** The triangle of each texel, row by row; -1 for none. */
+  /** The index of each texel's triangle, row by row; -1 for none. */
   owners: Int32Array
   /** The number of texels whose centre is in a triangle. */
   covered: number
-  /** The number of those whose centre is inside several triangles. */
+  /** The number of texels whose centre is in several triangles. */
   overlapping: number
 }
 
@@ -16,14 +16,14 @@ export interface Cover {
  */
 const margin = 1.5
 
-/** The min depth, in texels, inside of two triangles that counts as an overlap: more than the rounding of uvs. */
+/** The min depth, in texels, of a point inside of two triangles that counts as an overlap: more than the rounding of uvs. */
 const minOverlap = 0.01
 
 /** Assigns each texel whose centre is in a triangle to this triangle, and others nearby to the nearest triangle. */
 export function coverTexels(triangles: UvTriangles): Cover {
   const { size, count } = triangles
   const owners = new Int32Array(size * size).fill(-1)
-  /** The distance of each texel from its triangle, negative inside. */
+  /** The distance of each texel from its triangle, in texels; negative inside. */
   const distances = new Float32Array(size * size).fill(margin)
   const overlaps = new Uint8Array(size * size)
   const forms = new Float64Array(9)
@@ -40,9 +40,9 @@ export function coverTexels(triangles: UvTriangles): Cover {
           barycentric(forms, 1, x, y) * heights[1]!,
           barycentric(forms, 2, x, y) * heights[2]!,
         )
-        const present = distances[texel]!
-        if (distance < -minOverlap && present < -minOverlap) overlaps[texel] = 1
-        if (distance >= present) continue
+        const previous = distances[texel]!
+        if (distance < -minOverlap && previous < -minOverlap) overlaps[texel] = 1
+        if (distance >= previous) continue
         distances[texel] = distance
         owners[texel] = triangle
       }

@@ -1,6 +1,6 @@
 /**
- * Copies to each texel without a triangle the colour of a nearest texel with one, so that mipmaps blend no other colours. `texels` has 3
- * bytes per texel.
+ * Copies the colour of the nearest texel with a triangle to each texel without one, so that mipmaps blend in no other colours. `texels`
+ * has 3 bytes per texel.
  */
 export function fillEmptyTexels(texels: Uint8Array, owners: Int32Array, size: number) {
   const isFilled = Uint8Array.from(owners, (owner) => (owner >= 0 ? 1 : 0))

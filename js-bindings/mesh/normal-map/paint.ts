@@ -22,14 +22,15 @@ const batchSize = 1 << 16
 
 interface Batch {
   texels: Uint32Array
-  /** The vertices of each texel's triangle, and its barycentric coordinates. */
+  /** The three vertices of each texel's triangle. */
   vertices: Uint32Array
+  /** The barycentric coordinates of each texel's centre in this triangle. */
   weights: Float64Array
 }
 
 /**
- * Returns 3 bytes per texel: the warped normal at the centre of the texel, in the tangent frame of the warped mesh there. Texels
- * without a triangle are 0.
+ * Returns 3 bytes per texel, which encode the warped normal at the texel's centre in the tangent frame of the warped mesh; they are 0
+ * without a triangle. Sets `owners` to -1 for texels where the warp is not finite, if their centre is outside of the triangle.
  */
 export function paintNormals({
   place,
@@ -51,7 +52,7 @@ export function paintNormals({
         frames.moveTo(vertices, weights, 3 * i)
         frames.encode(normals, 3 * i, colors, 3 * texel)
       } else if (isInside(weights, 3 * i)) throw nonFiniteError(place, rest.positions, i)
-      // Beside its triangle, the warp may be undefined.
+      // The warp need not be defined outside of the triangle.
       else owners[texel] = -1
     }
   }
@@ -71,12 +72,13 @@ function* batchesOf(triangles: UvTriangles, owners: Int32Array): Generator<Batch
   const weights = new Float64Array(3 * batchSize)
   const forms = new Float64Array(9)
   let count = 0
-  let present = -1
+  /** The triangle whose forms are in `forms`. */
+  let currentTriangle = -1
   for (let texel = 0; texel < owners.length; texel++) {
     const owner = owners[texel]!
     if (owner < 0) continue
-    if (owner !== present) triangles.findBarycentricForms(owner, forms)
-    present = owner
+    if (owner !== currentTriangle) triangles.findBarycentricForms(owner, forms)
+    currentTriangle = owner
     const x = triangles.nearestRepetition(owner, texel % size, 0)
     const y = triangles.nearestRepetition(owner, Math.floor(texel / size), 1)
     texels[count] = texel
@@ -98,12 +100,12 @@ function* batchesOf(triangles: UvTriangles, owners: Int32Array): Generator<Batch
     }
 }
 
-/** Limits how far texels beside a triangle extrapolate from it: a texel beside a narrow one is many times its width away. */
+/** Limits how far texels outside of a triangle extrapolate from it: from a narrow triangle, a texel can be many times its width away. */
 const limitExtrapolation = (weight: number) => Math.min(Math.max(weight, -0.5), 1.5)
 
 type Inputs = Vertices & Record<'positions' | 'normals', Float32Array>
 
-/** Interpolates all inputs of the warp between vertices, three for each point. Normals get length 1. */
+/** Interpolates all inputs of the warp between vertices, three for each point. Scales normals to length 1. */
 function interpolate(rest: Surface['rest'], vertices: Uint32Array, weights: Float64Array): Inputs {
   const inputs: Partial<Record<keyof Vertices, Float32Array>> = {}
   for (const name of Object.values(arrayNames)) {
@@ -112,8 +114,8 @@ function interpolate(rest: Surface['rest'], vertices: Uint32Array, weights: Floa
     const size = (3 * numbers.length) / rest.positions.length
     const results = new Float32Array((size * vertices.length) / 3)
     for (let i = 0; i < vertices.length; i++) {
-      const [from, to] = [size * vertices[i]!, size * Math.floor(i / 3)]
-      for (let k = 0; k < size; k++) results[to + k]! += weights[i]! * numbers[from + k]!
+      const [source, target] = [size * vertices[i]!, size * Math.floor(i / 3)]
+      for (let k = 0; k < size; k++) results[target + k]! += weights[i]! * numbers[source + k]!
     }
     inputs[name] = results
   }
@@ -124,6 +126,6 @@ function interpolate(rest: Surface['rest'], vertices: Uint32Array, weights: Floa
 function nonFiniteError(place: Place, positions: Float32Array, i: number) {
   const position = [...positions.subarray(3 * i, 3 * i + 3)].join(', ')
   return place.error(
-    `the warp has no finite position and normal between vertices, at (${position}); check it there, for a division by 0 for example.`,
+    `the warp has no finite position and normal between vertices, at (${position}); check whether it divides by 0 at this position, for example.`,
   )
 }

@@ -1,4 +1,4 @@
-// The tangents of a warped mesh, and its vertices as a file will have them.
+// Computes the tangents of a warped mesh, and splits its vertices so that each has one tangent.
 import { generateTangents } from '../../wasm/mikktspace.js'
 import type { WarpedMesh } from '../bake.js'
 import type { Mesh } from '../mesh-arrays.js'
@@ -36,8 +36,8 @@ function tangentsOfCorners(
   { positions, normals, uvs }: Mesh & Required<Pick<Mesh, 'uvs'>>,
   corners: Uint32Array,
 ): Float32Array {
-  // The library reads beyond its arrays if a mesh has only triangles with two equal positions.
-  const proper = Uint32Array.from(corners.keys()).filter((corner) => {
+  // MikkTSpace reads beyond its arrays if a mesh has only triangles with two equal positions, so these are left out.
+  const validCorners = Uint32Array.from(corners.keys()).filter((corner) => {
     const first = corner - (corner % 3)
     const [a, b, c] = [corners[first]!, corners[first + 1]!, corners[first + 2]!]
     return !(
@@ -47,16 +47,18 @@ function tangentsOfCorners(
     )
   })
   const tangents = new Float32Array(4 * corners.length)
-  if (!proper.length) return tangents
-  const vertices = proper.map((corner) => corners[corner]!)
+  if (!validCorners.length) return tangents
+  const vertices = validCorners.map((corner) => corners[corner]!)
   // glTF's v increases downwards, MikkTSpace's upwards.
   const upwards = uvs.map((uv, i) => (i % 2 ? 1 - uv : uv))
-  const found = generateTangents(
+  const validTangents = generateTangents(
     pick(positions, vertices),
     pick(normals, vertices),
     pick(upwards, vertices, 2),
   )
-  proper.forEach((corner, i) => tangents.set(found.subarray(4 * i, 4 * i + 4), 4 * corner))
+  validCorners.forEach((corner, i) =>
+    tangents.set(validTangents.subarray(4 * i, 4 * i + 4), 4 * corner),
+  )
   return tangents
 }
 
@@ -65,29 +67,33 @@ function isSameVector(vectors: Float32Array, a: number, b: number, size = 3) {
   return true
 }
 
-/** Finds new vertices: the first corner of each, and the new vertex of each corner. */
+/**
+ * Merges corners with the same vertex and tangent into one new vertex. Returns the first corner of each new vertex, and `indices`, the new
+ * vertex of each corner.
+ */
 function mergeCorners(corners: Uint32Array, tangents: Float32Array) {
   const firstCorners: number[] = []
-  /** Maps a new vertex → the next one with the same original, or -1. */
-  const others: number[] = []
+  /** Maps a new vertex → the previous one with the same original, or -1. */
+  const previous: number[] = []
+  /** Maps an original vertex → the newest vertex that was made from it, or -1. */
   const newest = new Int32Array(corners.reduce((max, vertex) => Math.max(max, vertex), 0) + 1)
   newest.fill(-1)
   const indices = corners.map((vertex, corner) => {
-    let found = newest[vertex]!
-    while (found >= 0 && !isSameVector(tangents, firstCorners[found]!, corner, 4))
-      found = others[found]!
-    if (found >= 0) return found
-    others.push(newest[vertex]!)
+    let candidate = newest[vertex]!
+    while (candidate >= 0 && !isSameVector(tangents, firstCorners[candidate]!, corner, 4))
+      candidate = previous[candidate]!
+    if (candidate >= 0) return candidate
+    previous.push(newest[vertex]!)
     newest[vertex] = firstCorners.length
     return firstCorners.push(corner) - 1
   })
   return { firstCorners: Uint32Array.from(firstCorners), indices }
 }
 
-/** Numbers per vertex where they are not 3. */
+/** The number of components per vertex, of arrays that have not 3. */
 const sizes: Record<string, number> = { uvs: 2, colors: 4, tangents: 4 }
 
-/** Returns the mesh with the chosen vertices, and without indices. */
+/** Returns the mesh with these vertices in this order, and without indices. */
 function pickAll<Arrays extends Mesh>({ indices: _, ...mesh }: Arrays, vertices: Uint32Array) {
   const picked = Object.entries(mesh).map(([name, value]) =>
     value instanceof Float32Array ? [name, pick(value, vertices, sizes[name])] : [name, value],

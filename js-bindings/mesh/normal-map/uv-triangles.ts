@@ -1,8 +1,8 @@
 // The triangles of a mesh in the plane of its normal map.
 
 /**
- * The triangles in units of texels: the centre of the texel in column i and row j, counted from the top left, is at (i, j). Uvs outside
- * of 0 to 1 repeat the image.
+ * The triangles in units of texels: the centre of the texel in column i and row j, both counted from 0 at the top left, is at (i, j). Uvs
+ * outside of 0 to 1 repeat the image.
  */
 export class UvTriangles {
   readonly count: number
@@ -20,6 +20,7 @@ export class UvTriangles {
     return this.uvs[2 * this.indices[3 * triangle + corner]! + axis]! * this.size - 0.5
   }
 
+  /** Returns the range of x or y of a triangle. */
   range(triangle: number, axis: 0 | 1): [min: number, max: number] {
     const a = this.corner(triangle, 0, axis)
     const b = this.corner(triangle, 1, axis)
@@ -28,8 +29,8 @@ export class UvTriangles {
   }
 
   /**
-   * Writes the barycentric coordinates of the corners k as functions of a point, forms[3k] + forms[3k + 1] x + forms[3k + 2] y. Returns
-   * `false` if the triangle has no area in the image.
+   * Finds the barycentric coordinate of each corner k as a function of a point (x, y): forms[3k] + forms[3k + 1] x + forms[3k + 2] y.
+   * Returns `false` if the triangle has no area in the image.
    */
   findBarycentricForms(triangle: number, forms: Float64Array): boolean {
     const [ax, ay] = [this.corner(triangle, 0, 0), this.corner(triangle, 0, 1)]
@@ -43,18 +44,19 @@ export class UvTriangles {
     forms[8] = ux / area
     forms[1] = -forms[4]! - forms[7]!
     forms[2] = -forms[5]! - forms[8]!
-    for (const [k, one] of [1, 0, 0].entries())
-      forms[3 * k] = one - forms[3 * k + 1]! * ax - forms[3 * k + 2]! * ay
+    // At corner 0 the barycentric coordinates are 1, 0 and 0.
+    for (const [k, coordinate] of [1, 0, 0].entries())
+      forms[3 * k] = coordinate - forms[3 * k + 1]! * ax - forms[3 * k + 2]! * ay
     return true
   }
 
-  /** Returns the coordinate of a column or row in that repetition of the image which is nearest to the triangle. */
-  nearestRepetition(triangle: number, place: number, axis: 0 | 1): number {
+  /** Returns the coordinate of a column (axis 0) or row (axis 1) in the repetition of the image that is nearest to the triangle. */
+  nearestRepetition(triangle: number, columnOrRow: number, axis: 0 | 1): number {
     const [min, max] = this.range(triangle, axis)
-    return place + this.size * Math.round(((min + max) / 2 - place) / this.size)
+    return columnOrRow + this.size * Math.round(((min + max) / 2 - columnOrRow) / this.size)
   }
 }
 
-/** Evaluates the barycentric coordinate of corner k. */
+/** Evaluates the barycentric coordinate of corner k at (x, y). */
 export const barycentric = (forms: Float64Array, k: number, x: number, y: number) =>
   forms[3 * k]! + forms[3 * k + 1]! * x + forms[3 * k + 2]! * y

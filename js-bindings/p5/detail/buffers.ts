@@ -64,7 +64,7 @@ function writerOfGpu(device: GpuDevice): Writer {
     const { byteLength } = values
     let buffer = buffers[name] as GpuBuffer | undefined
     if (!buffer || buffer.size < byteLength) {
-      // p5 has submitted its draws when the next frame begins, and a buffer is written once per frame.
+      // The draws of earlier frames are submitted, and a buffer is written once per frame.
       buffer?.destroy()
       // Grows by half more than it must, so that it grows rarely.
       const size = 4 * Math.ceil((1.5 * byteLength) / 4)
@@ -86,6 +86,15 @@ function writerOfGpu(device: GpuDevice): Writer {
 /** Submits the present draws of p5 on WEBGPU, after which their buffers can be destroyed. */
 export function submitDraws(renderer: Renderer) {
   if (deviceOf(renderer)) (renderer as { flushDraw?: () => void }).flushDraw?.()
+}
+
+/** Maps a renderer → the frame of its last draw with detail. */
+const lastFrames = new WeakMap<Renderer, number>()
+
+/** Submits the draws of earlier frames, whose buffers may be written or destroyed in this one. `redraw(n)` submits n frames at once. */
+export function submitEarlierFrames(renderer: Renderer, frame: number) {
+  if (lastFrames.get(renderer) !== frame) submitDraws(renderer)
+  lastFrames.set(renderer, frame)
 }
 
 /** Destroys buffers of WEBGPU, whose draws must be submitted. */

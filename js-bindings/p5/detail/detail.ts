@@ -2,6 +2,7 @@
  * The option `detail` of `createWarp`: while a warp's shader is in use, p5 draws shapes with as many triangles as their warped surface
  * needs on the screen. p5 draws a stand-in for the shape, whose buffers are written here; its shaders stay as they are.
  */
+import { warnOfDetail } from '../../detail/warnings.js'
 import { immediateShape, stateOf, type Renderer, type Shader } from '../host.js'
 import { isStrokeShader } from '../strokes.js'
 import { uploadLines, type ShapeBuffers } from './buffers.js'
@@ -36,8 +37,10 @@ interface Drawing {
   _drawFills?: Draw
   _drawStrokes?: Draw
   readonly geometryBufferCache?: BufferCache
-  /** 1.11 only. */
+  /** 1.11 only. The others draw shapes between beginShape() and endShape(). */
   drawBuffers?: DrawBuffers
+  _drawImmediateFill?: (count?: number) => void
+  _drawImmediateStroke?: () => void
 }
 
 interface BufferCache {
@@ -52,8 +55,12 @@ function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
   /** The division of the shape that is drawn now, which its fill and its strokes share; `undefined` before both. */
   let current: { readonly division: Division | undefined } | undefined
   const drawDivided = (draw: Draw, own: DrawnShape, options: Parameters<Draw>[1]) => {
-    const isUndivided = own.gid === immediateShape || (options?.count ?? 1) > 1
-    current ??= { division: isUndivided ? undefined : divideNow(renderer, own) }
+    const obstacle = obstacleOf(own, options?.count)
+    if (obstacle) {
+      warn(renderer, draw === _drawStrokes, obstacle)
+      return draw.call(renderer, own, options)
+    }
+    current ??= { division: divideNow(renderer, own) }
     const { division } = current
     if (!division || (draw === _drawStrokes && !divideStrokes(renderer, own, division.divided)))
       return draw.call(renderer, own, options)
@@ -86,14 +93,24 @@ function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
 
 /** On 1.11, renderers map a shape's name to its buffers, of which one is called `model` and is the shape. */
 function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
-  const draw = drawing.drawBuffers
+  const { drawBuffers: draw, _drawImmediateFill, _drawImmediateStroke } = drawing
+  drawing._drawImmediateFill = (count) => {
+    warn(renderer, false, immediateObstacle)
+    _drawImmediateFill.call(renderer, count)
+  }
+  drawing._drawImmediateStroke = () => {
+    warn(renderer, true, immediateObstacle)
+    _drawImmediateStroke.call(renderer)
+  }
   const shapes = renderer.retainedMode!.geometry as Record<string, ShapeBuffers>
   drawing.drawBuffers = function (name) {
     const before = shapes[name]!
     // A GeometryBuilder collects shapes, and draws none.
     const isDrawn = before && !renderer.geometryBuilder
     const shape = before?.model as DrawnShape
-    const division = isDrawn ? divideNow(renderer, shape) : undefined
+    const obstacle = isDrawn && obstacleOf(shape)
+    if (obstacle) warn(renderer, !shape.faces?.length, obstacle)
+    const division = isDrawn && !obstacle ? divideNow(renderer, shape) : undefined
     if (!division) return draw.call(this, name)
     const { divided, buffers } = division
     const { standIn } = divided
@@ -112,11 +129,27 @@ function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
   }
 }
 
+const immediateObstacle = 'lines, and shapes between beginShape() and endShape(), are not divided'
+
+/** Describes why a shape is drawn with its own vertices; `undefined` if it is divided. */
+function obstacleOf({ gid, faces }: DrawnShape, instances = 1): string | undefined {
+  if (gid === immediateShape || !faces?.length) return immediateObstacle
+  return instances > 1 ? 'instances are not divided' : undefined
+}
+
+/** Says why the shape that is drawn now is not divided, if the present shader asks for it and moves these strokes. */
+function warn(renderer: Renderer, isStroke: boolean, obstacle: string) {
+  const { userFillShader, userStrokeShader } = stateOf(renderer)
+  const detail = userFillShader && details.get(userFillShader)
+  if (detail && (!isStroke || isStrokeShader(userStrokeShader)))
+    warnOfDetail(detail.warp, 'createWarp', 'a shape', obstacle)
+}
+
 /** Divides a shape for a draw with the present shader. Returns `undefined` if it is to be drawn as it is. */
 function divideNow(renderer: Renderer, shape: DrawnShape): Division | undefined {
   const shader = stateOf(renderer).userFillShader
   const detail = shader && details.get(shader)
-  return detail && shape.faces?.length ? divide(renderer, shader, shape, detail) : undefined
+  return detail ? divide(renderer, shader, shape, detail) : undefined
 }
 
 /** Divides the lines of a shape as its mesh is, and returns `true`; `false` if lines are not drawn by the warp. */

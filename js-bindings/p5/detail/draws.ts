@@ -3,9 +3,16 @@ import type { HostWarp } from '../../compile/hosts.js'
 import { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { GpuBuffer } from '../../detail/gpu/webgpu.js'
 import type { DetailSettings } from '../../detail/option.js'
+import { warnOfDetail } from '../../detail/warnings.js'
 import { sketchOf, type Canvas, type Renderer, type Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { destroyOnGpu, submitDraws, upload, type ShapeBuffers } from './buffers.js'
+import {
+  destroyOnGpu,
+  submitDraws,
+  submitEarlierFrames,
+  upload,
+  type ShapeBuffers,
+} from './buffers.js'
 import { ShapePasses, type ComputedDraw } from './computed-draw.js'
 import type { LineBase } from './lines.js'
 import { baseOf, drawnIndices, type DrawnShape, type ShapeBase } from './shape.js'
@@ -71,7 +78,9 @@ export function divide(
   const { canvas, warp, space, tolerance, values: given } = detail
   const draws = drawsFor(renderer, shader, shape, detail)
   const { base, passes, isKept } = draws
-  if (draws.count > maxDrawsPerFrame || !hasInputs(warp, base)) return undefined
+  const obstacle = obstacleOf(warp, draws)
+  if (obstacle) warnOfDetail(warp, 'createWarp', 'a shape', obstacle)
+  if (obstacle || !base.positions.length) return undefined
   draws.divided[draws.count - 1] ??= makeDivided(warp, shape, draws)
   const divided = draws.divided[draws.count - 1]!
   const { mesh, buffers, computed } = divided
@@ -96,6 +105,7 @@ function drawsFor(
   { canvas, warp, isCurved }: DetailOfWarp,
 ): Draws {
   const frame = sketchOf(canvas).frameCount ?? 0
+  submitEarlierFrames(renderer, frame)
   let byShader = drawsOf.get(shape)
   if (!byShader) drawsOf.set(shape, (byShader = new WeakMap<Shader, Draws>()))
   let draws = byShader.get(shader)
@@ -140,15 +150,14 @@ export function freeDraws(renderer: Renderer, shader: Shader, shape: DrawnShape)
   }
 }
 
-/** Tests whether the shape has all that the warp reads. */
-function hasInputs(warp: HostWarp, { positions, attributes }: ShapeBase): boolean {
-  const has = (input: string) => attributes.some((each) => each.input === input)
-  return (
-    positions.length > 0 &&
-    (has('normals') || !warp.reads('normal')) &&
-    (has('uvs') || !warp.reads('uv')) &&
-    (has('colors') || !warp.reads('color'))
-  )
+/** Describes why the present draw of a shape keeps the vertices of the shape; `undefined` if it is divided. */
+function obstacleOf(warp: HostWarp, { base, count }: Draws): string | undefined {
+  if (count > maxDrawsPerFrame)
+    return `only the first ${maxDrawsPerFrame} draws of a shape in a frame are divided`
+  for (const name of ['normal', 'uv', 'color'] as const)
+    if (warp.reads(name) && !base.attributes.some(({ input }) => input === `${name}s`))
+      return `it has no ${name}s, which the offset reads`
+  return undefined
 }
 
 let count = 0

@@ -2,7 +2,7 @@
 import { compileWarp } from '#text-compiler'
 import { drawInputs, type OffsetFunction, type Target } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
-import { asOwn } from '../../errors/operators.js'
+import { markLibraryFunction } from '../../errors/operators.js'
 import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
@@ -10,11 +10,11 @@ import { randomCallsOf } from './random-calls.js'
 import { storageReadsOf } from './storage-reads.js'
 import { wgslOfHook } from './strands-wgsl.js'
 import {
-  inStrandsWords,
-  isOfStrands,
+  isGeneratedByStrands,
   randomError,
   rejectRandom,
   storageError,
+  strandsMessage,
   vertexId,
   withoutRandom,
 } from './unreadable-hooks.js'
@@ -34,8 +34,8 @@ export interface HookTemplate {
   /** Returns statements that compute the new `position` by calling the sketch's hook. */
   moveCode: (original: string) => string
   /**
-   * Returns the new hook. `text` is the source of the sketch's hook as the function `original`; `code`, the code of `warp`, computes the
-   * normal in the variable `normal`.
+   * Returns the new hook. `text` is the sketch's hook as source of a function named `original`. `code` is the code of `warp`, which stores
+   * the transformed normal in the variable named `normal`.
    */
   hook: (parts: {
     code: string
@@ -49,6 +49,7 @@ export interface HookTemplate {
 export interface ExactHooks {
   hooks: Hooks
   declarations: string[]
+  /** Source of the sketch's hooks as functions named `warpjetOriginal_…`. */
   texts: string[]
   /** Hooks whose normals depend on the gradients of normal and uv. */
   varying: { name: string; warp: CompiledText }[]
@@ -81,27 +82,29 @@ function makeExactHook(
   templateOf: (name: string) => HookTemplate,
   isFirst: boolean,
 ) {
-  const [type, word] = name.split(' ')
-  const original = `warpjetOriginal_${word}`
+  const [type, hookName] = name.split(' ')
+  const original = `warpjetOriginal_${hookName}`
   const outputs = {
-    offset: `warpjetOffset_${word}`,
-    position: `warpjetPosition_${word}`,
-    normal: `warpjetNormal_${word}`,
+    offset: `warpjetOffset_${hookName}`,
+    position: `warpjetPosition_${hookName}`,
+    normal: `warpjetNormal_${hookName}`,
   }
   const hook = shader.hooks.vertex[name]!
   const text = `${isWgsl(shader) ? 'fn' : type} ${original}${hook}`
-  if (!isWgsl(shader)) rejectRandom(shader, word!, hook)
+  if (!isWgsl(shader)) rejectRandom(shader, hookName!, hook)
   const reads = storageReadsOf(shader)
   const randoms = randomCallsOf(hook, Object.values(shader.hooks.helpers))
   const template = templateOf(name)
-  const isOfShape = /Object|Local/.test(word!)
+  const isLocal = /Object|Local/.test(hookName!)
   const moved = 'warpjetMovedPosition'
   const source = isWgsl(shader)
     ? wgslOfHook(shader, original, hook, moved, [randoms, reads])
-    : `${aboveHooks(shader, isOfShape)}
+    : `${declarationsAboveHooks(shader, isLocal)}
 ${type} ${original}${hook}
 vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
-  ${attributes.map((each) => each.isSet(isOfShape)).join('')}
+  ${attributesFor(isLocal)
+    .map((each) => `${each.name} = ${each.value};\n  `)
+    .join('')}
   ${template.moveCode(original)}
 }`
   const options = {
@@ -110,18 +113,19 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     outputs,
     surfaceVariation: true,
   } as const
-  const inWords = <Result>(work: () => Result): Result => {
+  /** Runs `work`; rewrites the messages of its errors if p5.strands generated the hook. */
+  const withStrandsMessages = <Result>(work: () => Result): Result => {
     try {
       return work()
     } catch (error) {
-      if (!(error instanceof WarpError && isOfStrands(hook))) throw error
-      const storage = isWgsl(shader) ? reads.findLeft(reads.replace(hook)) : undefined
+      if (!(error instanceof WarpError && isGeneratedByStrands(hook))) throw error
+      const storage = isWgsl(shader) ? reads.findUnreplaced(reads.replace(hook)) : undefined
       throw storage && /index/.test(error.message)
-        ? storageError(storage, word!)
-        : new WarpError(inStrandsWords(error.message, word!))
+        ? storageError(storage, hookName!)
+        : new WarpError(strandsMessage(error.message, hookName!))
     }
   }
-  const read = inWords(() =>
+  const readOffset = withStrandsMessages(() =>
     (isWgsl(shader) ? wgslOffset : glslOffset)(source, {
       function: moved,
       returns: 'position',
@@ -129,24 +133,27 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     }),
   )
   // Withholds the other inputs, since millis, size and instance are names of the sketch here.
-  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
-    read({ glsl, position, normal, uv, color, uniforms } as never),
+  const offset: OffsetFunction = markLibraryFunction(
+    ({ glsl, position, normal, uv, color, uniforms }) =>
+      readOffset({ glsl, position, normal, uv, color, uniforms } as never),
   )
-  const still = inWords(() => compileWarp(offset, { ...options, normals: false }))
-  if (still.stats.operations === 0) return undefined
-  if (still.uniforms.some((each) => each.name === vertexId)) throw randomError(word!)
-  const exact = inWords(() => compileWarp(offset, options))
-  const isKnown = isFirst || !readsVariation(exact)
-  if (!isKnown) warnSecondHook(word!)
-  const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
+  const withoutNormals = withStrandsMessages(() =>
+    compileWarp(offset, { ...options, normals: false }),
+  )
+  if (withoutNormals.stats.operations === 0) return undefined
+  if (withoutNormals.uniforms.some((each) => each.name === vertexId)) throw randomError(hookName!)
+  const exact = withStrandsMessages(() => compileWarp(offset, options))
+  const isExact = isFirst || !readsVariation(exact)
+  if (!isExact) warnSecondHook(hookName!)
+  const warp = isExact ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
   const code = randoms.statementsFor(warp.code) + reads.restore(warp.code)
   const parts = { code, original, text, normal: outputs.normal, warp }
   return { name, declarations: warp.declarations, text, warp, hook: template.hook(parts) }
 }
 
-const warnSecondHook = (word: string) =>
+const warnSecondHook = (hookName: string) =>
   console.warn(
-    `exactNormals: ${word} moves vertices by normal or texCoord after another hook has moved them, so its normals are only approximate; move the vertices in one hook.`,
+    `exactNormals: ${hookName} moves vertices by normal or texCoord after another hook has moved them, so its normals are only approximate; move the vertices in one hook.`,
   )
 
 function targetOf(shader: ModifiedShader, type: string): Target {
@@ -156,19 +163,17 @@ function targetOf(shader: ModifiedShader, type: string): Target {
 }
 
 /**
- * Attributes that a hook may read directly. We declare them as globals that start with the values of the offset's inputs. Unless
- * `isFree`, an attribute is in the shape's own space, so only hooks of that space may read it.
+ * Attributes that a hook may read directly. We declare them as globals that start with the values of the offset's inputs. An attribute
+ * that `dependsOnSpace` is in the shape's own space, so only hooks of that space (`isLocal`) may read it.
  */
 const attributes = [
-  { name: 'aPosition', type: 'vec3', value: 'position', isFree: false },
-  { name: 'aNormal', type: 'vec3', value: 'normal', isFree: false },
-  { name: 'aTexCoord', type: 'vec2', value: 'uv', isFree: true },
-].map((attribute) => ({
-  ...attribute,
-  isKnown: (isOfShape: boolean) => isOfShape || attribute.isFree,
-  isSet: (isOfShape: boolean) =>
-    isOfShape || attribute.isFree ? `${attribute.name} = ${attribute.value};\n  ` : '',
-}))
+  { name: 'aPosition', type: 'vec3', value: 'position', dependsOnSpace: true },
+  { name: 'aNormal', type: 'vec3', value: 'normal', dependsOnSpace: true },
+  { name: 'aTexCoord', type: 'vec2', value: 'uv', dependsOnSpace: false },
+]
+
+const attributesFor = (isLocal: boolean) =>
+  attributes.filter(({ dependsOnSpace }) => isLocal || !dependsOnSpace)
 
 /** Mirrors the function that p5 puts above its shaders. */
 const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {
@@ -178,16 +183,17 @@ const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {
 }`
 
 /** Returns the declarations that p5 writes above a shader's hooks and that the hooks can read. */
-function aboveHooks({ hooks, _vertSrc }: ModifiedShader, isOfShape: boolean): string {
-  const inner = _vertSrc.match(
+function declarationsAboveHooks({ hooks, _vertSrc }: ModifiedShader, isLocal: boolean): string {
+  const declared = _vertSrc.match(
     /^[ \t]*(?:(?:IN|OUT|uniform|in|out)\s[^;()]+;|struct Vertex\s*\{[^}]*\};)/gm,
   )
-  const known = attributes.filter(({ isKnown }) => isKnown(isOfShape))
-  const isKnown = (line: string) => known.some(({ name }) => new RegExp(`\\b${name}\\b`).test(line))
+  const readable = attributesFor(isLocal)
+  const isReadable = (line: string) =>
+    readable.some(({ name }) => new RegExp(`\\b${name}\\b`).test(line))
   return [
     '#define IN in\n#define OUT out',
-    ...(inner ?? []).filter((line) => !isKnown(line)),
-    ...known.map(({ type, name }) => `${type} ${name};`),
+    ...(declared ?? []).filter((line) => !isReadable(line)),
+    ...readable.map(({ type, name }) => `${type} ${name};`),
     getTexture,
     ...Object.keys(hooks.uniforms).map((uniform) => `uniform ${uniform};`),
     ...(hooks.varyingVariables ?? []).map((varying) => `out ${varying};`),

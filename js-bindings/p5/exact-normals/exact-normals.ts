@@ -30,13 +30,13 @@ const valueHooks = ['vec3 getLocalPosition', 'vec3 getWorldPosition']
 const normalHooks = ['vec3 getLocalNormal', 'vec3 getWorldNormal']
 
 /**
- * Returns the shader with exact normals, if its hooks move positions. If it is unsupported, such as a position that reads an
- * attribute of the sketch's own, warns on the console and returns the shader unchanged. Throws a `WarpError` for anything but a
- * shader of surfaces.
+ * Returns the shader with exact normals, if its hooks move positions. If a hook is unsupported, for example because its position depends
+ * on an attribute that the sketch defines, warns on the console and returns the shader unchanged. Throws a `WarpError` for anything but
+ * a shader of surfaces.
  */
 export function exactNormals<Given extends object>(shader: Given): Given {
-  const given = shader as unknown as ModifiedShader
-  const hooks = given?.hooks?.modified?.vertex && given.hooks.vertex
+  const modified = shader as unknown as ModifiedShader
+  const hooks = modified?.hooks?.modified?.vertex && modified.hooks.vertex
   const has = (names: readonly string[]) => names.every((name) => name in (hooks ?? {}))
   const makeHooks = has(structHooks)
     ? makeStructHooks
@@ -48,8 +48,10 @@ export function exactNormals<Given extends object>(shader: Given): Given {
       `exactNormals: expected a shader of surfaces, such as baseMaterialShader().modify(…), got ${describeShader(shader)}.`,
     )
   try {
-    const newHooks = (isWgsl(given) ? makeWgslHooks : makeHooks)(given)
-    return newHooks ? (newHooks.finish(given.modify(newHooks.hooks)) as unknown as Given) : shader
+    const newHooks = (isWgsl(modified) ? makeWgslHooks : makeHooks)(modified)
+    return newHooks
+      ? (newHooks.finish(modified.modify(newHooks.hooks)) as unknown as Given)
+      : shader
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
     console.warn(
@@ -105,9 +107,9 @@ const structTemplate = {
   return ${original}(inputs).position;`,
 }
 
-/** p5 2 on WebGL: a hook takes and returns a Vertex struct. */
+/** Makes hooks for p5 2 on WebGL, where a hook takes and returns a Vertex struct. */
 function makeStructHooks(shader: ModifiedShader): NewHooks | undefined {
-  // p5 has no uNormalMatrix next to a hook in world space.
+  // With a hook in world space, p5 has these two matrices instead of uNormalMatrix.
   const matrices = shader.hooks.modified.vertex['Vertex getWorldInputs']
     ? { ...normalMatrices, camera: 'uCameraNormalMatrix * uModelNormalMatrix' }
     : normalMatrices
@@ -127,11 +129,11 @@ ${readsVariation(warp) ? variationInGlsl(matrices[spaceOf(name)]) : ''}${code}
     }),
   }))
   if (!exact) return undefined
-  const isFree = !shader.hooks.modified.vertex['void afterVertex']
+  const hasAfterVertex = shader.hooks.modified.vertex['void afterVertex']
   return withVariation(exact, {
-    ...(isFree && unitNormals(shader)),
+    ...(!hasAfterVertex && normalizingHook(shader)),
     ...exact.hooks,
-    // p5 replaces earlier declarations.
+    // p5's `modify` replaces earlier declarations, so we repeat them.
     vertexDeclarations: [
       shader.hooks.vertex.declarations ?? '',
       'bool warpjetNormalIsZero;',
@@ -142,8 +144,8 @@ ${readsVariation(warp) ? variationInGlsl(matrices[spaceOf(name)]) : ''}${code}
 }
 
 /**
- * p5 2 on WEBGPU, where functions may be in any order and hooks take the instance as a parameter. We cannot change the varyings of
- * p5 there, so a collapsed surface keeps the normal that the sketch's own hook returns.
+ * Makes hooks for p5 2 on WEBGPU, where functions may be in any order and hooks take the instance as a parameter. We cannot change
+ * p5's varyings on WEBGPU, so a collapsed surface keeps the normal that the sketch's own hook returns.
  */
 function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
   const normalMatrix = shader.hooks.modified.vertex['Vertex getWorldInputs']
@@ -189,12 +191,11 @@ ${variationInWgsl({ text: warp, space: spaceOf(name) }, normalMatrix)}${code}
 }
 
 /**
- * p5 1.11: a hook takes and returns one value. A global passes the normal, in view space, from the position hooks to the last normal
- * hook, since p5 calls the position hooks first.
+ * Makes hooks for p5 1.11, where a hook takes and returns one value. A global passes the normal, in view space, from the position hooks
+ * to the last normal hook, since p5 calls the position hooks first.
  */
 function makeValueHooks(shader: ModifiedShader): NewHooks | undefined {
-  const { modified } = shader.hooks
-  let isKnown = false
+  let isNormalSet = false
   const exact = makeExactHooks(shader, valueHooks, (name) => {
     const isLocal = name === valueHooks[0]
     return {
@@ -206,12 +207,15 @@ function makeValueHooks(shader: ModifiedShader): NewHooks | undefined {
       },
       moveCode: (original) => `return ${original}(position);`,
       hook({ code, original, normal, warp }) {
-        const varies = readsVariation(warp) ? variationInGlsl(isLocal ? '' : 'uNormalMatrix') : ''
-        const start = isLocal || isKnown ? '' : '  warpjetNormal = uNormalMatrix * aNormal;\n'
-        isKnown = true
+        const gradients = readsVariation(warp)
+          ? variationInGlsl(isLocal ? '' : 'uNormalMatrix')
+          : ''
+        const setNormal =
+          isLocal || isNormalSet ? '' : '  warpjetNormal = uNormalMatrix * aNormal;\n'
+        isNormalSet = true
         return {
           [name]: `(vec3 warpjetRestPosition) {
-${start}${varies}${code}
+${setNormal}${gradients}${code}
   warpjetNormal = ${isLocal ? `uNormalMatrix * ${normal}` : normal};
   return ${original}(warpjetRestPosition);
 }`,
@@ -220,7 +224,7 @@ ${start}${varies}${code}
     }
   })
   if (!exact) return undefined
-  const normalHook = normalHooks.find((name) => modified.vertex[name])
+  const normalHook = normalHooks.find((name) => shader.hooks.modified.vertex[name])
   if (normalHook)
     throw new WarpError(
       `The sketch has a hook ${normalHook.split(' ')[1]} of its own, which on p5 1.11 replaces the normal; leave it out.`,
@@ -245,7 +249,7 @@ ${start}${varies}${code}
  * Returns a hook that normalizes the normals at the end of `main`, before they are interpolated, except where the surface is
  * collapsed. A warp by createWarp does the same.
  */
-function unitNormals({ _vertSrc }: ModifiedShader): Record<string, string> {
+function normalizingHook({ _vertSrc }: ModifiedShader): Record<string, string> {
   const name = ['vNormal', 'vVertexNormal'].find((each) =>
     new RegExp(`\\b(?:OUT|out) vec3 ${each};`).test(_vertSrc),
   )

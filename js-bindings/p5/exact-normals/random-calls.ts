@@ -1,6 +1,6 @@
 /**
- * Calls of p5's `random()` in the hooks of a sketch on WEBGPU. It is a hash of the number of the vertex and of how often it was called, so
- * it is constant where a surface is moved, like an attribute. Each call becomes a uniform in the source that is differentiated, and a
+ * Calls of p5's `random()` in the hooks of a sketch on WEBGPU. Its result is a hash of the vertex's number and of the number of calls
+ * before, so it does not change with the vertex's position. Each call becomes a uniform in the source that is differentiated, and a
  * variable in the hook, which calls `random()` with the same count as the sketch's code does later.
  */
 export interface RandomCalls {
@@ -8,15 +8,15 @@ export interface RandomCalls {
   replace(source: string): string
   /** Returns the declarations of the uniforms, once all source is replaced. */
   declarations(): string
-  /** Returns statements in front of `code`, which compute the variables that it reads. */
+  /** Returns statements to insert before `code`, which compute the variables that `code` reads. */
   statementsFor(code: string): string
 }
 
 /** A call as p5.strands writes it in the vertex stage: the seed is a uniform or a number. */
 const call = /(?<![.\w])random\((?:hooks\.\w+|f32\([\d.]+\)|[\d.]+), f32\(_p5VertexId\)\)/g
 
-/** Tests whether each call of random() in a hook runs exactly once, so that its count is known. */
-function areCounted(hook: string): boolean {
+/** Tests whether each call of random() in a hook runs exactly once, so that its position in the sequence of calls is known. */
+function runOnceEach(hook: string): boolean {
   let depth = 0
   let count = 0
   for (const [word] of hook.matchAll(/[{}]|(?<![.\w])random\(/g)) {
@@ -28,10 +28,10 @@ function areCounted(hook: string): boolean {
   return count === (hook.match(call) ?? []).length
 }
 
-/** `hook` is the body of the hook with its parameters, `helpers` are functions that it may call. */
+/** `hook` consists of the hook's parameters and body; `helpers` are functions that it may call. */
 export function randomCallsOf(hook: string, helpers: readonly string[]): RandomCalls {
   const isCalledByHelper = helpers.some((each) => /(?<![.\w])random\(/.test(each))
-  const calls = areCounted(hook) && !isCalledByHelper ? (hook.match(call) ?? []) : []
+  const calls = runOnceEach(hook) && !isCalledByHelper ? (hook.match(call) ?? []) : []
   const nameOf = (i: number) => `warpjetRandom${i}`
   return {
     replace(source) {

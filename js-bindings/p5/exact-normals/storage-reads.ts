@@ -1,6 +1,7 @@
 /**
- * Elements of storage buffers in the hooks of a sketch on WEBGPU. One whose index is the same all over the surface, such as the number of
- * the instance, becomes a uniform in the source that is differentiated, and an expression again in the code that is computed from it.
+ * Elements of storage buffers in the hooks of a sketch on WEBGPU. An element whose index is constant over the surface, such as the number
+ * of the instance, becomes a uniform in the source that is differentiated; in the code generated from it, the uniform becomes the
+ * original expression again.
  */
 import type { ModifiedShader } from './modified-shader.js'
 
@@ -11,14 +12,14 @@ export interface StorageReads {
   declarations(): string
   /** Returns code in which the uniforms are elements again. */
   restore(code: string): string
-  /** Returns the name of a storage that `source` still reads after `replace`. */
-  findLeft(source: string): string | undefined
+  /** Returns the name of a storage buffer that `source`, a result of `replace`, still reads; `undefined` if it reads none. */
+  findUnreplaced(source: string): string | undefined
 }
 
-/** Words of an index that are the same all over the surface. */
-const constant = /^(?:instanceID|hooks|[iuf]32|floor|ceil|round|min|max|abs|clamp)$/
+/** Matches words in an index that are constant over the surface. */
+const constantWord = /^(?:instanceID|hooks|[iuf]32|floor|ceil|round|min|max|abs|clamp)$/
 
-/** Returns the position behind the bracket that closes the one at `open`. */
+/** Returns the position after the bracket that closes the one at `open`. */
 function endOfBracket(source: string, open: number): number {
   let depth = 0
   for (let i = open; i < source.length; i++) {
@@ -36,21 +37,23 @@ function storagesIn(declarations: string): ReadonlyMap<string, string> {
   return new Map([...found].map(([, name, type]) => [name!, type!]))
 }
 
-/** Maps members of a structure → types; `undefined` if the type is none. */
+/** Maps the members of the structure `type` → their types; `undefined` if `type` is not a structure. */
 function membersOf(type: string, declarations: string): ReadonlyMap<string, string> | undefined {
   const [, members] = new RegExp(`\\bstruct\\s+${type}\\s*\\{([^}]*)\\}`).exec(declarations) ?? []
   return members === undefined
     ? undefined
-    : new Map([...members.matchAll(/(\w+)\s*:\s*([\w<>]+)/g)].map(([, name, of]) => [name!, of!]))
+    : new Map(
+        [...members.matchAll(/(\w+)\s*:\s*([\w<>]+)/g)].map(([, name, member]) => [name!, member!]),
+      )
 }
 
 const isConstant = (index: string) =>
-  (index.match(/(?<![.\w])[A-Za-z_]\w*/g) ?? []).every((word) => constant.test(word))
+  (index.match(/(?<![.\w])[A-Za-z_]\w*/g) ?? []).every((word) => constantWord.test(word))
 
 export function storageReadsOf({ hooks }: ModifiedShader): StorageReads {
   const declared = `${hooks.vertex.declarations ?? ''}\n${hooks.declarations ?? ''}`
   const storages = storagesIn(declared)
-  /** Maps an element, as the source has it, → its uniform. */
+  /** Maps the source of an element, such as `data[instanceID]`, → its uniform. */
   const uniforms = new Map<string, { name: string; type: string }>()
   const pattern = new RegExp(`(?<![.\\w])(?:${[...storages.keys()].join('|')})\\s*\\[`)
 
@@ -75,8 +78,8 @@ export function storageReadsOf({ hooks }: ModifiedShader): StorageReads {
     const { index, end, type } = elementAt(source, start)
     const element = source.slice(start, end)
     if (!type || !isConstant(index)) {
-      const behind = source.indexOf('[', start) + 1
-      return source.slice(0, behind) + replace(source.slice(behind))
+      const afterBracket = source.indexOf('[', start) + 1
+      return source.slice(0, afterBracket) + replace(source.slice(afterBracket))
     }
     let uniform = uniforms.get(element)
     if (!uniform)
@@ -96,7 +99,7 @@ export function storageReadsOf({ hooks }: ModifiedShader): StorageReads {
           restored.replace(new RegExp(`\\b${name}\\b`, 'g'), () => element),
         code,
       ),
-    findLeft: (source) =>
+    findUnreplaced: (source) =>
       storages.size ? /\w+/.exec(pattern.exec(source)?.[0] ?? '')?.[0] : undefined,
   }
 }

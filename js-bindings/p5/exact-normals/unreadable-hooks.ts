@@ -2,8 +2,8 @@
 import { WarpError, describe } from '../../errors/errors.js'
 import type { ModifiedShader } from './modified-shader.js'
 
-/** Maps a hook's name to the kind of shader that has it. */
-const others: readonly (readonly [RegExp, string])[] = [
+/** Patterns of hook names, each with a description of the shaders that have such a hook. */
+const otherShaders: readonly (readonly [RegExp, string])[] = [
   [/^StrokeVertex /, 'a shader of lines, which have no normals; draw with it as it is'],
   [/^vec4(?:<f32>)? getColor$/, 'a filter, which moves no vertices; use it as it is'],
 ]
@@ -13,10 +13,10 @@ export function describeShader(given: unknown): string {
   const shader = given as (ModifiedShader & { vertSrc?: unknown }) | undefined
   const { vertex = {}, fragment = {} } = shader?.hooks ?? {}
   const names = [...Object.keys(vertex), ...Object.keys(fragment)]
-  const found = others.find(([pattern]) => names.some((name) => pattern.test(name)))
+  const found = otherShaders.find(([pattern]) => names.some((name) => pattern.test(name)))
   if (found) return found[1]
   // On 1.11 shaders of lines have no hook of their own.
-  if ('vec3 getLocalPosition' in vertex) return others[0]![1]
+  if ('vec3 getLocalPosition' in vertex) return otherShaders[0]![1]
   return typeof shader?.vertSrc === 'function'
     ? 'one without hooks, such as createShader() and loadShader() make'
     : describe(given)
@@ -26,34 +26,34 @@ export function describeShader(given: unknown): string {
 export const withoutRandom = (text: string) =>
   text.replace(/^float random\(float seed\) \{[^]*?^\}/m, '')
 
-/** The number of a vertex, of which p5's random() on WEBGPU is a function. */
+/** p5's variable for the number of a vertex, from which its random() on WEBGPU computes the result. */
 export const vertexId = '_p5VertexId'
 
-export const randomError = (word: string) =>
+export const randomError = (hookName: string) =>
   new WarpError(
-    `random() in ${word} returns a different number for each vertex; expected calls outside of loops, branches and functions, on a WEBGPU canvas, so that the number is known to be constant at a vertex; or write noise(), which is smooth.`,
+    `random() in ${hookName} returns a different number for each vertex; expected calls outside of loops, branches and functions, on a WEBGPU canvas, so that the number is known to be constant at a vertex; or write noise(), which is smooth.`,
   )
 
 /** Throws a `WarpError` for a hook in GLSL that calls p5's random(). */
-export function rejectRandom(shader: ModifiedShader, word: string, hook: string) {
+export function rejectRandom(shader: ModifiedShader, hookName: string, hook: string) {
   const text = [hook, ...Object.values(shader.hooks.helpers)].join('\n')
   const isRandom = [...Object.values(shader.hooks.vertex), shader.hooks.declarations ?? ''].some(
     (each) => each.includes('_p5_randomCallIndex'),
   )
-  if (isRandom && /\brandom\(/.test(text)) throw randomError(word)
+  if (isRandom && /\brandom\(/.test(text)) throw randomError(hookName)
 }
 
-export const storageError = (storage: string, word: string) =>
+export const storageError = (storage: string, hookName: string) =>
   new WarpError(
-    `uniformStorage() "${storage}" in ${word} is read at an index that differs over the surface or counts in a loop; expected an index of numbers, instanceID() and uniforms, or an image by uniformTexture() in its place.`,
+    `uniformStorage() "${storage}" in ${hookName} is read at an index that differs over the surface or counts in a loop; expected an index of numbers, instanceID() and uniforms, or an image by uniformTexture() in its place.`,
   )
 
 /** Returns a message about source that p5.strands generated, without line numbers, since no user wrote those lines. */
-export const inStrandsWords = (message: string, word: string) =>
-  `p5.strands generates source for ${word} that exactNormals cannot read (${message
+export const strandsMessage = (message: string, hookName: string) =>
+  `p5.strands generates source for ${hookName} that exactNormals cannot read (${message
     .replace(/^(?:(?:glsl|wgsl)Offset: )?line \d+, column \d+: /, '')
     .split('\n')[0]!
     .replace(/[.;]?$/, '')}); write the motion for createWarp.`
 
 /** Recognizes source of p5.strands by the names it generates. */
-export const isOfStrands = (hook: string) => /\b_p5_param_/.test(hook)
+export const isGeneratedByStrands = (hook: string) => /\b_p5_param_/.test(hook)

@@ -24,27 +24,27 @@ type Bake = (shape: BuiltShape, name: string) => Pick<BuiltShape, 'vertices' | '
 interface Baking {
   bake: Bake
   /** True if the warp moves vertices after the model's transforms. */
-  isOfWorld: boolean
+  isInWorldSpace: boolean
 }
 
-/** Maps each builder → the warps called since it was started, as a map from the warp's shader. */
+/** Maps each builder → the warps called since it was started, by the warp's shader. */
 const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
 
-/** Makes the geometry being built use the warp, if there is one. Called whenever a warp is applied. Throws a `WarpError`. */
+/** Applies the warp to the geometry being built, if one is being built. Called whenever a warp is applied. Throws a `WarpError`. */
 export function bakeIntoGeometry(
   made: MadeWarp,
   shader: Shader,
-  given: WarpUniforms,
+  overrides: WarpUniforms,
   values: CallValues,
 ) {
   const renderer = rendererOf(made.canvas)!
   const builder = renderer.geometryBuilder
   if (!builder) return
   checkBakeable(made)
-  const warps = warpsOf.get(builder) ?? collect(builder, renderer)
+  const warps = warpsOf.get(builder) ?? watchBuilder(builder, renderer)
   warps.set(shader, {
-    bake: bakeOf(made, given, values),
-    isOfWorld: made.settings.space === 'world',
+    bake: bakeOf(made, overrides, values),
+    isInWorldSpace: made.settings.space === 'world',
   })
 }
 
@@ -60,7 +60,7 @@ function checkBakeable({ settings: { space, shader } }: MadeWarp) {
 }
 
 /** Makes the builder move the shapes that it collects while a warp is in use. */
-function collect(builder: GeometryBuilder, renderer: Renderer) {
+function watchBuilder(builder: GeometryBuilder, renderer: Renderer) {
   const warps = new Map<Shader, Baking>()
   warpsOf.set(builder, warps)
   const add = builder.addGeometry.bind(builder)
@@ -68,7 +68,7 @@ function collect(builder: GeometryBuilder, renderer: Renderer) {
     const { userFillShader } = stateOf(renderer)
     const warp = userFillShader && warps.get(userFillShader)
     if (!warp) add(shape)
-    else if (warp.isOfWorld) addMoved(builder, add, shape, warp.bake)
+    else if (warp.isInWorldSpace) addMoved(builder, add, shape, warp.bake)
     else add({ ...shape, ...warp.bake(shape, nameOf(shape)) })
   }
   return warps
@@ -108,11 +108,11 @@ function addMoved(
 const vectorLike = (vector: Vector, x: number, y: number, z: number) =>
   Object.assign(vector.copy!(), { x, y, z })
 
-function bakeOf(made: MadeWarp, given: WarpUniforms, values: CallValues): Bake {
+function bakeOf(made: MadeWarp, overrides: WarpUniforms, values: CallValues): Bake {
   const { canvas, warp, settings } = made
   const cpu = lazily(() => warp.cpu())
-  const others = Object.entries(given).filter(([name]) => !warp.uniforms.declared.has(name))
-  const all = lazily(() => ({ ...values, instance: 0, ...Object.fromEntries(others) }))
+  const undeclared = Object.entries(overrides).filter(([name]) => !warp.uniforms.declared.has(name))
+  const uniforms = lazily(() => ({ ...values, instance: 0, ...Object.fromEntries(undeclared) }))
   return (shape, name) => {
     const mesh = verticesOf(shape, stateOf(rendererOf(canvas)!).curFillColor as number[])
     if (warp.varies && settings.surfaceVariation !== false) {
@@ -120,15 +120,15 @@ function bakeOf(made: MadeWarp, given: WarpUniforms, values: CallValues): Bake {
       for (const each of variationNames) mesh[arrayNames[each]] = variation[each]
     }
     const { positions, normals } = withBakeErrors(() =>
-      cpu().evaluate(mesh, { uniforms: all() as never }),
+      cpu().evaluate(mesh, { uniforms: uniforms() as never }),
     )
-    const vectors = (vectors: Vector[], numbers: Float32Array) =>
+    const withComponents = (vectors: Vector[], numbers: Float32Array) =>
       vectors.map((vector, i) =>
         vectorLike(vector, numbers[3 * i]!, numbers[3 * i + 1]!, numbers[3 * i + 2]!),
       )
     return {
-      vertices: vectors(shape.vertices, positions),
-      vertexNormals: normals ? vectors(shape.vertexNormals, normals) : shape.vertexNormals,
+      vertices: withComponents(shape.vertices, positions),
+      vertexNormals: normals ? withComponents(shape.vertexNormals, normals) : shape.vertexNormals,
     }
   }
 }

@@ -5,7 +5,7 @@ import { emptyModel } from './load-model.js'
 import type { P5Constructors, WarpModel } from './model.js'
 import type { Triple } from './triple.js'
 
-/** The faces, in the order of p5's box: the first corner, and the edges from it to the second and third. */
+/** The faces, in the order of p5's box: each one's first corner, and the edges from there to its second and third corner. */
 const faces: readonly (readonly [Triple, Triple, Triple])[] = [
   [
     [-0.5, -0.5, -0.5],
@@ -73,10 +73,10 @@ export function drawBox(
     throw new WarpError(
       'warpBox: needs a 3D canvas; call createCanvas(width, height, WEBGL) first.',
     )
-  const known = boxes.get(renderer) ?? new Map<number, WarpModel>()
-  boxes.set(renderer, known)
-  const shape = known.get(detail) ?? makeBox(p5, renderer, detail)
-  known.set(detail, shape)
+  const boxesByDetail = boxes.get(renderer) ?? new Map<number, WarpModel>()
+  boxes.set(renderer, boxesByDetail)
+  const shape = boxesByDetail.get(detail) ?? makeBox(p5, renderer, detail)
+  boxesByDetail.set(detail, shape)
   const drawing = canvas as Drawing
   drawing.push()
   drawing.scale(width, height, depth)
@@ -90,27 +90,27 @@ function makeBox(p5: P5Constructors, renderer: object, detail: number): WarpMode
   const steps = Array.from({ length: detail + 1 }, (_, i) => i / detail)
   faces.forEach(([corner, right, down], face) => {
     const first = box.vertices.length
-    const at = (i: number, j: number) => first + j * (detail + 1) + i
+    const vertexAt = (i: number, j: number) => first + j * (detail + 1) + i
     const normal = [1, 2, 0].map((i, k) => {
       const j = [2, 0, 1][k]!
       return right[i]! * down[j]! - right[j]! * down[i]!
     }) as unknown as Triple
     steps.forEach((v, j) =>
       steps.forEach((u, i) => {
-        const place = corner.map((c, k) => c + u * right[k]! + v * down[k]!)
-        box.vertices.push(new p5.Vector(...(place as unknown as Triple)))
+        const position = corner.map((c, k) => c + u * right[k]! + v * down[k]!)
+        box.vertices.push(new p5.Vector(...(position as unknown as Triple)))
         box.vertexNormals.push(new p5.Vector(...normal))
         box.uvs.push(u, v)
         if (i === detail || j === detail) return
-        box.faces.push([at(i, j), at(i + 1, j), at(i, j + 1)])
-        box.faces.push([at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)])
+        box.faces.push([vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i, j + 1)])
+        box.faces.push([vertexAt(i, j + 1), vertexAt(i + 1, j), vertexAt(i + 1, j + 1)])
       }),
     )
-    // Lines along the twelve edges of the box, each once: all edges of two opposite faces, and those between these faces.
+    // Lines along the twelve edges of the box, each once: all edges of two opposite faces, and the four that connect them.
     for (let i = 0; i < detail; i++)
       for (const end of [0, detail]) {
-        if (face === 0 || face > 3) box.edges.push([at(i, end), at(i + 1, end)])
-        if (face === 1 || face > 3) box.edges.push([at(end, i), at(end, i + 1)])
+        if (face === 0 || face > 3) box.edges.push([vertexAt(i, end), vertexAt(i + 1, end)])
+        if (face === 1 || face > 3) box.edges.push([vertexAt(end, i), vertexAt(end, i + 1)])
       }
   })
   return box

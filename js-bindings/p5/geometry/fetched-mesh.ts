@@ -15,23 +15,23 @@ const script =
 const address = script?.src ?? ''
 
 /**
- * True if the file next to this script is ours. False if several files were combined, or for an alias such as
+ * True if mesh.min.js lies next to this script. False if the address combines several files, or is an alias such as
  * `https://cdn.jsdelivr.net/npm/warpjet`, whose siblings are other packages.
  */
-const isNamed = /^[^,?#]*\/p5\.warpjet\.min\.js([?#]|$)/.test(address)
+const isNextToMesh = /^[^,?#]*\/p5\.warpjet\.min\.js([?#]|$)/.test(address)
 
 /** `method` is the function that the sketch called, for messages. */
 export async function importMesh(method: string): Promise<typeof import('./with-mesh.js')> {
-  const href = isNamed
+  const href = isNextToMesh
     ? new URL('mesh.min.js', address).href
     : `https://cdn.jsdelivr.net/npm/warpjet@${version}/dist/mesh.min.js`
   try {
-    if (!isNamed) await fetchChecked(href)
+    if (!isNextToMesh) await fetchChecked(href)
     return await import(/* @vite-ignore */ href)
   } catch {
     const why = href.startsWith('file:')
       ? filesAreClosed
-      : isNamed
+      : isNextToMesh
         ? "copy it there, from the package's folder dist"
         : 'check the connection, or copy it and this script from the package to your own folder, without renaming them'
     throw new WarpError(`${method}: cannot load ${href}; ${why}.`)

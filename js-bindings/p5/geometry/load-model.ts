@@ -6,7 +6,7 @@ import type { LoadModelOptions, P5Constructors, WarpModel } from './model.js'
 export type { LoadModelOptions, WarpModel } from './model.js'
 
 /**
- * The type of models of a sketch, inferred from the parameters of its own methods, so that it works with p5's own types, with those of
+ * The type of a sketch's models, inferred from the parameters of the sketch's methods, so that it works with p5's own types, with those of
  * @types/p5 and without types.
  */
 export type ModelOf<Sketch> = Sketch extends {
@@ -16,12 +16,12 @@ export type ModelOf<Sketch> = Sketch extends {
   ? Geometry & Omit<WarpModel, 'texture'> & { texture?: Picture }
   : WarpModel
 
-let made = 0
+let modelCount = 0
 
 /** Makes an empty model with its own id, under which p5 keeps the buffers of the model. */
 export function emptyModel({ Geometry }: P5Constructors, renderer?: object): WarpModel {
   const model = new Geometry(undefined, undefined, undefined, renderer)
-  model.gid = `warpjet|${made++}`
+  model.gid = `warpjet|${modelCount++}`
   model.warnings = []
   return model
 }
@@ -45,7 +45,7 @@ export interface Preloading {
 
 /**
  * Makes the model a thenable, for p5 1.x: like p5's `loadModel`, ours returns the model at once and fills it later, but it can also be
- * awaited. The promise resolves to the model, which must not have a `then` any more by that time.
+ * awaited. The promise resolves to the model, which must not have a `then` by that time, or it would be awaited again.
  */
 export function makeAwaitable(
   model: WarpModel,

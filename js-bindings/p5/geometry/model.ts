@@ -96,12 +96,12 @@ export async function fillP5Model(
 
 function putVertices(model: WarpModel, { Vector }: P5Constructors, mesh: Mesh, flipY: boolean) {
   const { positions, normals, uvs, indices } = mesh
-  const up = flipY ? -1 : 1
+  const ySign = flipY ? -1 : 1
   const count = positions.length / 3
   const vectors = (numbers: Float32Array) =>
     Array.from(
       { length: count },
-      (_, i) => new Vector(numbers[3 * i]!, up * numbers[3 * i + 1]!, numbers[3 * i + 2]!),
+      (_, i) => new Vector(numbers[3 * i]!, ySign * numbers[3 * i + 1]!, numbers[3 * i + 2]!),
     )
   model.vertices = vectors(positions)
   model.vertexNormals = vectors(normals)
@@ -122,11 +122,11 @@ function putVertices(model: WarpModel, { Vector }: P5Constructors, mesh: Mesh, f
  */
 function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): number[] {
   const base = material?.baseColor ?? [1, 1, 1, 1]
-  if (!colors && !painted.length && base.every((part) => part === 1)) return []
+  if (!colors && !painted.length && base.every((component) => component === 1)) return []
   return Array.from({ length: (positions.length / 3) * 4 }, (_, i) => {
     if (painted.length && !painted[i >> 2] && !isTinted(colors, i >> 2)) return -1
-    const part = base[i % 4]! * (colors ? colors[i]! : 1)
-    return i % 4 === 3 ? part : encode(part)
+    const component = base[i % 4]! * (colors ? colors[i]! : 1)
+    return i % 4 === 3 ? component : encode(component)
   })
 }
 
@@ -134,9 +134,9 @@ function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): n
 const isTinted = (colors: Float32Array | undefined, vertex: number) =>
   !!colors && [0, 1, 2].some((k) => colors[4 * vertex + k] !== 1)
 
-/** Converts linear to sRGB (IEC 61966-2-1). */
-const encode = (part: number) =>
-  part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055
+/** Converts a linear color component to sRGB (IEC 61966-2-1). */
+const encode = (component: number) =>
+  component <= 0.0031308 ? 12.92 * component : 1.055 * component ** (1 / 2.4) - 0.055
 
 async function putTexture(
   model: WarpModel,

@@ -6,7 +6,7 @@ import { Place } from '../../options/place.js'
 import type { P5Constructors, Vector, WarpModel } from './model.js'
 
 const place = new Place('subdivide')
-const warpOfP5 = warpKind('createWarp or compileWarp')
+const warpOption = warpKind('createWarp or compileWarp')
 
 /**
  * Fills the model `dense` with a subdivision of `shape`: a number n splits each triangle into four, n times; other options are those of
@@ -19,24 +19,24 @@ export function subdivideP5Model(
   shape: unknown,
   options: number | AdaptiveOptions | LevelsOptions,
 ) {
-  const given = shape as WarpModel | undefined
-  if (!Array.isArray(given?.vertices) || !given.faces.length)
+  const geometry = shape as WarpModel | undefined
+  if (!Array.isArray(geometry?.vertices) || !geometry.faces.length)
     throw place.expected(
       'a p5.Geometry with triangles, such as buildGeometry(() => box(100)),',
       describe(shape),
     )
   if (typeof options === 'object' && 'warp' in options)
-    warpOfP5.read(options.warp, place.option('warp'))
-  const { vertices, vertexNormals, vertexColors, uvs, faces } = given
+    warpOption.read(options.warp, place.option('warp'))
+  const { vertices, vertexNormals, vertexColors, uvs, faces } = geometry
   const flat = (vectors: Vector[]) => vectors.flatMap(({ x, y, z }) => [x, y, z])
-  const ifWhole = (list: number[], size: number) =>
+  const ifComplete = (list: number[], size: number) =>
     list.length === size * vertices.length ? list : undefined
   const mesh = subdivide(
     {
       positions: flat(vertices),
-      normals: ifWhole(flat(vertexNormals), 3),
-      uvs: ifWhole(uvs.flat(), 2),
-      colors: ifWhole(vertexColors, 4),
+      normals: ifComplete(flat(vertexNormals), 3),
+      uvs: ifComplete(uvs.flat(), 2),
+      colors: ifComplete(vertexColors, 4),
       indices: faces.flat(),
     },
     typeof options === 'number' ? { levels: options } : options,

@@ -1,4 +1,4 @@
-/** `subdivide` of a p5.Geometry, by a number or by a warp of `compileWarp` or `createWarp`. */
+/** Subdivides a p5.Geometry: a number of times, or as finely as a warp of `compileWarp` or `createWarp` needs. */
 import { importMesh } from '#mesh'
 import type { Evaluates } from '../../mesh/evaluates.js'
 import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
@@ -15,7 +15,7 @@ type Distort = (uniforms?: never) => void
 export type SubdivideOptions =
   LevelsOptions | (Omit<AdaptiveOptions, 'warp'> & { warp: Evaluates | Distort })
 
-/** Replaces a warp of createWarp by its CPU version, with the current inputs of the sketch as uniforms. */
+/** Replaces a warp of createWarp by its CPU version, and adds the current inputs of the sketch to the uniforms. */
 function withWarpOnCpu(options: AdaptiveOptions): AdaptiveOptions {
   const made = madeWarpOf(options.warp)
   if (!made) return options
@@ -39,8 +39,8 @@ export const subdivideShape = (
   withOwnErrors(async () => {
     const { subdivideP5Model } = await importMesh('subdivide')
     const dense = emptyModel(p5, renderer)
-    const given = options as number | AdaptiveOptions | LevelsOptions
-    const isByWarp = typeof given === 'object' && given !== null && 'warp' in given
-    subdivideP5Model(dense, p5, shape, isByWarp ? withWarpOnCpu(given) : given)
+    const passed = options as number | AdaptiveOptions | LevelsOptions
+    const isAdaptive = typeof passed === 'object' && passed !== null && 'warp' in passed
+    subdivideP5Model(dense, p5, shape, isAdaptive ? withWarpOnCpu(passed) : passed)
     return dense
   })

@@ -32,16 +32,16 @@ export function varyGeometry(geometry: unknown) {
   if (!shape.vertexProperty) throw place.error('this p5 has no vertex properties; use p5 2.')
   const { vertices, vertexNormals, uvs, faces } = shape
   const flat = (vectors: typeof vertices) => vectors.flatMap(({ x, y, z }) => [x, y, z])
-  const isWhole = (list: unknown[], size: number) => list.length === size * vertices.length
-  const found = findVariation(place, {
+  const isComplete = (list: unknown[], size: number) => list.length === size * vertices.length
+  const variation = findVariation(place, {
     positions: flat(vertices),
-    normals: isWhole(vertexNormals, 1) ? flat(vertexNormals) : undefined,
-    uvs: isWhole(uvs, 2) ? uvs : undefined,
+    normals: isComplete(vertexNormals, 1) ? flat(vertexNormals) : undefined,
+    uvs: isComplete(uvs, 2) ? uvs : undefined,
     indices: faces.length ? faces.flat() : undefined,
   })
   for (const name of variationNames) {
     const attribute = variationAttribute(name)
-    const numbers = found[arrayNames[name] as keyof SurfaceVariation]
+    const numbers = variation[arrayNames[name] as keyof SurfaceVariation]
     shape.userVertexProperties[attribute]?.resetSrcArray()
     for (let i = 0; i < vertices.length; i++)
       shape.vertexProperty(attribute, numbers ? [...numbers.subarray(3 * i, 3 * i + 3)] : [0, 0, 0])

@@ -2,9 +2,9 @@
 import type { Target } from '../../compile/hosts.js'
 
 /**
- * Returns GLSL that defines `warpjetFacing`: the geometric normal at a point in view space, as the triangle is drawn, on the side of
- * the eye. It is called outside of branches, where derivatives on the screen are defined. WebGL 1 has none without an extension; there
- * it is the direction of the eye. In a parallel projection, where w is 1, that is the z axis everywhere.
+ * Returns GLSL that defines `warpjetFacing`, which returns the geometric normal of the drawn triangle, on the side of the eye, at a point
+ * in view space. Call it outside of branches, where screen-space derivatives are defined. WebGL 1 has no such derivatives without an
+ * extension; there the function returns the direction to the eye, which in a parallel projection (w is 1) is the z axis everywhere.
  */
 export const facingInGlsl = (target: Target) => `vec3 warpjetFacing(vec3 viewPosition) {
   vec3 toEye = abs(gl_FragCoord.w - 1.0) < 1e-6 ? vec3(0.0, 0.0, 1.0) : -viewPosition;
@@ -17,7 +17,7 @@ ${
 }
 }`
 
-/** Does the same as `facingInGlsl`. */
+/** The function `warpjetFacing` in WGSL. */
 export const facingInWgsl = `fn warpjetFacing(viewPosition: vec3<f32>) -> vec3<f32> {
   let isParallel = camera.uProjectionMatrix[3][3] == 1.0;
   let toEye = select(-viewPosition, vec3<f32>(0.0, 0.0, 1.0), isParallel);

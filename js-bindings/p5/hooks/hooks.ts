@@ -41,5 +41,5 @@ export function addWarp(
 }
 
 /** Returns whether the warp can move lines, which have a position, but neither a normal nor a fill. */
-export const isOfLines = ({ attributes }: HostText) =>
+export const canMoveLines = ({ attributes }: HostText) =>
   attributes.every(({ name }) => name === 'position')

@@ -19,13 +19,13 @@ export function mergeHooks(
   const all: Modifications = {}
   for (const [name, text] of Object.entries(ours)) {
     const stage = (['vertex', 'fragment'] as const).find((each) => hooks.modified[each][name])
-    const own = stage && hooks[stage][name]!
-    if (!own) all[name] = text
+    const sketchText = stage && hooks[stage][name]!
+    if (!sketchText) all[name] = text
     else if (_renderer?.device) {
-      const { hook, above } = bothInWgsl(stage, name, own, text as string, orderOf(name))
+      const { hook, above } = bothInWgsl(stage, name, sketchText, text as string, orderOf(name))
       all[name] = hook
       all[`${stage}Declarations`] = `${all[`${stage}Declarations`] ?? ''}\n${above}`
-    } else all[name] = bothInGlsl(name, own, text as string, orderOf(name))
+    } else all[name] = bothInGlsl(name, sketchText, text as string, orderOf(name))
   }
   for (const stage of ['vertex', 'fragment'] as const) {
     const above = `${stage}Declarations`
@@ -34,13 +34,23 @@ export function mergeHooks(
   return all
 }
 
-const parts = (text: string) => /^\s*\(([^)]*)\)([^]*)$/.exec(text)!.slice(1) as [string, string]
+const splitHook = (text: string) =>
+  /^\s*\(([^)]*)\)([^]*)$/.exec(text)!.slice(1) as [string, string]
 
-/** Returns the statements of a hook with the parameter `value` that calls `own` and `our` in order. */
-function callInOrder(turn: HookOrder, own: string, our: string, value: string, more = '') {
+/**
+ * Returns the statements of a hook with the parameter `value`. They call the functions named `sketch` and `our`; each call also passes
+ * `moreArguments`.
+ */
+function callInOrder(
+  order: HookOrder,
+  sketch: string,
+  our: string,
+  value: string,
+  moreArguments = '',
+) {
   const call = (name: string, ...values: string[]) =>
-    `${name}(${[...values.filter(Boolean), more].filter(Boolean).join(', ')})`
-  const chain = { first: [own, our], last: [our, own], inside: [our] }[turn]
+    `${name}(${[...values.filter(Boolean), moreArguments].filter(Boolean).join(', ')})`
+  const chain = { first: [sketch, our], last: [our, sketch], inside: [our] }[order]
   return value
     ? `return ${chain.reduce((inner, name) => call(name, inner), value)};`
     : chain.map((name) => `${call(name)};`).join(' ')
@@ -50,19 +60,19 @@ function callInOrder(turn: HookOrder, own: string, our: string, value: string, m
  * p5 writes the hook's type and name before this source, and above it the helpers that the sketch's hook may call. A hook of
  * `exactNormals` contains its own name, which is replaced too.
  */
-function bothInGlsl(name: string, own: string, our: string, turn: HookOrder) {
-  const [type, word] = name.split(' ')
-  const [parameter] = parts(our)
+function bothInGlsl(name: string, sketchText: string, ourText: string, order: HookOrder) {
+  const [type, hookName] = name.split(' ')
+  const [parameter] = splitHook(ourText)
   const value = parameter.trim().split(' ').pop()!
-  const ourHook = `warpjetHook_${word}`
+  const ourHook = `warpjetHook_${hookName}`
   return `(${parameter});
-${type} ${sketchHook(name)}${own.replaceAll(`HOOK_${word}`, sketchHook(name))}
-${type} ${ourHook}${our}
-${type} HOOK_${word}(${parameter}) { ${callInOrder(turn, sketchHook(name), ourHook, value)} }`
+${type} ${sketchHook(name)}${sketchText.replaceAll(`HOOK_${hookName}`, sketchHook(name))}
+${type} ${ourHook}${ourText}
+${type} HOOK_${hookName}(${parameter}) { ${callInOrder(order, sketchHook(name), ourHook, value)} }`
 }
 
-/** Parameters that p5 appends to those of the hooks, and the arguments that pass them on. */
-const extra = {
+/** Parameters that p5 appends to those of a hook, and the arguments with which the hook passes them to another function. */
+const extraParameters = {
   vertex: ['instanceID: u32, _p5VertexId: u32', 'instanceID, _p5VertexId'],
   fragment: ['_p5FragPos: vec4<f32>', '_p5FragPos'],
 } as const
@@ -70,22 +80,22 @@ const extra = {
 function bothInWgsl(
   stage: 'vertex' | 'fragment',
   name: string,
-  own: string,
-  our: string,
-  turn: HookOrder,
+  sketchText: string,
+  ourText: string,
+  order: HookOrder,
 ) {
-  const [type, word] = name.split(' ')
-  const [parameters, values] = extra[stage]
-  const ourHook = `warpjetHook_${word}`
+  const [type, hookName] = name.split(' ')
+  const [parameters, values] = extraParameters[stage]
+  const ourHook = `warpjetHook_${hookName}`
   const writeFunction = (label: string, text: string) => {
-    const [parameter, body] = parts(text)
+    const [parameter, body] = splitHook(text)
     const list = [parameter.trim(), parameters].filter(Boolean).join(', ')
     return `fn ${label}(${list})${type === 'void' ? '' : ` -> ${type}`}${body}`
   }
-  const [parameter] = parts(our)
+  const [parameter] = splitHook(ourText)
   const value = parameter.split(':')[0]!.trim()
   return {
-    above: `${writeFunction(sketchHook(name), own)}\n${writeFunction(ourHook, our)}`,
-    hook: `(${parameter}) { ${callInOrder(turn, sketchHook(name), ourHook, value, values)} }`,
+    above: `${writeFunction(sketchHook(name), sketchText)}\n${writeFunction(ourHook, ourText)}`,
+    hook: `(${parameter}) { ${callInOrder(order, sketchHook(name), ourHook, value, values)} }`,
   }
 }

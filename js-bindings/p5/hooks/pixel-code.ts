@@ -16,7 +16,7 @@ import type { PixelCode, Varying } from './styles.js'
 /** Returns the fragment stage's name of an input. */
 export const varyingOfInput = (input: string) => `warpjetPixel_${input}`
 
-/** The names of inputs in the code. All are varyings but the normal, which is computed from one. */
+/** The names of inputs in the code. All are varyings except the normal, which is computed from a varying. */
 const names = {
   ...Object.fromEntries(
     ['position', 'normal', 'uv', 'color', 'instance', ...variationNames].map((input) => [
@@ -27,7 +27,7 @@ const names = {
   ...inputUniforms,
 }
 
-/** A varying for the interpolated normal and its length, which interpolation shortens. */
+/** The varying for the normal and its length. Interpolation shortens the normal, so its length is interpolated separately. */
 export const normalVarying = 'warpjetPixel_normalAndLength'
 
 /** The expression for the normal with the length that it has at vertices. */
@@ -61,7 +61,7 @@ export function pixelTextOf(warp: HostWarp, target: Target) {
   return { text, varyings }
 }
 
-/** Returns the attributes that the vertex shader declares, and the built-in variables of its stage. */
+/** Returns the names of variables that only the vertex stage has: the attributes that the shader declares, and built-in variables. */
 function variablesOfVertices(base: Shader): string[] {
   const declared = base.vertSrc().matchAll(/^\s*(?:IN|in|attribute)\s+(?:\w+\s+)+(\w+)\s*;/gm)
   return [
@@ -72,7 +72,7 @@ function variablesOfVertices(base: Shader): string[] {
   ]
 }
 
-/** Returns why the shader cannot compute the code at each pixel; `undefined` if it can. */
+/** Returns why the shader cannot run the code at each pixel; `undefined` if it can. */
 export function obstacleFor(
   { text, uniforms, varyings }: PixelCode,
   base: Shader,

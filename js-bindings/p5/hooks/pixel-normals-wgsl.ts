@@ -21,7 +21,8 @@ export const pixelVaryings = (pixel: PixelCode | undefined) =>
   pixel?.varyings.map(({ name, type }) => `${name}: ${wgslTypes[type]}`) ?? []
 
 /**
- * Returns statements that define the inputs of the code: interpolation shortens a normal and rounds the number of an instance.
+ * Returns statements that define the inputs of the code: they restore the length of the normal, which interpolation shortens, and round
+ * the number of the instance, which interpolation makes inexact.
  */
 export function readInputs({ varyings }: PixelCode): string {
   const names = new Set(varyings.map(({ name }) => name))
@@ -34,7 +35,7 @@ export function readInputs({ varyings }: PixelCode): string {
     .join('')
 }
 
-/** Returns the transform of normals from the space of the offset to view space. With a hook for world space, p5 has two matrices. */
+/** Returns an expression for a normal in view space, from one in the space of the offset. With a hook for world space, p5 has two matrices. */
 export function toView(normal: string, space: WarpSpace, { hooks }: Shader): string {
   const world = 'Vertex getWorldInputs'
   if (space === 'camera') return normal

@@ -4,18 +4,18 @@ import { facingInGlsl } from './facing.js'
 import { normalVarying, normalWithLength, varyingOfInput } from './pixel-code.js'
 import { glslDeclarations, type PixelCode, type WarpCode } from './styles.js'
 
-/** The transformation of normals from the space of the offset to view space. Without a matrix of p5, the spaces are the same. */
+/** The transformation of normals from the space of the offset to view space. `matrix` is absent if the offset is in view space. */
 export interface ToView {
   matrix?: readonly [type: 'mat3' | 'mat4', name: string]
   transform: (normal: string) => string
-  /** `true` if the vertex shader declares the matrix above `precision highp float`; then the fragment shader must do so too. */
+  /** True if p5's vertex shader declares the matrix above `precision highp float`; then the fragment shader must do so too. */
   isAbovePrecision?: boolean
 }
 
 const lightHook = 'Inputs getPixelInputs'
 const colorHook = 'vec4 getFinalColor'
 
-/** A varying for the position in view space, for shaders that do not pass it to the fragment stage themselves. */
+/** The varying for the position in view space, for shaders of p5 that do not pass that position to the fragment stage. */
 const ownViewPosition = 'warpjetPixelViewPosition'
 
 const isLit = ({ hooks }: Shader) => lightHook in hooks.fragment
@@ -24,7 +24,7 @@ const isLit = ({ hooks }: Shader) => lightHook in hooks.fragment
 export const readsNormals = (base: Shader) =>
   isLit(base) || base.fragSrc().includes('vVertexNormal')
 
-/** Returns the declarations of the vertex shader. */
+/** Returns the declarations that the vertex shader needs; `false` if normals are not computed at pixels. */
 export const pixelDeclarations = (pixel: PixelCode | undefined, base: Shader) =>
   !!pixel && declare('OUT', pixel, base)
 
@@ -42,7 +42,7 @@ function declare(direction: 'IN' | 'OUT', { varyings }: PixelCode, base: Shader)
 export const passViewPosition = (pixel: PixelCode | undefined, base: Shader, position: string) =>
   pixel && !isLit(base) ? `  ${ownViewPosition} = ${position};\n` : ''
 
-/** Returns the hooks and declarations of the fragment shader. */
+/** Returns the hooks and declarations that the fragment shader needs. */
 export function pixelHooks(
   warpCode: WarpCode,
   pixel: PixelCode,

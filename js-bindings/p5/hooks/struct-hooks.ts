@@ -38,8 +38,8 @@ export function isAfterWarpInStruct(
   return hook === ours ? hooks === 'last' : hook! > ours!
 }
 
-/** `exactNormals` declares this global too. */
-const flat = 'bool warpjetNormalIsZero;'
+/** Declares a global that `exactNormals` may have declared already. */
+const zeroNormalDeclaration = 'bool warpjetNormalIsZero;'
 
 /** Maps a space to the matrix that transforms normals from the shape's own space to it. */
 export const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
@@ -49,7 +49,7 @@ const matrixToView = (name: string): ToView => ({
   transform: (normal) => `${name} * ${normal}`,
 })
 
-/** p5 sets each of these matrices in both stages, whether its own text declares them or not. */
+/** p5 sets each of these matrices in both stages, whether its own source declares it or not. */
 const matricesToView: Record<WarpSpace, ToView> = {
   local: matrixToView('uNormalMatrix'),
   world: matrixToView('uCameraNormalMatrix'),
@@ -61,7 +61,7 @@ const matricesToView: Record<WarpSpace, ToView> = {
  * without normalizing first; under a scale that differs by axis, as for `plane(400, 400)`, the longest normals would dominate.
  */
 export const structHooks: HookStyle = {
-  isOrdered: true,
+  canRunLast: true,
   orderOf: orderInStruct,
   isAfterWarp: isAfterWarpInStruct,
   names: {
@@ -80,7 +80,7 @@ export const structHooks: HookStyle = {
     return {
       vertexDeclarations: glslDeclarations(
         warpCode,
-        !base.hooks.vertex.declarations?.includes(flat) && flat,
+        !base.hooks.vertex.declarations?.includes(zeroNormalDeclaration) && zeroNormalDeclaration,
         varies && variationDeclarations,
         pixelDeclarations(pixel, base),
       ),
@@ -113,13 +113,13 @@ const vertexHook = (space: WarpSpace, statements: string) => ({
 })
 
 /**
- * p5 computes the directions of a line from its attributes again in each space, discarding the results of earlier hooks. Globals keep
- * them until the last hook.
+ * p5 computes the directions of a line from its attributes again in each space, discarding the results of earlier hooks. So globals keep
+ * the warped directions until the last hook.
  */
 function strokeHooks({ text, space }: WarpCode) {
   const transformTangent = (direction: string, matrix: string) => {
-    const given = matrix ? `(${matrix} * vec4(${direction}, 0.0)).xyz` : direction
-    return `${given} + warpjetJacobian * ${given}`
+    const tangent = matrix ? `(${matrix} * vec4(${direction}, 0.0)).xyz` : direction
+    return `${tangent} + warpjetJacobian * ${tangent}`
   }
   const hook = (name: string, code: string): Record<string, string> => ({
     [`StrokeVertex ${name}`]: `(StrokeVertex warpjetInputs) {\n${code}\n  return warpjetInputs;\n}`,
@@ -132,19 +132,19 @@ function strokeHooks({ text, space }: WarpCode) {
   warpjetInputs.tangentIn += warpjetJacobian * warpjetInputs.tangentIn;
   warpjetInputs.tangentOut += warpjetJacobian * warpjetInputs.tangentOut;`,
     )
-  const [first, rest] =
+  const [toOffsetSpace, toViewSpace] =
     space === 'world' ? ['uModelMatrix', 'uViewMatrix'] : ['', 'uModelViewMatrix']
   return {
     ...hook(
       hookIn[space],
       `${moved}
-  warpjetTangentIn = ${transformTangent('aTangentIn', first)};
-  warpjetTangentOut = ${transformTangent('aTangentOut', first)};`,
+  warpjetTangentIn = ${transformTangent('aTangentIn', toOffsetSpace)};
+  warpjetTangentOut = ${transformTangent('aTangentOut', toOffsetSpace)};`,
     ),
     ...hook(
       hookIn.camera,
-      `  warpjetInputs.tangentIn = (${rest} * vec4(warpjetTangentIn, 0.0)).xyz;
-  warpjetInputs.tangentOut = (${rest} * vec4(warpjetTangentOut, 0.0)).xyz;`,
+      `  warpjetInputs.tangentIn = (${toViewSpace} * vec4(warpjetTangentIn, 0.0)).xyz;
+  warpjetInputs.tangentOut = (${toViewSpace} * vec4(warpjetTangentOut, 0.0)).xyz;`,
     ),
   }
 }

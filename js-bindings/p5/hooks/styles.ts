@@ -15,7 +15,7 @@ export interface WarpCode {
   /** Present if normals are computed at pixels. */
   pixel?: PixelCode | undefined
   space: WarpSpace
-  /** Source by the sketch to insert above the code. */
+  /** The option `defs`: the sketch's source, to insert above the code. */
   defs: string
   /** When the sketch's own hooks run. */
   hooks: 'first' | 'last'
@@ -47,9 +47,10 @@ export interface HookStyle {
   /** Returns whether the sketch's hook of this name runs after the warp, and may change its normals. */
   isAfterWarp(name: string, warpCode: Omit<WarpCode, 'pixel'>): boolean
   /** True if the sketch's hooks can also run after the warp. */
-  isOrdered: boolean
+  canRunLast: boolean
+  /** Maps inputs of the offset to expressions in the hooks. */
   names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
-  /** Returns the hooks that run a warp's code and pass its `warpjetPosition` and `warpjetNormal` to p5. */
+  /** Returns the hooks for filled shapes, which run a warp's code and pass its `warpjetPosition` and `warpjetNormal` to p5. */
   fill(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications
   /** Makes changes that hooks cannot make. */
   finish?(shader: Shader, warpCode: WarpCode): void
@@ -69,13 +70,13 @@ export const targetOf = (renderer: { webglVersion?: string; GL?: unknown }): Tar
 export const readsInstance = ({ uniforms }: HostText) =>
   uniforms.some(({ name }) => name === 'instance')
 
-/** Returns GLSL declarations to insert above the hooks. */
+/** Returns GLSL declarations to insert above the hooks: `more`, and those that the warp's code needs. */
 export const glslDeclarations = (
   { text, defs, uniforms }: WarpCode,
-  ...own: (string | false | undefined)[]
+  ...more: (string | false | undefined)[]
 ) =>
   [
-    ...own,
+    ...more,
     readsInstance(text) && '#define warpjetInstance float(gl_InstanceID)',
     ...uniforms.map(({ name, type }) => `uniform ${glslType(type)} ${name};`),
     defs,
@@ -84,5 +85,5 @@ export const glslDeclarations = (
     .filter(Boolean)
     .join('\n')
 
-/** Samplers have low precision by default, which would clip heights. */
+/** Returns the type with a precision where it needs one: samplers have low precision by default, which would clip heights. */
 export const glslType = (type: Declared['type']) => (type === 'sampler2D' ? 'highp ' : '') + type

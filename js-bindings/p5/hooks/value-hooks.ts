@@ -25,7 +25,7 @@ import { glslDeclarations, type HookStyle } from './styles.js'
 import { zeroNormalHooks } from './zero-normals.js'
 
 export const valueHooks: HookStyle = {
-  isOrdered: false,
+  canRunLast: false,
   orderOf: (name, { space }) =>
     space !== 'camera' ? 'last' : name.endsWith('Position') ? 'first' : 'inside',
   isAfterWarp: (name, { space }) =>
@@ -52,7 +52,7 @@ export const valueHooks: HookStyle = {
       vertexDeclarations: glslDeclarations(
         warpCode,
         'precision highp float;\nvec3 warpjetSharedNormal;',
-        hooksOfTheSketch,
+        forwardDeclarations,
         hasNormalHook && `vec3 ${sketchHook(worldNormal)}(vec3);`,
         !source.includes('uniform mat4 uModelMatrix') && matrices(warpCode.space),
         varies && variationDeclarations,
@@ -78,11 +78,11 @@ ${passViewPosition(pixel, base, 'warpjetViewPosition')}  return warpjetViewPosit
    * start with the original values, and end as directions in view space with an identity matrix.
    */
   stroke(warpCode) {
-    const { position, viewPosition, viewDirection } = positions[warpCode.space]
+    const { position, viewPosition, direction } = positions[warpCode.space]
     const transformTangent = (name: string) => `  {
-    vec3 warpjetDirection = ${viewDirection.from(name)};
+    vec3 warpjetDirection = ${direction.toOffsetSpace(name)};
     warpjetDirection += warpjetJacobian * warpjetDirection;
-    ${name} = ${viewDirection.to('warpjetDirection')};
+    ${name} = ${direction.toView('warpjetDirection')};
   }`
     return {
       vertexDeclarations: glslDeclarations(warpCode, lineGlobals, matrices(warpCode.space)),
@@ -119,7 +119,7 @@ ${warpCode.text.code}
 const worldNormal = 'vec3 getWorldNormal'
 
 /** p5 defines these hooks below ours. */
-const hooksOfTheSketch = `vec3 HOOK_getLocalNormal(vec3);
+const forwardDeclarations = `vec3 HOOK_getLocalNormal(vec3);
 vec2 HOOK_getUV(vec2);
 vec4 HOOK_getVertexColor(vec4);`
 
@@ -135,25 +135,26 @@ mat4 warpjetUniformModelViewMatrix() { return uModelViewMatrix; }
 #define aTangentOut warpjetTangentOut
 #define uModelViewMatrix warpjetModelViewMatrix`
 
-const by = (matrix: string) => (direction: string) => `(${matrix} * vec4(${direction}, 0.0)).xyz`
-const same = (direction: string) => direction
+const transformBy = (matrix: string) => (direction: string) =>
+  `(${matrix} * vec4(${direction}, 0.0)).xyz`
+const keepDirection = (direction: string) => direction
 
-/** A line's position attribute is a vec4. */
+/** Expressions for positions in each space of the offset; `.xyz` because a line's position attribute is a vec4. */
 const positions = {
   local: {
     position: 'aPosition.xyz',
     viewPosition: '(uModelViewMatrix * vec4(warpjetPosition, 1.0)).xyz',
-    viewDirection: { from: same, to: by('uModelViewMatrix') },
+    direction: { toOffsetSpace: keepDirection, toView: transformBy('uModelViewMatrix') },
   },
   world: {
     position: '(uModelMatrix * vec4(aPosition.xyz, 1.0)).xyz',
     viewPosition: '(uViewMatrix * vec4(warpjetPosition, 1.0)).xyz',
-    viewDirection: { from: by('uModelMatrix'), to: by('uViewMatrix') },
+    direction: { toOffsetSpace: transformBy('uModelMatrix'), toView: transformBy('uViewMatrix') },
   },
   camera: {
     position: 'warpjetViewPosition',
     viewPosition: 'warpjetPosition',
-    viewDirection: { from: by('uModelViewMatrix'), to: same },
+    direction: { toOffsetSpace: transformBy('uModelViewMatrix'), toView: keepDirection },
   },
 }
 
@@ -170,11 +171,11 @@ const normals: Record<WarpSpace, { matrix: string; normal: string; toView: ToVie
   world: {
     matrix: `mat3(${[0, 1, 2].map((i) => `(vec4(uNormalMatrix[${i}], 0.0) * uViewMatrix).xyz`).join(', ')})`,
     normal: '(vec4(uNormalMatrix * HOOK_getLocalNormal(aNormal), 0.0) * uViewMatrix).xyz',
-    toView: { matrix: ['mat4', 'uViewMatrix'], transform: by('uViewMatrix') },
+    toView: { matrix: ['mat4', 'uViewMatrix'], transform: transformBy('uViewMatrix') },
   },
   camera: {
     matrix: 'uNormalMatrix',
     normal: 'uNormalMatrix * HOOK_getLocalNormal(aNormal)',
-    toView: { transform: same },
+    toView: { transform: keepDirection },
   },
 }

@@ -18,7 +18,7 @@ import { hookIn, isAfterWarpInStruct, orderInStruct } from './struct-hooks.js'
 import { readsInstance, type HookStyle, type MaterialKind, type WarpCode } from './styles.js'
 
 export const wgslHooks: HookStyle = {
-  isOrdered: true,
+  canRunLast: true,
   orderOf: orderInStruct,
   isAfterWarp: isAfterWarpInStruct,
   names: {
@@ -28,9 +28,9 @@ export const wgslHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(given, type, base) {
+  fill(code, type, base) {
     const readsNormals = type === 'normal' || isLit(base)
-    const warpCode = readsNormals ? given : { ...given, pixel: undefined }
+    const warpCode = readsNormals ? code : { ...code, pixel: undefined }
     const { pixel } = warpCode
     return {
       ...declarationsOf(
@@ -118,12 +118,15 @@ function fillHooks(
   warpjetNormalIsZero = all(warpjetNormal == vec3<f32>());
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;\n`
-  const keep = `  warpjetViewPosition = warpjetInputs.position;
+  const storeNormal = `  warpjetViewPosition = warpjetInputs.position;
   warpjetViewNormal = vec3<f32>();
   if (!warpjetNormalIsZero) { warpjetViewNormal = normalize(warpjetInputs.normal); }`
   const name = hookIn[warpCode.space]
   if (!readsNormals) return { [name]: warp }
-  return { [name]: warp, getCameraInputs: warpCode.space === 'camera' ? warp + keep : keep }
+  return {
+    [name]: warp,
+    getCameraInputs: warpCode.space === 'camera' ? warp + storeNormal : storeNormal,
+  }
 }
 
 /** Makes hooks that take and return `struct` from their bodies. */
@@ -186,18 +189,19 @@ function strokeHooks(warpCode: WarpCode): Record<string, string> {
   warpjetInputs.tangentIn += warpjetJacobian * warpjetInputs.tangentIn;
   warpjetInputs.tangentOut += warpjetJacobian * warpjetInputs.tangentOut;`,
     }
-  const keep =
+  const storeTangents =
     '  warpjetTangentIn = warpjetInputs.tangentIn;\n  warpjetTangentOut = warpjetInputs.tangentOut;'
-  const turn = `  warpjetTangentIn += warpjetJacobian * warpjetTangentIn;\n  warpjetTangentOut += warpjetJacobian * warpjetTangentOut;`
-  const by = (matrix: string) => (name: string) => `(model.${matrix} * vec4<f32>(${name}, 0.0)).xyz`
-  const world = by('uModelMatrix')
-  const view = by(space === 'world' ? 'uViewMatrix' : 'uModelViewMatrix')
+  const warpTangents = `  warpjetTangentIn += warpjetJacobian * warpjetTangentIn;\n  warpjetTangentOut += warpjetJacobian * warpjetTangentOut;`
+  const transformBy = (matrix: string) => (name: string) =>
+    `(model.${matrix} * vec4<f32>(${name}, 0.0)).xyz`
+  const world = transformBy('uModelMatrix')
+  const view = transformBy(space === 'world' ? 'uViewMatrix' : 'uModelViewMatrix')
   return {
     ...(space === 'local'
-      ? { getObjectInputs: `${keep}\n${moved}\n${turn}` }
+      ? { getObjectInputs: `${storeTangents}\n${moved}\n${warpTangents}` }
       : {
-          getObjectInputs: keep,
-          getWorldInputs: `  warpjetTangentIn = ${world('warpjetTangentIn')};\n  warpjetTangentOut = ${world('warpjetTangentOut')};\n${moved}\n${turn}`,
+          getObjectInputs: storeTangents,
+          getWorldInputs: `  warpjetTangentIn = ${world('warpjetTangentIn')};\n  warpjetTangentOut = ${world('warpjetTangentOut')};\n${moved}\n${warpTangents}`,
         }),
     getCameraInputs: `  warpjetInputs.tangentIn = ${view('warpjetTangentIn')};
   warpjetInputs.tangentOut = ${view('warpjetTangentOut')};`,

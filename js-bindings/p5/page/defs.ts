@@ -39,8 +39,8 @@ function complaintsOf(gl: Gl, text: string): Complaint[] {
 }
 
 /**
- * Returns a message with the first complaint about `defs`. Includes the line after `defs`, where compilers report that a token is missing
- * at its end.
+ * Returns a message with the first complaint about `defs`; `undefined` if there is none. The line after `defs` counts too: there
+ * compilers report a token that is missing at the end of `defs`.
  */
 function messageFor(text: string, defs: string, complaints: readonly Complaint[]) {
   const lines = defs.split('\n')

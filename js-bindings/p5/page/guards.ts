@@ -1,6 +1,6 @@
 /**
  * Guards functions of p5 and of JavaScript's Math that work only on numbers: while an offset function runs, such a function
- * throws if it gets an expression, with advice what to write instead. Afterwards the originals are restored.
+ * throws if it gets an expression, with advice on what to write instead. Afterwards the originals are restored.
  */
 import type { OffsetFunction } from '../../compile/hosts.js'
 import { isExpression } from '../../errors/describe.js'
@@ -37,18 +37,18 @@ const instead: Record<string, string> = {
   vec4: 'glsl.vec4(x, y, z, w)',
 }
 
-let isNoted = false
+let hasWarned = false
 
 /** Warns once: a time that stays constant is valid, but seldom intended. */
-function noteClock() {
-  if (isNoted) return
-  isNoted = true
+function warnAboutMillis() {
+  if (hasWarned) return
+  hasWarned = true
   console.warn(
     "createWarp: p5's millis() is constant in a warp; use the millis that the offset function gets, as in ({ glsl, millis }) => ….",
   )
 }
 
-/** Returns the offset function with guards while it runs. */
+/** Returns an offset function that guards these functions while it calls `offset`. */
 export const withGuards =
   (canvas: Canvas, offset: OffsetFunction): OffsetFunction =>
   (inputs) => {
@@ -65,6 +65,7 @@ export const withGuards =
     }
   }
 
+/** Replaces the functions of `object`; returns functions that restore them. */
 function guard(object: object, owner: string): (() => void)[] {
   return Object.entries(instead).flatMap(([name, what]) => {
     const own = Object.getOwnPropertyDescriptor(object, name)
@@ -76,7 +77,7 @@ function guard(object: object, owner: string): (() => void)[] {
         throw new WarpError(
           `${owner}${name} works on numbers, not on expressions of a warp; write ${what}.`,
         )
-      if (name === 'millis') noteClock()
+      if (name === 'millis') warnAboutMillis()
       return Reflect.apply(original, this, given)
     }
     Object.defineProperty(value, guardedKey, { value: original })

@@ -1,6 +1,6 @@
 /** Adds the file and line of the sketch to the message of a WarpError. */
 import { WarpError } from '../../errors/errors.js'
-import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
+import { fileNameOf, fileOf, stackLines } from '../../errors/source-lines.js'
 
 /** Recognizes p5's own files under the names of common servers. */
 const isOfP5 = (file: string) =>
@@ -14,21 +14,23 @@ const linesBefore = 3
 /** Returns text such as ` (sketch.js, line 12)`; empty if the browser's stack trace lacks the line. */
 export function placeOf(error: Error): string {
   ours ??= fileOf(stackLines()[0] ?? '')
-  const isSketch = (each: string) => {
+  const isOfSketch = (each: string) => {
     const file = fileOf(each)
     return file !== ours && !isOfP5(file) && !/\/dist\/(?:shared\/)?[\w.-]+\.js$/.test(file)
   }
   const lines = stackLines(error)
-  const line = lines.find(isSketch)
+  const line = lines.find(isOfSketch)
   const [, number] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
-  const isRemade = (each: string) => /warpjet-operators-\d+\.js/.test(each)
-  if (number && isRemade(line!)) {
-    // Lines are counted from the start of the function, which is the line where createWarp is called.
-    const call = lines.slice(lines.indexOf(line!)).find((each) => isSketch(each) && !isRemade(each))
+  const isTranslated = (each: string) => /warpjet-operators-\d+\.js/.test(each)
+  if (number && isTranslated(line!)) {
+    // In a translated function, lines are counted from its start, which we take to be the line where createWarp is called.
+    const call = lines
+      .slice(lines.indexOf(line!))
+      .find((each) => isOfSketch(each) && !isTranslated(each))
     const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
-    return first ? ` (${nameIn(call!)}, line ${+first + +number - linesBefore})` : ''
+    return first ? ` (${fileNameOf(call!)}, line ${+first + +number - linesBefore})` : ''
   }
-  return number ? ` (${nameIn(line!)}, line ${number})` : ''
+  return number ? ` (${fileNameOf(line!)}, line ${number})` : ''
 }
 
 /** V8's limit on stack traces. */

@@ -11,7 +11,7 @@ export const isAmong = (names: string, name: string) => names.split(' ').include
 /** All functions of other scripts. */
 export const namesInOtherScripts = Object.keys(scripts).join(' ').split(' ')
 
-/** Returns advice how a page gets the function `name`; `undefined` if no script has it. */
+/** Returns advice on how a page gets the function `name`; `undefined` if no script has it. */
 export function addScript(name: string): string | undefined {
   const [, script] = Object.entries(scripts).find(([names]) => isAmong(names, name)) ?? []
   return script && `add the script warpjet.${script}.min.js after p5.warpjet.min.js`

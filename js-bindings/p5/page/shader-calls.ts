@@ -1,4 +1,4 @@
-/** Watches p5's methods that take a shader or draw with their own, since sketches pass warps to them. */
+/** Watches p5's methods that take a shader or draw with a shader of their own, since sketches pass warps to them. */
 import { WarpError } from '../../errors/errors.js'
 import { isWarped } from '../create-warp.js'
 import type { Canvas } from '../host.js'
@@ -23,10 +23,13 @@ interface P5 {
   Shader?: { prototype: object }
   /** Wrappers that 2.x puts around methods when its first sketch starts, such as friendly errors. */
   readonly decorations?: Map<unknown, unknown>
-  registerDecorator?(path: string, decorate: (own: Method) => Method): void
+  registerDecorator?(path: string, decorate: (original: Method) => Method): void
 }
 
-/** Makes p5's methods recognize a function that createWarp returned: `shader(warp)` calls it, others throw a `WarpError`. */
+/**
+ * Makes p5's methods recognize a function that createWarp returned: `shader(warp)` calls it; the other methods that take a shader throw a
+ * `WarpError`. `text()` warns if a warp is in use.
+ */
 export function watchShaderCalls(p5: P5, methods: object) {
   for (const name of ['imageShader', 'strokeShader', 'filter'])
     replace(p5, methods, name, rejectWarps(name))
@@ -37,22 +40,22 @@ export function watchShaderCalls(p5: P5, methods: object) {
     replace(p5, p5.Shader.prototype, 'modify', rejectWarps('modify'))
 }
 
-/** Replaces a method outside p5's own wrappers, since friendly errors would reject the warp. */
-function replace(p5: P5, object: object, name: string, make: (own: Method) => Method) {
+/** Wraps a method around p5's own wrappers, since p5's friendly errors would reject the warp. */
+function replace(p5: P5, object: object, name: string, make: (original: Method) => Method) {
   const methods = object as Methods
-  const own = methods[name]
-  if (!own) return
+  const original = methods[name]
+  if (!original) return
   if (methods === p5.prototype && p5.decorations?.size && p5.registerDecorator)
     p5.registerDecorator(`p5.prototype.${name}`, make)
-  else methods[name] = make(own)
+  else methods[name] = make(original)
 }
 
 const rejectWarps =
   (name: string) =>
-  (own: Method): Method =>
+  (original: Method): Method =>
     function (this: unknown, ...given) {
       if (madeWarpOf(given[0])) withSketchLine(() => throwShaderExpected(name))
-      return own.apply(this, given)
+      return original.apply(this, given)
     }
 
 function throwShaderExpected(name: string): never {
@@ -61,19 +64,19 @@ function throwShaderExpected(name: string): never {
   )
 }
 
-const callWarps = (own: Method): Method =>
+const callWarps = (original: Method): Method =>
   function (this: unknown, ...given) {
     const made = madeWarpOf(given[0])
-    if (!made) return own.apply(this, given)
+    if (!made) return original.apply(this, given)
     if (made.canvas !== this) withSketchLine(throwOtherCanvas)
     ;(given[0] as () => void)()
     return this
   }
 
-const warnOnText = (own: Method): Method =>
+const warnOnText = (original: Method): Method =>
   function (this: unknown, ...given) {
     if (isWarped(this as Canvas)) warnAboutText()
-    return own.apply(this, given)
+    return original.apply(this, given)
   }
 
 function throwOtherCanvas(): never {
@@ -82,13 +85,13 @@ function throwOtherCanvas(): never {
   )
 }
 
-let isNoted = false
+let hasWarned = false
 
-/** Warns once. */
+/** Warns on the first call only. */
 function warnAboutText() {
-  if (isNoted) return
-  isNoted = true
+  if (hasWarned) return
+  hasWarned = true
   console.warn(
-    'text: a warp cannot move it, since p5 draws letters with its own shader; draw model(font.textToModel("…", x, y)) in p5 2, or text() in a createGraphics(…) that is the texture() of a plane with many squares.',
+    'text: a warp cannot move text, since p5 draws letters with its own shader; draw model(font.textToModel("…", x, y)) in p5 2, or text() in a createGraphics(…) that is the texture() of a plane with many squares.',
   )
 }

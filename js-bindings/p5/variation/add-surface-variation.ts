@@ -1,4 +1,4 @@
-/** `addSurfaceVariation`: how a p5.Geometry varies, as properties of its vertices, which p5 2.x has. */
+/** `addSurfaceVariation`: stores how a p5.Geometry's normals and uvs vary in vertex properties, which only p5 2.x has. */
 import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 

@@ -3,7 +3,7 @@ import { variationNames } from '../../compile/hosts.js'
 import { add, cross, times, type Triple } from '../geometry/triple.js'
 import type { Shape, Vector } from '../host.js'
 
-/** Returns the gradients of the normal's three components, of u and of v, at a vertex. */
+/** Returns the gradients of the normal's three components, of u and of v, at a vertex with position p and normal n. */
 type Gradients = (p: Triple, n: Triple, u: number) => readonly Triple[]
 
 const { PI, hypot, max } = Math
@@ -39,7 +39,7 @@ const gradientsOfRevolution = (
  * line with v = y + 1/2, or a circular arc of curvature `bend`.
  */
 const revolveAboutY =
-  (bend = 0, rise = 0): Gradients =>
+  (bend = 0, slopeOfV = 0): Gradients =>
   ([x, , z], n, u) => {
     const around: Triple = [Math.cos(2 * PI * u), 0, -Math.sin(2 * PI * u)]
     const along = cross(n, around)
@@ -50,7 +50,7 @@ const revolveAboutY =
       r,
       bend || hypot(n[0], n[2]) / r,
       bend,
-      rise || along[1],
+      slopeOfV || along[1],
     )
   }
 

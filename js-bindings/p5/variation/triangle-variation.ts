@@ -5,8 +5,9 @@
 import { cross, dot, sub, times, type Triple } from '../geometry/triple.js'
 import type { Shape } from '../host.js'
 
-/** Numbers per vertex: 3 of its position, then the varying values, 3 of its normal, u and v. */
+/** Numbers per vertex: 3 of its position, then the varying values: 3 of its normal, u and v. */
 const width = 8
+/** The columns where the normal and uv start. */
 const [normal, uv] = [3, 6]
 
 /**
@@ -35,7 +36,7 @@ function tableOf({ vertices, vertexNormals, uvs }: Shape): Float64Array {
 
 /**
  * Maps each varying value and vertex to the vertex that stores its gradient. Vertices with the same position and normal share the
- * gradients of the normal, and those of uv if their uvs differ by whole numbers, so that no seam shows in the light. A hash table with
+ * gradients of the normal. They also share those of uv if their uvs differ by whole numbers, so that no seam shows in the light. A hash table with
  * numeric keys instead of strings would take a quarter to a third off the total time and add forty lines.
  */
 function ownersOf(vertices: Float64Array): Int32Array[] {
@@ -51,7 +52,10 @@ function ownersOf(vertices: Float64Array): Int32Array[] {
   return [byNormal!, byNormal!, byNormal!, byUv!, byUv!]
 }
 
-/** Returns 4 numbers per owner for each varying value: the weighted sum of the gradients in the surrounding triangles, and of the weights. */
+/**
+ * Returns 4 numbers per owner for each varying value: the weighted sum of the gradients in the surrounding triangles, and the sum of the
+ * weights.
+ */
 function sumsAround(
   faces: readonly (readonly number[])[],
   vertices: Float64Array,
@@ -66,14 +70,14 @@ function sumsAround(
     if (!triangle) continue
     const { slopes, weights } = triangle
     sums.forEach((sum, k) => {
-      const at = face.map((i) => 4 * owners[k]![i]!)
+      const starts = face.map((i) => 4 * owners[k]![i]!)
       for (let axis = 0; axis < 3; axis++) {
         let value = 0
         for (let j = 0; j < 3; j++)
           value += slopes[j]![axis]! * vertices[width * face[j]! + normal + k]!
-        for (let j = 0; j < 3; j++) sum[at[j]! + axis]! += weights[j]! * value
+        for (let j = 0; j < 3; j++) sum[starts[j]! + axis]! += weights[j]! * value
       }
-      for (let j = 0; j < 3; j++) sum[at[j]! + 3]! += weights[j]!
+      for (let j = 0; j < 3; j++) sum[starts[j]! + 3]! += weights[j]!
     })
   }
   return sums
@@ -88,11 +92,11 @@ function slopesIn(corners: readonly Triple[]) {
   const square = dot(up, up)
   // p5's shapes have degenerate triangles at poles and seams, up to rounding errors.
   if (!(square > 1e-12 * Math.max(...squares) ** 2)) return
-  const all = squares[0]! * squares[1]! * squares[2]!
+  const product = squares[0]! * squares[1]! * squares[2]!
   return {
     slopes: opposite.map((edge) => times(cross(up, edge), 1 / square)),
     // The sine of the corner's angle, divided by the lengths of its two sides.
-    weights: squares.map((each) => (each * Math.sqrt(square)) / all),
+    weights: squares.map((each) => (each * Math.sqrt(square)) / product),
   }
 }
 

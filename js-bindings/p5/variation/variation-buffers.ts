@@ -1,6 +1,6 @@
 /**
- * Passes the gradients of shapes to p5 as vertex attributes. A p5.Geometry has them as arrays next to its vertices, computed on first
- * use, and each renderer that draws with a warp that reads them has buffers for them.
+ * Passes the gradients of shapes to p5 as vertex attributes. A p5.Geometry has the gradients as arrays next to its vertices, computed on
+ * first use. Each renderer that draws with a warp that reads gradients has buffers for them.
  */
 import { variationAttribute, variationNames, type VariationInput } from '../../compile/hosts.js'
 import { immediateShape, type Renderer, type Shader, type Shape } from '../host.js'
@@ -8,30 +8,31 @@ import { variationOf, type Variation } from './shape-variation.js'
 
 type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
 
-const source = (name: string) => `warpjet_${name}`
+/** Returns the name of the array of a p5.Geometry for a gradient. */
+const arrayName = (name: string) => `warpjet_${name}`
 
 /** The gradients of each shape, and the names of the arrays that p5 has read. */
 const variations = new WeakMap<Drawn, { variation: Variation; readNames: Set<string> }>()
 
 function arrayOf(shape: Drawn, name: VariationInput): Float32Array {
   if (shape.gid === immediateShape) return new Float32Array(3 * shape.vertices.length)
-  let known = variations.get(shape)
+  let cached = variations.get(shape)
   // p5 reads the array again after the shape has changed.
-  const isStale = known?.readNames.has(name) && shape.dirtyFlags[source(name)] !== false
-  if (!known || isStale)
+  const isStale = cached?.readNames.has(name) && shape.dirtyFlags[arrayName(name)] !== false
+  if (!cached || isStale)
     variations.set(
       shape,
-      (known = { variation: variationOf(shape, nameOf(shape)), readNames: new Set() }),
+      (cached = { variation: variationOf(shape, nameOf(shape)), readNames: new Set() }),
     )
-  known.readNames.add(name)
-  return known.variation[name]
+  cached.readNames.add(name)
+  return cached.variation[name]
 }
 
 /** Defines the arrays as getters of the class p5.Geometry. */
 export function defineVariationArrays(geometry: { prototype: object } | undefined) {
   if (!geometry) return
   for (const name of variationNames)
-    Object.defineProperty(geometry.prototype, source(name), {
+    Object.defineProperty(geometry.prototype, arrayName(name), {
       configurable: true,
       get(this: Drawn) {
         return arrayOf(this, name)
@@ -39,7 +40,7 @@ export function defineVariationArrays(geometry: { prototype: object } | undefine
     })
 }
 
-/** Renderers that keep shapes by name. Shared by all scripts of the page, each of which may contain a copy of this file. */
+/** Renderers that map names to shapes (p5 1.11). Shared by all scripts of the page, each of which may contain a copy of this file. */
 const keepingRenderers = ((globalThis as Record<symbol, unknown>)[
   Symbol.for('warpjet.renderers')
 ] ??= []) as WeakRef<Renderer>[]
@@ -63,15 +64,15 @@ export function prepareBuffers(renderer: Renderer) {
     buffers!.push(
       new RenderBuffer(
         3,
-        source(name),
-        `${source(name)}Buffer`,
+        arrayName(name),
+        `${arrayName(name)}Buffer`,
         variationAttribute(name),
         renderer,
       ),
     )
 }
 
-/** Prepares any renderer that draws with the shader, which the sketch applies itself. */
+/** Adds the buffers to every renderer that draws with the shader. For shaders that the sketch applies itself. */
 export function prepareWhereBound(shader: Shader) {
   const prepare = () => prepareBuffers(shader._renderer as unknown as Renderer)
   // On 1.11 a shader has no renderer before its first use.

@@ -1,7 +1,7 @@
 /** GLSL that reads the gradients of normal and uv from attributes. */
 import { variationAttribute, variationNames, type HostText } from '../../compile/hosts.js'
 
-/** Code with a list of the attributes that it reads. */
+/** The attributes that a warp's code reads. */
 export type TextOfVertex = Pick<HostText, 'attributes'>
 
 /** Returns whether the code reads gradients of normal or uv. */

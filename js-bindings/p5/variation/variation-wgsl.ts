@@ -1,4 +1,4 @@
-/** WGSL that reads the gradients of normal and uv from attributes, which p5 on WebGPU cannot add to a shader itself. */
+/** WGSL that reads the gradients of normal and uv from attributes. We add these to the shader's source, since p5's hooks cannot. */
 import { variationAttribute, variationNames, type VariationInput } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import type { Shader } from '../host.js'
@@ -33,7 +33,7 @@ export function addAttributes(
     .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
 }
 
-/** Code, and the space of its offset. */
+/** A warp's code and the space of its offset. */
 interface InSpace {
   text: TextOfVertex
   space: WarpSpace
@@ -48,7 +48,7 @@ export function attributesOf({ text, space }: InSpace) {
   )
 }
 
-/** Does the same as `variationInGlsl`. The matrix `cameraMatrix` transforms normals to view space. */
+/** Returns the WGSL for what `variationInGlsl` computes. The matrix `cameraMatrix` transforms normals to view space. */
 export function variationInWgsl(warpCode: InSpace, cameraMatrix = 'model.uNormalMatrix'): string {
   const { space } = warpCode
   const names = attributesOf(warpCode)
@@ -59,15 +59,15 @@ export function variationInWgsl(warpCode: InSpace, cameraMatrix = 'model.uNormal
     if (!matrix) return attributeOf(name)
     if (!isOfNormal(name)) return `warpjetNormalMatrix * ${attributeOf(name)}`
     const row = 'XYZ'.indexOf(name[6]!)
-    const all = ['X', 'Y', 'Z'].map((axis) => `normal${axis}Gradient`)
-    const sum = all
+    const gradients = ['X', 'Y', 'Z'].map((axis) => `normal${axis}Gradient`)
+    const terms = gradients
       .map(
         (each, i) =>
           names.includes(each as never) &&
           `${attributeOf(each)} * warpjetNormalMatrix[${i}][${row}]`,
       )
       .filter(Boolean)
-    return `warpjetNormalMatrix * (${sum.join(' + ')})`
+    return `warpjetNormalMatrix * (${terms.join(' + ')})`
   })
   return (
     (matrix && `  let warpjetNormalMatrix = ${matrix};\n`) +

@@ -1,8 +1,8 @@
 /** The option `detail` of `warp`: one object that is drawn with as many triangles as its warped surface needs on the screen. */
 import type { BufferGeometry, Mesh } from 'three'
 import { DetailedMesh, type DetailViews, type ToSpace } from '../../detail/detailed-mesh.js'
+import { warnOfDetail } from '../../detail/warnings.js'
 import { nameOf } from '../describe.js'
-import { warnOfDetail } from '../notes.js'
 import { isSkinned, poseState, type Warpable } from '../pose.js'
 import { remembered } from '../remembered.js'
 import { computeDivision } from '../renderers.js'
@@ -149,7 +149,7 @@ export class DetailedPart implements Divisible {
     const { warp, object } = this
     this.free()
     const problem = problemOf(warp, object)
-    if (problem) return warnOfDetail(warp, nameOf(object), problem)
+    if (problem) return warnOfDetail(warp, warp.settings.method, nameOf(object), problem)
     const { geometry } = object
     const base = baseOf(warp, object as Mesh)
     const { isCurved } = warp.settings.detail!

@@ -6,6 +6,7 @@ import {
   type InstancedMesh,
   type Mesh,
 } from 'three'
+import { onlyOnGpu } from '../../detail/warnings.js'
 import { isInstancedMesh2 } from '../instances.js'
 import { isSkinned, morphTextureOf, type Warpable } from '../pose.js'
 import type { ThreeWarp } from '../three-warp.js'
@@ -29,8 +30,7 @@ export function problemOf(warp: ThreeWarp, object: Warpable): string | undefined
     return 'an InstancedBufferGeometry is not divided'
   if (isInstancedMesh && warp.settings.space === 'world')
     return "in the space 'world' each instance has a surface of its own"
-  if (!warp.canRunOnCpu)
-    return 'the offset calls a glsl.fn or reads an image, which only the GPU can evaluate'
+  if (!warp.canRunOnCpu) return onlyOnGpu
   for (const name of ['position', 'normal', 'uv'] as const)
     if ((name === 'position' || warp.reads(name)) && !attributes[name])
       return `its geometry lacks the attribute "${name}"`

@@ -1,4 +1,4 @@
-// Remembers that a warp is about to be put on top of a shader.
+// Remembers whether a warp is about to be added to a shader that has exact normals.
 let isWarping = false
 
 /** Runs `work` such that exact normals stay at vertices, where the warp can transform them. */

@@ -1,4 +1,4 @@
-// Notes about inputs of a displacement that count as constant over the surface.
+// Warnings about inputs of a displacement that are treated as constant over the surface.
 import type { BufferGeometry, Mesh, Object3D } from 'three'
 import { variationAttribute, variationNames } from '../../compile/hosts.js'
 import { noteApproximation } from '../../errors/notes.js'
@@ -19,7 +19,7 @@ const isInstanced = (attribute: object | undefined) => {
   return isInstancedBufferAttribute === true || data?.isInstancedInterleavedBuffer === true
 }
 
-/** Warns if the normals of an object are only approximate, since how an attribute varies over the surface is unknown. */
+/** Warns if the normals of an object are only approximate, since it is unknown how an attribute varies over the surface. */
 export function noteConstants(
   exact: Noting,
   { warp, parameters }: Displacement,
@@ -31,9 +31,9 @@ export function noteConstants(
   const hasVariation = variationNames.some((name) => variationAttribute(name) in (attributes ?? {}))
   if (warp.varies && attributes && !hasVariation)
     noteApproximation(method, 'await addSurfaceVariation(geometry)')
-  const isOfVertices = (name: string) =>
+  const isPerVertex = (name: string) =>
     attributes !== undefined && !instanceAttributes.has(name) && !isInstanced(attributes[name])
-  const [first] = parameters.filter(({ isAttribute, name }) => isAttribute && isOfVertices(name))
+  const [first] = parameters.filter(({ isAttribute, name }) => isAttribute && isPerVertex(name))
   if (first)
     exact.warn(
       `moves vertices by the attribute ${first.name}, which counts as constant over the surface, so that its normals are approximate where that varies; surfaceVariation: false silences this.`,

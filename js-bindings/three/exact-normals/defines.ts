@@ -71,11 +71,11 @@ const counts = [
 ]
 
 /**
- * Returns the `#define` lines, except those of morph targets, bones, batches, shadows and logarithmic depth: the position is read before
- * three's own lines move it by these.
+ * Returns the `#define` lines, except those for morph targets, bones, batches, shadows and logarithmic depth: we read the position before
+ * three.js' own lines apply these.
  */
 export function definesFor(shader: ExactShader): string {
-  const given = shader as unknown as Record<string, unknown>
+  const parameters = shader as unknown as Record<string, unknown>
   const materialDefines = Object.entries(shader.defines ?? {}).filter(
     ([, value]) => value !== false,
   )
@@ -84,12 +84,12 @@ export function definesFor(shader: ExactShader): string {
     'varying out',
     'texture2D texture',
     'HIGH_PRECISION',
-    ...(given.vertexTangents && !given.flatShading ? ['USE_TANGENT'] : []),
+    ...(parameters.vertexTangents && !parameters.flatShading ? ['USE_TANGENT'] : []),
     ...counts.map((name) => `${name} 0`),
-    ...Object.entries(macros).flatMap(([name, macro]) => (given[name] ? [macro] : [])),
+    ...Object.entries(macros).flatMap(([name, macro]) => (parameters[name] ? [macro] : [])),
     ...Object.entries(maps).flatMap(([name, macro]) => [
-      ...(given[name] ? [`USE_${macro}`] : []),
-      ...(given[`${name}Uv`] ? [`${macro}_UV ${String(given[`${name}Uv`])}`] : []),
+      ...(parameters[name] ? [`USE_${macro}`] : []),
+      ...(parameters[`${name}Uv`] ? [`${macro}_UV ${String(parameters[`${name}Uv`])}`] : []),
     ]),
     ...materialDefines.map(([name, value]) => `${name} ${String(value)}`),
   ]

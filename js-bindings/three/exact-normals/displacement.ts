@@ -1,6 +1,6 @@
-// Reads where a vertex shader moves vertices, as a warp.
+// Reads the displacement that a vertex shader computes, as a warp.
 import type { IUniform } from 'three'
-import { asOwn } from '../../errors/operators.js'
+import { markLibraryFunction } from '../../errors/operators.js'
 import type { External } from '../../glsl-source/listing.js'
 import { readOffset } from '../../glsl-source/offset.js'
 import { Place } from '../../options/place.js'
@@ -41,7 +41,7 @@ class DisplacementWarp extends ThreeWarp {
 
 export type ExactSettings = Pick<Settings, 'method' | 'normals' | 'surfaceVariation'>
 
-/** Returns the displacement of a shader. `values` are uniforms in addition to those of the shader, which the CPU knows. */
+/** Returns the displacement of a shader. `values` has values on the CPU for variables that are not in `shader.uniforms`. */
 export function readDisplacement(
   shader: ExactShader,
   settings: ExactSettings,
@@ -62,18 +62,18 @@ export function readDisplacement(
   }
   const warp = new DisplacementWarp(
     // Withholds the other inputs, since millis, size and instance are names of the shader here.
-    asOwn(({ glsl, position, normal, uv, uniforms }) =>
+    markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
       offset({ glsl, position, normal, uv, uniforms } as never),
     ),
     { ...settings, space, uniforms, fadeNoise: false, isShared: false },
     new Map(),
   )
-  const read = warp.namesRead()
+  const namesRead = warp.namesRead()
   const inputs = new Set(['position', 'normal', 'uv'])
   warp.parameters = externals
     .filter(
       ({ name, type, isRead }) =>
-        !inputs.has(name) && !uniforms[name] && (isSampler(type) ? isRead : read.has(name)),
+        !inputs.has(name) && !uniforms[name] && (isSampler(type) ? isRead : namesRead.has(name)),
     )
     .map(({ name, type }) => ({
       name: withNamesOfShader(name),
@@ -85,7 +85,7 @@ export function readDisplacement(
 
 const isSampler = (type: string) => /sampler/i.test(type)
 
-/** Returns a function for the present value of a uniform; `undefined` if the shader has no usable one. */
+/** Returns a function that returns the current value of a uniform; `undefined` if the shader has no usable value. */
 function valueOf(
   uniforms: Record<string, IUniform>,
   { name, shape, type }: External,
@@ -99,15 +99,15 @@ function valueOf(
   const read = () => path.reduce<unknown>((value, part) => partOf(value, part, shape), rootValue())
   let last = read()
   if (!isUsable(last, type, shape)) return undefined
-  // An error here would leave `render()`, so a value of another kind, such as a missing texture, does not count.
+  // An error here would be thrown by `render()`, so a value of another kind, such as a missing texture, is ignored.
   return () => {
-    const now = read()
-    if (isUsable(now, type, shape)) last = now
+    const current = read()
+    if (isUsable(current, type, shape)) last = current
     return last
   }
 }
 
-/** Returns a part of an array or a structure. An array of vectors may be a list of their numbers. */
+/** Returns an element of an array or a member of a structure. An array of vectors may be a flat list of their components. */
 function partOf(value: unknown, part: string, [columns, rows]: readonly [number, number]) {
   const list = value as ArrayLike<number> | undefined
   const size = columns * rows
@@ -121,6 +121,8 @@ function isUsable(value: unknown, type: string, [columns, rows]: readonly [numbe
   if (isSampler(type)) return type === 'sampler2D' && three.values!.isImage(value)
   if (typeof value === 'boolean') return type === 'bool'
   const numbers = [three.values!.toNumbers(value)].flat() as unknown[]
-  const all = ArrayBuffer.isView(numbers[0]) ? [...(numbers[0] as Float32Array)] : numbers
-  return all.length === columns * rows && all.every((each) => typeof each === 'number')
+  const components = ArrayBuffer.isView(numbers[0]) ? [...(numbers[0] as Float32Array)] : numbers
+  return (
+    components.length === columns * rows && components.every((each) => typeof each === 'number')
+  )
 }

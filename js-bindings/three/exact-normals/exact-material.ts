@@ -1,4 +1,4 @@
-// A material whose normals are exact: what happens when three.js compiles its shaders.
+// Makes the normals of a material exact when three.js compiles its shaders.
 import type { Material, Object3D, RawShaderMaterial, WebGLRenderer } from 'three'
 import { Place } from '../../options/place.js'
 import { nameOfMaterial } from '../describe.js'
@@ -19,28 +19,29 @@ import type { ExactShader } from './shader.js'
 import { weaveAttribute } from './weave-attribute.js'
 import { makesNormal, obstacleInChunks, weaveChunks } from './weave-chunks.js'
 
-const exact = new WeakMap<Material, ExactMaterial>()
+const exactMaterials = new WeakMap<Material, ExactMaterial>()
 
-export const exactMaterialOf = (material: Material) => exact.get(material)
+export const exactMaterialOf = (material: Material) => exactMaterials.get(material)
 
 /** Makes the normals of a material exact. A second call changes the options. */
 export function exactMaterial(material: Material, settings: ExactSettings): ExactMaterial {
-  let made = exact.get(material)
-  if (made) made.settings = settings
-  else exact.set(material, (made = new ExactMaterial(material, settings)))
+  let exact = exactMaterials.get(material)
+  if (exact) exact.settings = settings
+  else exactMaterials.set(material, (exact = new ExactMaterial(material, settings)))
   material.needsUpdate = true
-  return made
+  return exact
 }
 
 export class ExactMaterial {
-  /** The shader that was compiled last, as it was before exact normals, and the key of its source. */
+  /** The shader that was compiled last, as it was before exact normals were added, and the key of its source. */
   private last: { shader: ExactShader; key: string } | undefined
   private compilations = 0
   private lastKey: { version: number; key: string } | undefined
-  private keyOfUser!: () => string
-  /** The method without exact normals. */
+  private userKey!: () => string
+  /** The material's `onBeforeCompile` without exact normals. */
   userCompile!: Material['onBeforeCompile']
-  private drawn: Object3D | undefined
+  /** The object that was drawn last with the material. */
+  private lastObject: Object3D | undefined
   private readonly warned = new Set<string>()
 
   constructor(
@@ -49,11 +50,11 @@ export class ExactMaterial {
   ) {
     this.wrapCompile()
     this.wrapKey()
-    const note = (object: Object3D) => void (this.drawn = object)
+    const recordObject = (object: Object3D) => void (this.lastObject = object)
     wrapMethod<Material['onBeforeRender']>(material, 'onBeforeRender', (original) => {
-      return function (this: Material, ...given) {
-        note(given[4] as never)
-        original?.apply(this, given)
+      return function (this: Material, ...values) {
+        recordObject(values[4] as never)
+        original?.apply(this, values)
       }
     })
   }
@@ -67,12 +68,12 @@ export class ExactMaterial {
     return this.last?.key === this.sourceKey ? this.last.shader : undefined
   }
 
-  /** Differs after each change of the source and after each compilation. */
+  /** A key that changes with each change of the source and with each compilation. */
   get state(): string {
     return `${this.compilations} ${this.sourceKey}`
   }
 
-  /** Everything on which the source of the vertex shader depends. It may change when `needsUpdate` is set. */
+  /** A key of everything on which the source of the vertex shader depends. It may change when `needsUpdate` is set. */
   private get sourceKey(): string {
     const { id, version, defines, vertexShader } = this.material as Material & {
       defines?: object
@@ -81,12 +82,12 @@ export class ExactMaterial {
     if (this.lastKey?.version !== version)
       this.lastKey = {
         version,
-        key: [id, JSON.stringify(defines), vertexShader, this.keyOfUser()].join('\n'),
+        key: [id, JSON.stringify(defines), vertexShader, this.userKey()].join('\n'),
       }
     return this.lastKey.key
   }
 
-  /** Writes a message to the console, once. */
+  /** Warns on the console; prints each message only once. */
   warn(message: string) {
     const text = `${this.settings.method}: ${nameOfMaterial(this.material)} ${message}`
     if (this.warned.has(text)) return
@@ -127,11 +128,11 @@ export class ExactMaterial {
     const { material } = this
     const key = () => {
       const { normals, surfaceVariation } = this.settings
-      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.keyOfUser()}`
+      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.userKey()}`
     }
     wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (original) => {
       // The default key is the text of the method onBeforeCompile.
-      this.keyOfUser = () =>
+      this.userKey = () =>
         original.call(
           Object.create(material, { onBeforeCompile: { value: this.userCompile } }) as Material,
         )
@@ -139,23 +140,23 @@ export class ExactMaterial {
     })
   }
 
-  /** Adds exact normals to a shader. An error here would leave `render()`, so the shader stays as it is then, with a message. */
+  /** Adds exact normals to a shader. An error would be thrown by `render()`, so we print it as a warning and leave the shader unchanged. */
   private compile(shader: ExactShader, renderer: WebGLRenderer) {
     this.last = { shader: { ...shader }, key: this.sourceKey }
     this.compilations++
     const { isShaderMaterial } = this.material as Partial<RawShaderMaterial>
-    const isOfChunks = makesNormal(shader.vertexShader)
+    const usesChunks = makesNormal(shader.vertexShader)
     // Materials without light have no normals.
-    if (!isOfChunks && !isShaderMaterial) return
+    if (!usesChunks && !isShaderMaterial) return
     try {
       const displacement = this.read(shader)
       if (displacement.note) this.warn(displacement.note)
       if (displacement.warp.isRigid) return
-      const drawn = isOfChunks
+      const woven = usesChunks
         ? this.weaveChunks(shader, renderer, displacement)
         : this.weaveAttribute(shader, displacement)
-      this.put(shader, displacement, drawn)
-      noteConstants(this, displacement, this.drawn)
+      this.replaceSources(shader, displacement, woven)
+      noteConstants(this, displacement, this.lastObject)
     } catch (error) {
       this.warn(`keeps its own normals: ${messageOf(error)}`)
     }
@@ -225,7 +226,7 @@ export class ExactMaterial {
     }
   }
 
-  private put(
+  private replaceSources(
     shader: ExactShader,
     { warp }: Displacement,
     { vertexShader, fragmentShader }: Pick<ExactShader, 'vertexShader' | 'fragmentShader'>,

@@ -1,7 +1,7 @@
 // Names in the shaders of `exactNormals`.
 import { inputTypes } from '../../glsl-source/bind.js'
 
-/** While a shader is read, its variables with the name of an input begin with this. */
+/** While a shader is read, those of its variables that have the name of an input begin with this prefix. */
 export const inputPrefix = 'warpjetInput_'
 
 /** The names of inputs that three.js has as attributes of geometries. */
@@ -14,15 +14,15 @@ export const isInputName = (name: string): boolean =>
 /** Restores the names of the variables of a shader. */
 export const withNamesOfShader = (text: string) => text.replaceAll(inputPrefix, '')
 
-/** Renames what begins with warpjet, so that it differs from the names of a warp: one shader may have both. */
+/** Renames identifiers that begin with warpjet, so that they differ from those of a warp: one shader may contain both. */
 export const withExactNames = (source: string) =>
   withNamesOfShader(source).replace(/\bwarpjet(?!Exact)/g, 'warpjetExact')
 
-/** Matches the heads of functions that are made of the user's, which have their names and a hash. */
+/** Matches the heads of functions that are generated from the user's: each has the name of the user's function and a hash. */
 const head =
   /^(?:(?:high|medium|low)p )?\w+ (?!warpjet)(\w+_[0-9a-z]+(?:Gradient|Jacobian)?)\([^;{]*\) ?\{\n\w+ result;/gm
 
-/** Renames these functions, too. */
+/** Renames the functions whose heads are matched, too. */
 export function withExactFunctions(source: string): string {
   const names = [...source.matchAll(head)].map(([, name]) => name!)
   return names.length === 0

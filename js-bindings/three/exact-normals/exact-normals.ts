@@ -1,4 +1,4 @@
-// `exactNormals`: right normals for materials of WebGLRenderer whose vertex shaders already move vertices.
+// `exactNormals`: exact normals for materials of WebGLRenderer whose vertex shaders already move vertices.
 import type { Material, Mesh } from 'three'
 import { normalsKinds } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
@@ -6,35 +6,35 @@ import { kind, optional } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { object, type KindsOf } from '../../options/schema.js'
 import { describeOfThree, nameOfMaterial } from '../describe.js'
-import { isWarpedByHand } from '../supported.js'
+import { isWarpedMaterial } from '../supported.js'
 import type { ExactSettings } from './displacement.js'
 import { exactMaterial } from './exact-material.js'
 import { followDisplacement } from './follow.js'
 
 export interface ExactNormalsOptions {
   /**
-   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'`
-   * chooses `'pixel'` for a displacement that contains noise or bends strongly, unless that takes too many operations per pixel.
+   * The stage that computes normals: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * `'pixel'` for a displacement that contains noise or bends strongly, unless that takes too many operations per pixel.
    * @default 'auto'
    */
   normals?: 'auto' | 'vertex' | 'pixel'
-  /** `false` accepts that attributes of vertices count as constant over the surface, without a note. */
+  /** `false` silences the warning that an attribute of vertices is treated as constant over the surface. */
   surfaceVariation?: false
 }
 
 const optionKinds = object({
   normals: normalsKinds.normals,
   surfaceVariation: optional(
-    kind<false>('only false', (given) => given === false, {
+    kind<false>('only false', (target) => target === false, {
       advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',
     }),
   ),
 } satisfies KindsOf<ExactNormalsOptions>)
 
 /**
- * Gives a material right normals where its own vertex shader moves vertices: by `onBeforeCompile`, as a `ShaderMaterial` or
- * `RawShaderMaterial`, or by three-custom-shader-material. The shader is read when three.js compiles it, differentiated, and its normals
- * and tangents are transformed by the exact derivative, in place of any normals that it computes by itself. Returns what it was given.
+ * Gives a material correct normals where its own vertex shader moves vertices: by `onBeforeCompile`, as a `ShaderMaterial` or
+ * `RawShaderMaterial`, or by three-custom-shader-material. When three.js compiles the shader, we read and differentiate it, and transform
+ * its normals and tangents by the exact derivative, in place of any normals that it computes by itself. Returns its first argument.
  *
  * With a mesh, its shadows, culling and rays follow the displacement, too.
  *
@@ -51,21 +51,21 @@ const optionKinds = object({
  * ```
  */
 export function exactNormals<Given extends Material | Mesh>(
-  given: Given,
+  target: Given,
   options: ExactNormalsOptions = {},
 ): Given {
   const method = 'exactNormals'
   const settings = { method, ...optionKinds.read(options, new Place(method)) } as ExactSettings
-  const mesh = (given as Partial<Mesh> | undefined)?.isMesh ? (given as Mesh) : undefined
-  if (!mesh && !(given as Partial<Material> | undefined)?.isMaterial)
+  const mesh = (target as Partial<Mesh> | undefined)?.isMesh ? (target as Mesh) : undefined
+  if (!mesh && !(target as Partial<Material> | undefined)?.isMaterial)
     throw new WarpError(
-      `${method}: expected a material or a Mesh of three.js, got ${describeOfThree(given)}.`,
+      `${method}: expected a material or a Mesh of three.js, got ${describeOfThree(target)}.`,
     )
-  const materials = mesh ? [mesh.material].flat() : [given as Material]
+  const materials = mesh ? [mesh.material].flat() : [target as Material]
   for (const material of materials) rejectMaterial(method, material)
   for (const material of materials) exactMaterial(material, settings)
   if (mesh) followDisplacement(mesh, method)
-  return given
+  return target
 }
 
 type Flags = Partial<
@@ -83,13 +83,13 @@ type Flags = Partial<
 function rejectMaterial(method: string, material: Material) {
   const flags = material as Material & Flags
   const problem = flags.isNodeMaterial
-    ? "is of nodes, which only WebGPURenderer draws; import exactNormals of 'warpjet/three/webgpu'"
+    ? "is a node material, which only WebGPURenderer draws; import exactNormals from 'warpjet/three/webgpu'"
     : flags.isSpriteMaterial ||
         flags.isLineBasicMaterial ||
         flags.isPointsMaterial ||
         flags.isLineMaterial
       ? 'has no normals'
-      : isWarpedByHand(material)
+      : isWarpedMaterial(material)
         ? 'is warped by warpMaterial; call exactNormals first'
         : undefined
   if (problem) throw new WarpError(`${method}: ${nameOfMaterial(material)} ${problem}.`)

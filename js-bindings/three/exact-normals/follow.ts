@@ -1,6 +1,6 @@
 /**
  * Lets shadows, culling and rays of a mesh follow the displacement of its material. Before three.js has compiled the material, the
- * displacement is read from a new shader, with which the material's `onBeforeCompile` is called.
+ * displacement is read from a new shader that is passed to the material's `onBeforeCompile`.
  */
 import {
   MeshDepthMaterial,
@@ -50,7 +50,7 @@ function extentFor(warp: ThreeWarp, mesh: Mesh): Extent {
   return extent
 }
 
-/** Three.js culls by the bounds of an object, if it has any, and otherwise by those of its geometry. */
+/** Gives the mesh bounds of its displaced surface. Three.js culls by the bounds of an object, if it has any, and otherwise by those of its geometry. */
 function followBounds(mesh: Mesh, displacement: MeshDisplacement) {
   const bounds = (name: 'boundingSphere' | 'boundingBox', part: 'sphere' | 'box') => {
     let original = (mesh as unknown as Record<string, Sphere | Box3 | null | undefined>)[name]

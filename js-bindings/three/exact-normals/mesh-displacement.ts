@@ -30,15 +30,15 @@ export class MeshDisplacement {
     return this.read('gpu')
   }
 
-  /** Returns `undefined` if the material moves no vertices, or cannot be read; then it warns. */
+  /** Returns `undefined` if the material has no exact normals or no shader; warns and returns `undefined` if the shader cannot be read. */
   private read(key: string, values?: Record<string, () => unknown>): Displacement | undefined {
     const { exact } = this
     const shader = exact && this.shaderOf(exact)
     if (!shader) return undefined
     const complete = this.forMesh(exact, shader)
     const source = [exact.material.id, definesFor(complete), complete.vertexShader].join('\n')
-    const known = this.cache.get(key)
-    if (known?.source === source) return known.displacement
+    const cached = this.cache.get(key)
+    if (cached?.source === source) return cached.displacement
     let displacement: Displacement | undefined
     try {
       displacement = exact.read(complete, values)
@@ -74,7 +74,7 @@ export class MeshDisplacement {
     return shader
   }
 
-  /** Returns the same shader with the parameters of this mesh and the uniforms that were compiled last. */
+  /** Returns a copy of the shader with the parameters of this mesh; its uniforms are those that were compiled last. */
   private forMesh(exact: ExactMaterial, shader: ExactShader): ExactShader {
     const newest = () => this.shaderOf(exact)?.uniforms ?? shader.uniforms
     const uniforms = new Proxy({} as Record<string, IUniform>, {

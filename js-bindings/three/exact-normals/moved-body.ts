@@ -1,16 +1,16 @@
 /**
- * Finds what the position in a vertex shader is made of: the statements up to where it is finished, and the matrices that are applied
- * to it after that.
+ * Finds how a vertex shader computes the position of a vertex: the statements up to the finished position, and the matrices that are
+ * applied to it after that.
  */
 import { WarpError } from '../../errors/errors.js'
 import { chunkSource } from '../shader-source.js'
 import { anchor } from '../weave.js'
 import { assignmentsTo, countOf, isAssigned, plainLines, withoutComments } from './plain-source.js'
 
-/** The function that is read. */
+/** The name of the function that we make of `main`, and read. */
 export const movedFunction = 'warpjetMoved'
 
-/** The statements of a shader that compute where a vertex is, and the expression for that in the units of the geometry. */
+/** The statements of a shader that compute the position of a vertex, and the expression for that position in the space of the geometry. */
 export interface MovedBody {
   body: string
   result: string
@@ -20,28 +20,31 @@ export interface MovedBody {
   note?: string
 }
 
-/** `isInstancing` is `true` for a shader of an InstancedMesh. */
+/** Reads `main`, which follows the declarations `top`. `isInstancing` is true for a shader of an InstancedMesh. */
 export function movedBody(main: string, top: string, isInstancing: boolean): MovedBody {
   const user = withoutProjection(main)
-  const found = bodyOf(
-    main.replace(afterProjection, (found) => `${found.slice(0, -1).replace(/[^\n]/g, ' ')};`),
+  const moved = bodyOf(
+    main.replace(
+      afterProjection,
+      (statement) => `${statement.slice(0, -1).replace(/[^\n]/g, ' ')};`,
+    ),
     user.replace(afterProjection, ';'),
     top,
     isInstancing,
   )
   return user.search(afterProjection) < 0
-    ? found
+    ? moved
     : {
-        ...found,
+        ...moved,
         note: 'changes gl_Position after projectionMatrix, which does not count for its normals.',
       }
 }
 
-/** Matches statements that change `gl_Position`, but do not make it. */
+/** Matches statements that change `gl_Position` after it was set. */
 const afterProjection =
   /(?<![.\w])gl_Position\s*(?:\.\w+\s*[-+*/]?=(?!=)|[-+*/]=|=(?!=)[^;]*\bgl_Position\b)[^;]*;/g
 
-/** `user` is `main` without three's own lines for matrices. */
+/** `user` is `main` without the lines by which three.js' chunks apply matrices. */
 function bodyOf(main: string, user: string, top: string, isInstancing: boolean): MovedBody {
   const end = anchor.exec(main)?.index
   const open = (text: string) =>
@@ -56,7 +59,7 @@ function bodyOf(main: string, user: string, top: string, isInstancing: boolean):
   return { body: open(main).replace(/\}\s*$/, ''), ...chainOf(user, top, isInstanced) }
 }
 
-/** Throws for a position that is moved after the projection, or by it. */
+/** Throws for a position that is moved after the projection, and for a shader that uses `projectionMatrix` in another way. */
 function rejectOtherProjections(text: string) {
   const reads = text.match(/(?<![.\w])projectionMatrix\b(?!\s*\*)/)
   if (reads)
@@ -70,8 +73,8 @@ function rejectOtherProjections(text: string) {
       )
 }
 
-/** Chunks of three.js that read matrices, or make `gl_Position` of `transformed`. */
-const projecting = [
+/** Chunks of three.js that read matrices, or compute `gl_Position` from `transformed`. */
+const projectionChunks = [
   'project_vertex',
   'logdepthbuf_vertex',
   'defaultnormal_vertex',
@@ -81,7 +84,10 @@ const projecting = [
 ].map((name) => plainLines(withoutComments(chunkSource(name))))
 
 export const withoutProjection = (main: string) =>
-  projecting.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), plainLines(main))
+  projectionChunks.reduce(
+    (text, chunk) => (chunk ? text.replaceAll(chunk, '') : text),
+    plainLines(main),
+  )
 
 /**
  * Finds the last matrix that is applied to the finished position, and the expression for the position before it. Earlier matrices stay in

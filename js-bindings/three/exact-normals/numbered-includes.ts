@@ -1,7 +1,7 @@
-// Resolves includes so that messages name the lines of the shader as its author has it.
+// Resolves includes such that messages name lines of the shader as its author wrote it.
 import { chunkSource } from '../shader-source.js'
 
-/** Replaces `#include` lines by the chunks that they name, and numbers the lines after each as they were before. */
+/** Replaces `#include` lines by the chunks that they name; `#line` restores the numbers of the lines after each chunk. */
 export const numberedIncludes = (source: string): string =>
   source
     .split('\n')

@@ -1,7 +1,7 @@
 // Variables of the vertex shader that normals at pixels need in the fragment shader.
 import type { Displacement } from './displacement.js'
 
-/** Uniforms that three.js sets for every program, and those of them that it declares in fragment shaders. */
+/** Maps uniforms that three.js sets for every program → types. Those in `declared` it also declares in fragment shaders. */
 const types: Record<string, string> = {
   modelMatrix: 'mat4',
   modelViewMatrix: 'mat4',
@@ -20,7 +20,7 @@ export function obstacleInParameters({ parameters }: Displacement): string | und
     : `it moves vertices by the uniform ${found.name}, whose value is unknown on the CPU`
 }
 
-/** Declares the uniforms in a fragment shader. */
+/** Declares the parameters of a displacement in a fragment shader that does not declare them. */
 export const declareParameters = (fragmentShader: string, { parameters }: Displacement): string =>
   parameters
     .filter(

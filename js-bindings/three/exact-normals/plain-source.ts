@@ -5,7 +5,7 @@ export function withoutComments(text: string): string {
   return text.replace(/\/\/[^\n]*|\/\*[^]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '))
 }
 
-/** A text without marks of lines and without spaces at the ends of lines, to be compared. */
+/** Returns source without `#line`, empty lines and spaces around lines, for comparisons. */
 export function plainLines(text: string): string {
   const lines = text.replace(/^#line \d+\n/gm, '').split('\n')
   return lines
@@ -20,6 +20,6 @@ export const assignmentsTo = (name: string) =>
 
 export const isAssigned = (text: string, name: string) => assignmentsTo(name).test(text)
 
-/** Counts how often a variable is named. */
+/** Counts the occurrences of a variable. */
 export const countOf = (text: string, name: string) =>
   text.match(new RegExp(`(?<![.\\w])${name}\\b`, 'g'))?.length ?? 0

@@ -1,4 +1,4 @@
-// Finds out whether a displacement is before or after morph targets and bones.
+// Determines whether a displacement is applied before or after morph targets and bones.
 import type { Place } from '../../options/place.js'
 import type { WarpSpace } from '../settings.js'
 import { chunkSource, resolveIncludes } from '../shader-source.js'
@@ -8,10 +8,10 @@ import type { ExactShader } from './shader.js'
 
 const assignment = /(?<![.\w])transformed\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
 
-/** Matches a change of three's position in view space. */
+/** Matches a change of `mvPosition`, three.js' position in view space. */
 const viewAssignment = /(?<![.\w])(?<!\bvec4\s+)mvPosition\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
 
-/** Returns the space of the displacement. Throws a `WarpError` if it is in both. */
+/** Returns the space of the displacement. Throws a `WarpError` if the shader moves vertices both before and after the pose. */
 export function spaceOf(shader: ExactShader, place: Place): WarpSpace {
   if (!shader.skinning && !shader.morphTargets) return 'rest'
   const { main = '' } = splitAtAnchor(resolveIncludes(shader.vertexShader)) ?? {}

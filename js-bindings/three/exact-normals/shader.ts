@@ -1,7 +1,7 @@
 // The shader that `onBeforeCompile` of a material receives.
 import type { IUniform } from 'three'
 
-/** A shader with the parameters of its program that decide what is in it. Older versions of three.js have fewer. */
+/** A shader, with those parameters of its program that determine its source. Older versions of three.js have fewer parameters. */
 export interface ExactShader {
   vertexShader: string
   fragmentShader: string

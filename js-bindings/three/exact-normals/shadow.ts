@@ -9,7 +9,7 @@ import { withExactFunctions, withExactNames } from './exact-names.js'
 import type { MeshDisplacement } from './mesh-displacement.js'
 import type { ExactShader } from './shader.js'
 
-/** Variables whose value for a light differs from that for the camera. */
+/** Variables whose values differ between a light, for which shadows are drawn, and the camera. */
 const cameraVariables = [
   'viewMatrix',
   'modelViewMatrix',
@@ -22,16 +22,16 @@ const cameraVariables = [
 /** Attributes that three.js declares. */
 const declared = new Set(['instanceMatrix', 'instanceColor'])
 
-/** Lets three.js compile a material again when the shader of the mesh has changed. */
+/** Makes three.js compile the shadow's material again when the shader of the mesh has changed. */
 function followVersion(material: Material, displacement: MeshDisplacement) {
   let { version } = material
   let state = displacement.exact?.state
   replaceProperties(material, {
     version: {
       get() {
-        const now = displacement.exact?.state
-        if (now !== state) version++
-        state = now
+        const currentState = displacement.exact?.state
+        if (currentState !== state) version++
+        state = currentState
         return version
       },
       set: (assigned: number) => void (version = assigned),

@@ -1,4 +1,4 @@
-// Splits the body of a GLSL function into statements, and finds the variables that each reads and writes.
+// Splits the body of a GLSL function into statements, and finds the variables that each statement reads and writes.
 
 export interface Statement {
   text: string
@@ -8,19 +8,19 @@ export interface Statement {
   isDirective: boolean
   reads: ReadonlySet<string>
   writes: ReadonlySet<string>
-  /** Functions of the source that it calls, also indirectly. */
+  /** Functions of the source that the statement calls, also indirectly. */
   calls: ReadonlySet<string>
 }
 
 /** Attributes, which no function can change. */
 const attributes = new Set(['position', 'normal', 'uv', 'color', 'tangent'])
 
-/** The globals that a function of the source reads and writes, also by the functions that it calls. */
+/** The globals that a function of the source, or a function that it calls, reads and writes. */
 export interface Effects {
   reads: Set<string>
   writes: Set<string>
   calls: Set<string>
-  /** `true` if it writes to variables that are passed to it. */
+  /** True if the function writes to variables that are passed to it. */
   hasOutputs: boolean
 }
 
@@ -28,7 +28,7 @@ const words = (text: string) => text.match(/(?<![.\w])[A-Za-z_]\w*/g) ?? []
 
 const assigned = /(?<![.\w])([A-Za-z_]\w*)\s*(?:\.\w+\s*|\[[^\]]*\]\s*)*(?:[-+*/]?=(?!=)|\+\+|--)/g
 
-/** Matches a declaration, also one without a value. */
+/** Matches a declaration with or without a value. */
 const declaration =
   /^\s*(?:const\s+)?(?:(?:high|medium|low)p\s+)?(?:float|int|uint|bool|[biu]?vec[234]|mat[234](?:x[234])?)\s+(\w+)/
 
@@ -49,10 +49,10 @@ export const localTypes = (statements: readonly Statement[]) =>
     }),
   )
 
-/** Returns the name that a statement declares. */
+/** Returns the first name that a statement declares; `undefined` if it declares none. */
 export const declaredBy = (text: string) => declaration.exec(text)?.[1]
 
-/** Splits statements. The text has no comments. */
+/** Splits a body into statements. `body` has no comments. */
 export function statementsOf(body: string, effects: ReadonlyMap<string, Effects>): Statement[] {
   return splitBody(body)
     .flatMap(splitDeclarators)
@@ -75,8 +75,8 @@ export function statementsOf(body: string, effects: ReadonlyMap<string, Effects>
             if (!effects.has(word) && !attributes.has(word)) writes.add(word)
       }
       // An assignment without an operator does not read the variable.
-      const [, only] = /^\s*(\w+)\s*=(?!=)/.exec(text) ?? []
-      if (only && words(text).filter((word) => word === only).length === 1) reads.delete(only)
+      const [, target] = /^\s*(\w+)\s*=(?!=)/.exec(text) ?? []
+      if (target && words(text).filter((word) => word === target).length === 1) reads.delete(target)
       return { text, isBlock: /[{}]/.test(text), isDirective, reads, writes, calls }
     })
 }
@@ -106,7 +106,7 @@ function splitBody(body: string): string[] {
   const parts: string[] = []
   let start = 0
   let depth = 0
-  const end = (i: number) => {
+  const endStatement = (i: number) => {
     const text = body.slice(start, i)
     if (text.trim()) parts.push(text)
     start = i
@@ -116,7 +116,7 @@ function splitBody(body: string): string[] {
     if (character === '#' && depth === 0 && body.slice(start, i).trim() === '') {
       const line = body.indexOf('\n', i)
       i = line < 0 ? body.length - 1 : line
-      end(i + 1)
+      endStatement(i + 1)
     } else if ('({['.includes(character)) depth++
     else if (')}]'.includes(character)) {
       depth--
@@ -125,10 +125,11 @@ function splitBody(body: string): string[] {
         character === '}' &&
         !/^\s*(?:else\b|while\b|[;,.])/.test(body.slice(i + 1))
       )
-        end(i + 1)
-    } else if (character === ';' && depth === 0 && !/^\s*else\b/.test(body.slice(i + 1))) end(i + 1)
+        endStatement(i + 1)
+    } else if (character === ';' && depth === 0 && !/^\s*else\b/.test(body.slice(i + 1)))
+      endStatement(i + 1)
   }
-  end(body.length)
+  endStatement(body.length)
   return parts
 }
 

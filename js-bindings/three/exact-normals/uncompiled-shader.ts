@@ -15,7 +15,7 @@ const libraryNames: Record<string, string> = {
   ShadowMaterial: 'shadow',
 }
 
-/** Makes a shader with the parameters that decide where vertices are; `undefined` for a material that three.js does not have. */
+/** Makes a shader with the parameters that affect the positions of vertices; returns `undefined` for a material that three.js does not have. */
 export function createShader(material: Material, object: Mesh): ExactShader | undefined {
   const { isShaderMaterial, vertexShader, fragmentShader, uniforms } =
     material as Partial<ShaderMaterial>
@@ -41,7 +41,7 @@ export function createShader(material: Material, object: Mesh): ExactShader | un
   )
 }
 
-/** Makes uniforms that always have the current value of the material's property, to which three.js sets them before it draws. */
+/** Makes uniforms that always have the current value of the material's property of that name; three.js would set them before it draws. */
 const liveUniforms = (material: Material, { uniforms }: { uniforms: object }) =>
   Object.fromEntries(
     Object.keys(uniforms)

@@ -1,6 +1,6 @@
 /**
- * Completes the vertex shader of a material, so that it can be read by itself: as a GLSL function that returns where the shader moves a
- * vertex, in the units of the geometry.
+ * Completes the vertex shader of a material, so that it can be read by itself: as a GLSL function that returns the position to which the
+ * shader moves a vertex, in the space of the geometry.
  */
 import { splitAtMain } from '../shader-source.js'
 import { definesFor } from './defines.js'
@@ -24,7 +24,7 @@ export const uniforms: Record<string, string> = {
 export interface VertexSource {
   /** GLSL with the function. */
   text: string
-  /** Attributes that an offset function does not have. They are uniforms of `text`. */
+  /** Attributes that are not inputs of an offset function. `text` declares them as uniforms. */
   attributes: ReadonlySet<string>
   /** The message about statements of the shader that are ignored, if there are any. */
   note?: string
@@ -35,19 +35,19 @@ export function vertexSource(shader: ExactShader): VertexSource {
   const { top, main } = splitAtMain(resolved)!
   const { body, result, hidden, note }: MovedBody = movedBody(
     main,
-    withoutKnown(top),
+    withoutThreeDeclarations(top),
     shader.instancing === true,
   )
   const attributes = new Set<string>()
-  const declarations = withoutKnown(top).replace(
+  const declarations = withoutThreeDeclarations(top).replace(
     /\b(?:attribute|in)\s+((?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*(?:\[[^\]]*\]\s*)?;)/g,
     (_, rest: string, name: string) => {
       attributes.add(name)
       return `uniform ${rest}`
     },
   )
-  const given = givenAttributes(shader)
-  for (const [name] of given) attributes.add(name)
+  const optional = optionalAttributes(shader)
+  for (const [name] of optional) attributes.add(name)
   const declared = [...declarations.matchAll(/\buniform\s[^;{]*?\b(\w+)\s*(?:\[[^\]]*\]\s*)?;/g)]
   const renamed = [...declared.map(([, name]) => name!), ...attributes].filter(isInputName)
   const text = `${definesFor(shader)}
@@ -59,7 +59,7 @@ attribute vec3 position;
 attribute vec3 normal;
 attribute vec2 uv;
 ${[...new Set(renamed)].map((name) => `#define ${name} ${inputPrefix}${name}`).join('\n')}
-${given.map(([name, type]) => `uniform ${type} ${name};`).join('\n')}
+${optional.map(([name, type]) => `uniform ${type} ${name};`).join('\n')}
 vec4 warpjetClip;
 #define gl_Position warpjetClip
 ${hidden.map((name) => `#define ${name} mat4( 1.0 )`).join('\n')}
@@ -71,9 +71,9 @@ return ${result};
   return { text, attributes, ...(note && { note }) }
 }
 
-/** Returns name and type of the attributes that three.js declares only if a geometry or an object has them. */
-function givenAttributes(shader: ExactShader) {
-  const all: (readonly [name: string, type: string, isThere: boolean | undefined])[] = [
+/** Returns name and type of those attributes of the shader that three.js declares only if a geometry or an object has them. */
+function optionalAttributes(shader: ExactShader) {
+  const all: (readonly [name: string, type: string, isPresent: boolean | undefined])[] = [
     ['instanceMatrix', 'mat4', shader.instancing],
     ['instanceColor', 'vec3', shader.instancingColor],
     ['color', shader.vertexAlphas ? 'vec4' : 'vec3', shader.vertexColors],
@@ -82,11 +82,11 @@ function givenAttributes(shader: ExactShader) {
     ['uv2', 'vec2', shader.vertexUv2s],
     ['uv3', 'vec2', shader.vertexUv3s],
   ]
-  return all.filter(([, , isThere]) => isThere)
+  return all.filter(([, , isPresent]) => isPresent)
 }
 
-/** A RawShaderMaterial declares by itself what three.js declares for others. */
-const withoutKnown = (top: string) =>
+/** Removes declarations of variables that `vertexSource` declares. A RawShaderMaterial contains them; for other materials, three.js adds them. */
+const withoutThreeDeclarations = (top: string) =>
   top.replace(
     new RegExp(
       `\\b(?:uniform|attribute|in)\\s+(?:(?:high|medium|low)p\\s+)?\\w+\\s+(?:${[...Object.keys(uniforms), 'position', 'normal', 'uv', 'instanceMatrix'].join('|')})\\s*;`,

@@ -1,6 +1,6 @@
 /**
- * Puts exact normals into vertex shaders that make varyings from the attribute `normal`, as those of a ShaderMaterial. Statements that the
- * position depends on keep reading the attribute, since vertices may move along it; all others read the transformed normal.
+ * Adds exact normals to vertex shaders that compute varyings from the attribute `normal`, such as those of a ShaderMaterial. Statements
+ * on which the position depends keep reading the attribute, since vertices may move along it; all others read the transformed normal.
  */
 import { WarpError } from '../../errors/errors.js'
 import type { Place } from '../../options/place.js'
@@ -14,7 +14,7 @@ import { uniforms } from './vertex-source.js'
 
 const newNormal = 'warpjetAttributeNormal'
 
-/** Throws a `WarpError` for a shader whose varyings cannot be separated from its position. */
+/** Returns the shader with exact normals. Throws a `WarpError` if its varyings cannot be separated from its position. */
 export function weaveAttribute(
   vertexShader: string,
   { warp }: Displacement,
@@ -52,7 +52,7 @@ ${body}
 ${main.slice(close + 1)}`
 }
 
-/** A RawShaderMaterial declares only the matrices that it reads itself. */
+/** Returns declarations of the matrices that `statements` read and a RawShaderMaterial does not declare, since it does not read them itself. */
 const declareMissing = (top: string, statements: string) =>
   Object.entries(uniforms)
     .filter(
@@ -81,14 +81,15 @@ const globalsOf = (top: string) =>
 
 const short = (statement: string) => statement.trim().replace(/\s+/g, ' ').slice(0, 80)
 
-/** Returns line and column of a statement in the source, as messages about GLSL have them; empty for one of a chunk. */
+/** Returns line and column of a statement in the form of messages about GLSL; empty if the statement comes from a chunk. */
 function lineOf(vertexShader: string, statement: string): string {
-  const at = withoutComments(vertexShader).indexOf(statement.trim())
-  if (at < 0) return ''
-  const lines = vertexShader.slice(0, at).split('\n')
+  const start = withoutComments(vertexShader).indexOf(statement.trim())
+  if (start < 0) return ''
+  const lines = vertexShader.slice(0, start).split('\n')
   return `line ${lines.length}, column ${lines.at(-1)!.length + 1}: `
 }
 
+/** Returns the body of `main` in which all statements read the new normal, except those on which the position depends. */
 function withNewNormals(
   body: string,
   top: string,
@@ -98,12 +99,14 @@ function withNewNormals(
   const globals = new Set([...globalsOf(top), ...varyings.keys(), 'normal', 'position'])
   const effects = effectsOf(top, globals)
   const statements = statementsOf(body, effects)
+  /** For each statement, whether the position may depend on it. */
   const isMoving = sliceOf(statements, 'gl_Position')
   const fail = ({ text }: Statement, problem: string) => error(text, problem)
-  /** Variables that both the position and the light depend on, and that are made of the normal alone. */
+  /** Maps variables that both the position and the light depend on, and that depend on no position → their copies for the light. */
   const copies = new Map<string, string>()
-  /** Variables that other statements make of the normal, and of the position in front of the displacement. */
+  /** Variables that depend on the normal, among those on which the position does not depend. */
   const normalVariables = new Set<string>()
+  /** Variables that depend on the position before the displacement, among those on which the final position does not depend. */
   const positionVariables = new Set<string>()
   const movingPositions = new Set(['position'])
   const movingCalls = new Set(
@@ -116,7 +119,7 @@ function withNewNormals(
       word === 'normal' ? newNormal : (copies.get(word) ?? word),
     )
   const locals = localTypes(statements)
-  const ends: string[] = []
+  const copiesToVaryings: string[] = []
   let hasNormals = false
   const lines = statements.map((statement, i) => {
     const { text, isBlock, isDirective, reads, writes, calls } = statement
@@ -124,11 +127,11 @@ function withNewNormals(
     const readsNormal =
       reads.has('normal') || some(reads, (name) => copies.has(name) || normalVariables.has(name))
     if (isMoving[i]) {
-      const isPlace = some(reads, (name) => movingPositions.has(name))
-      if (isPlace) for (const name of writes) movingPositions.add(name)
-      const lit = [...writes].filter((name) => varyings.has(name))
-      if (!readsNormal || isPlace) {
-        if (isBlock && readsNormal && lit.length)
+      const dependsOnPosition = some(reads, (name) => movingPositions.has(name))
+      if (dependsOnPosition) for (const name of writes) movingPositions.add(name)
+      const writtenVaryings = [...writes].filter((name) => varyings.has(name))
+      if (!readsNormal || dependsOnPosition) {
+        if (isBlock && readsNormal && writtenVaryings.length)
           throw fail(
             statement,
             'moves the vertex and makes a varying of the normal; write these as two',
@@ -146,7 +149,7 @@ function withNewNormals(
         copies.set(name, copied)
         if (varyings.has(name)) hasNormals = true
         if (isDeclared) return ''
-        if (varyings.has(name)) ends.push(`${name} = ${copied};`)
+        if (varyings.has(name)) copiesToVaryings.push(`${name} = ${copied};`)
         const type = varyings.get(name) ?? locals.get(name)
         if (!type)
           throw fail(
@@ -179,7 +182,7 @@ function withNewNormals(
     throw new WarpError(
       'the vertex shader makes no varying of the attribute normal; write vNormal = normalMatrix * normal, and leave out normals by hand.',
     )
-  return [...lines, ...ends].join('\n')
+  return [...lines, ...copiesToVaryings].join('\n')
 }
 
 const isVector = (type: string) => /^vec[34]$/.test(type)

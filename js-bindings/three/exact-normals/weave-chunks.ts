@@ -1,6 +1,6 @@
 /**
- * Puts exact normals into vertex shaders that make normals by three's own chunks. The shader goes on to move the vertex by itself; in
- * front of `mvPosition`, where all displacement is done, three's lines for normals run once more, from the transformed normal.
+ * Adds exact normals to vertex shaders that compute normals by three.js' own chunks. The shader still moves the vertex by itself. Before
+ * `mvPosition` is computed, when all displacement is done, three.js' lines for normals run a second time, with the transformed normal.
  */
 import { markViewPosition, type PixelNormals } from '../pixel-normals.js'
 import { chunkSource, resolveIncludes } from '../shader-source.js'
@@ -17,13 +17,13 @@ import {
 } from '../weave.js'
 import type { Displacement } from './displacement.js'
 
-/** Tests whether three's own lines make the normal of a shader. */
+/** Tests whether three.js' own lines compute the normal of a shader. */
 export const makesNormal = (vertexShader: string) => {
   const { main = '' } = splitAtAnchor(resolveIncludes(vertexShader)) ?? {}
   return /\btransformedNormal\b/.test(main)
 }
 
-/** Returns why a vertex shader cannot leave the normals to the fragment shader; `undefined` if it can. */
+/** Returns why normals cannot be computed in the fragment shader; `undefined` if they can. */
 export function obstacleInChunks(vertexShader: string): string | undefined {
   const { main = '' } = splitAtAnchor(resolveIncludes(vertexShader)) ?? {}
   return makesNormal(vertexShader) && projection.test(main.slice(anchor.exec(main)?.index))
@@ -47,13 +47,13 @@ export function weaveChunks(
   return `${pixel ? markViewPosition(marked) : marked}
 ${code.declarations}
 ${pixel ? pixel.varyings : ''}
-${markNormals(isRest ? before : keepPosed(before))}
+${markNormals(isRest ? before : storePosedPosition(before))}
 ${normalBlock(code, pixel)}
 ${pixel ? passToPixels(after, pixel) : after}`
 }
 
-/** Keeps the position behind morph targets and bones, from which a displacement after them starts. */
-const keepPosed = (before: string) =>
+/** Stores the position after morph targets and bones, where a displacement after them starts. */
+const storePosedPosition = (before: string) =>
   before.replace(skinningChunk(), (chunk) => `${chunk}\nvec3 warpjetStart = transformed;\n`)
 
 const skinningChunk = () => chunkSource('skinning_vertex')

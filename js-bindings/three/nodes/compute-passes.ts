@@ -1,3 +1,3 @@
-// The compute passes of the option `detail`, a file of its own: ComputedMesh loads it when a mesh first needs it.
+// The compute passes of the option `detail`, in a separate file, which ComputedMesh loads when a mesh first needs it.
 export { ComputedDetail } from '../../detail/gpu/computed-detail.js'
 export { compilePasses } from '../../detail/gpu/passes.js'

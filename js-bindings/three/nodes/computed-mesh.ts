@@ -1,6 +1,6 @@
 /**
- * The option `detail` on the WebGPU backend: compute passes divide a mesh, and one indirect call draws it. The CPU divides it until
- * they are compiled, and wherever they cannot do it.
+ * The option `detail` on the WebGPU backend: compute passes divide a mesh, and one indirect call draws it. The CPU divides the mesh until
+ * the passes are compiled, and where they cannot divide it.
  */
 import { Matrix3, type BufferGeometry, type InstancedMesh, type Material, type Mesh } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
@@ -12,7 +12,7 @@ import type { Render } from '../detail/render.js'
 import { placeOf } from '../detail/views.js'
 import { disposeIndirect, indirectGeometry, type Backend } from './indirect-geometry.js'
 
-/** The mesh in a renderer. */
+/** The compute passes that divide the mesh in a renderer. */
 interface Computed {
   readonly renderer: object
   readonly backend: Backend
@@ -27,7 +27,7 @@ interface Drawn {
 }
 
 export class ComputedMesh implements ComputeDetail {
-  /** In the first renderer that can. The CPU divides the mesh for others. */
+  /** For the first renderer with a WebGPU backend. The CPU divides the mesh for other renderers. */
   private computed: Computed | undefined
   private drawn: Drawn | undefined
 
@@ -66,14 +66,14 @@ export class ComputedMesh implements ComputeDetail {
     this.computed = undefined
   }
 
-  /** A failure leaves everything to the CPU. */
+  /** Loads the code of the passes. If that fails, the CPU goes on dividing the mesh. */
   private async load(computed: Computed) {
     const { warp, mesh, base, toWorld } = this.input
     const { device } = computed.backend
     const world = toWorld && this.world()
     try {
       const { ComputedDetail, compilePasses } = await import('./compute-passes.js')
-      // It may have been disposed of meanwhile: then nothing calls it any more.
+      // If this was disposed of meanwhile, nothing reads `computed` any more.
       computed.detail = new ComputedDetail(warp, mesh, device, () =>
         compilePasses(device, warp, base, { world }),
       )
@@ -92,7 +92,7 @@ export class ComputedMesh implements ComputeDetail {
     }
   }
 
-  /** Indirect calls draw neither groups nor lines of a wireframe. */
+  /** Returns whether an indirect call can draw the object: such calls draw neither groups nor wireframes. */
   private isPossible({ scene }: Render) {
     const { material } = this.input.object as Mesh
     const materials = [material, scene.overrideMaterial]

@@ -1,11 +1,11 @@
 /**
- * The one place where WebGPURenderer meets a warp. Every draw of an object, whichever pass and material it is for, goes through
- * `renderObject`, and every material builds its vertex in `setupPosition`. So `renderObject` puts the warp of the object into
- * the renderer's `contextNode` while the object is drawn, and `setupPosition` takes it from there. The id of the context is a
+ * Connects warps with WebGPURenderer. Every draw of an object, whichever pass and material it is for, goes through
+ * `renderObject`, and every material builds its vertex in `setupPosition`. So our `renderObject` puts the warp of the object into
+ * the renderer's `contextNode` while the object is drawn, and our `setupPosition` reads it there. The id of the context is a
  * part of three's cache key, so that no other object, even of the same geometry and material, gets the warped shader.
  *
- * The methods are replaced on the prototypes, once: an object's `onBeforeRender` is called when `render` has read
- * `renderObject` already, so that a renderer replaced there would draw its first frame without.
+ * We replace the methods on the prototypes, once. An object's `onBeforeRender` would be too late to replace them on its renderer: by
+ * then `render` has read `renderObject`, so the first frame would be drawn without the warp.
  */
 import type { Material, Object3D } from 'three'
 import * as TSL from 'three/tsl'
@@ -18,25 +18,25 @@ import { withoutPositionNode } from './instances.js'
 import type { AnyNode } from './tsl.js'
 import { setupWarped } from './vertex.js'
 
-/** Maps what is warped, an object or a material on all objects, → its warp. */
+/** Maps warped objects, and materials that are warped on all objects, → their warps. */
 const warps = new WeakMap<object, ThreeWarp>()
 
 /** Maps nodes of `warpNode` → their warps. */
 const warpsOfNodes = new WeakMap<AnyNode, ThreeWarp>()
 
-/** Draws an object, or all that has a material, warped from now on; call the result to end that. */
-export function carry(target: Object3D | Material, warp: ThreeWarp): () => void {
+/** Makes the renderer warp an object, or all objects that have a material; the returned function ends that. */
+export function attachWarp(target: Object3D | Material, warp: ThreeWarp): () => void {
   warps.set(target, warp)
   return () => void (warps.get(target) === warp && warps.delete(target))
 }
 
-/** Makes the node stand for the warp where it is a whole `positionNode`. */
+/** Marks a node such that a material whose whole `positionNode` it is gets the warp, with its normals. */
 export function markNode(node: AnyNode, warp: ThreeWarp): AnyNode {
   warpsOfNodes.set(node, warp)
   return node
 }
 
-/** Tests whether a renderer is of the copy of three.js whose methods are replaced here. */
+/** Tests whether a renderer belongs to the copy of three.js whose methods are replaced here. */
 export const isOurs = (renderer: unknown): boolean => renderer instanceof Renderer
 
 interface ContextNode {
@@ -49,18 +49,21 @@ interface WarpContext {
   version: number
 }
 
-/** Maps our context → the one around it. */
+/** Maps our contexts → the contexts around them. */
 const outerOf = new WeakMap<ContextNode, ContextNode>()
 const contexts = new WeakMap<ThreeWarp, WeakMap<ContextNode, WarpContext>>()
 
-/** Returns the context for an object with this warp, or with none: shadows are drawn while another object is. */
+/**
+ * Returns the context for an object with this warp, or without any. `current` can be the context of another object, since shadows are
+ * rendered while that object is drawn.
+ */
 function contextFor(current: ContextNode, warp: ThreeWarp | undefined): ContextNode {
   const outer = outerOf.get(current) ?? current
   if (!warp) return outer
   let byOuter = contexts.get(warp)
   if (!byOuter) contexts.set(warp, (byOuter = new WeakMap()))
-  const known = byOuter.get(outer)
-  if (known?.version === outer.version) return known.node
+  const cached = byOuter.get(outer)
+  if (cached?.version === outer.version) return cached.node
   const node = TSL.context(outer as never, { warpjet: warp }) as unknown as ContextNode
   byOuter.set(outer, { node, outer, version: outer.version })
   outerOf.set(node, outer)
@@ -138,11 +141,11 @@ function installInMaterials(prototype: Methods) {
       displaceExactly(exact, builder, this, positionNode)
     } else if (nodeWarp) withoutPositionNode(this, () => setupWarped(warp!, builder, this, setup))
     else setupWarped(warp!, builder, this, setup)
-    // That of PointsNodeMaterial has the positionNode itself there.
+    // PointsNodeMaterial's own method would read the positionNode again, without the warp.
     builder.context.setupPositionView = () => setupPositionView.call(this, builder)
     return TSL.positionLocal
   }
-  // Three.js sends the uniforms of a material without nodes only when they change, and does not know those of a warp.
+  // Three.js sends the uniforms of a material without nodes only when it sees a change, and it does not know the uniforms of a warp.
   prototype.setupObserver = function (builder) {
     const observer = setupObserver.call(this, builder)
     if (builder.context.warpjet) observer.hasNode = true

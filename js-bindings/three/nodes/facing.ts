@@ -1,9 +1,9 @@
-// Vectors at pixels that replace those that are zero.
+// Replaces vectors that are zero at a pixel.
 import { BackSide, DoubleSide } from 'three'
 import type { Builder } from './builder.js'
 import { tsl, type AnyNode } from './tsl.js'
 
-/** Returns the vector with length 1, or `other` for one that is zero or not finite. */
+/** Returns the vector with length 1, or `other` if the vector is zero or not finite. */
 export const normalizeOr = (vector: AnyNode, other: AnyNode) =>
   tsl.select(vector.dot(vector).greaterThan(0), vector.normalize(), other)
 

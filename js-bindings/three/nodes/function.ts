@@ -2,9 +2,9 @@
  * A warp as one function in WGSL or GLSL that nodes of three.js call. Only the call is a node, so that the shader code is that
  * of all other hosts.
  *
- * A node per operation was measured instead, with four Gerstner waves, their derivatives by hand, on 200,700 vertices (three
- * 0.187, SwiftShader, two busy cores, medians in turn). A frame: 229 ms with shader code, 228 ms with nodes on WebGPU, 267 and
- * 256 ms on WebGL 2. The first frame: 492 and 640 ms on WebGPU, 601 and 483 ms on WebGL 2. A second compiler of all operations
+ * We measured one node per operation as an alternative, with four Gerstner waves and derivatives written by hand, on 200,700 vertices
+ * (three 0.187, SwiftShader, two busy cores, medians of alternating runs). Per frame: on WebGPU 229 ms with shader code and 228 ms with
+ * nodes, on WebGL 2 267 and 256 ms. First frame: on WebGPU 492 and 640 ms, on WebGL 2 601 and 483 ms. A second compiler of all operations
  * would gain nothing.
  */
 import { shaderNames, variationNames } from '../../compile/hosts.js'
@@ -43,7 +43,7 @@ const vertexTypes: Record<string, string> = {
   ...Object.fromEntries(variationNames.map((name) => [name, 'vec3'])),
 }
 
-/** Returns the inputs of a vertex that the function has parameters for: in the vertex stage, also some that it does not read. */
+/** Returns the inputs of a vertex for which the function has parameters; in the vertex stage, these include some that it does not read. */
 export function inputsOfStage(
   warp: ThreeWarp,
   stage: Stage,
@@ -59,7 +59,7 @@ export function inputsOfStage(
   return Object.entries(vertexTypes).filter(([input]) => inputs.has(input))
 }
 
-/** The names and types of the parameters. */
+/** Returns the names and types of the function's parameters. */
 export function parametersOf(
   warp: ThreeWarp,
   stage: Stage,
@@ -82,9 +82,9 @@ export function parametersOf(
 }
 
 /**
- * The function. In the vertex stage it returns the position, or a matrix with the columns position, normal and tangent; for pixels the
- * normal, or a matrix with the columns normal and tangent. A warp with other numbers returns a mat4 in the vertex stage, which has them in
- * the places that `otherPlaces` lists.
+ * Returns the function. In the vertex stage the function returns the position, or a matrix with the columns position, normal and tangent;
+ * for pixels the normal, or a matrix with the columns normal and tangent. For a warp with `otherNames` it returns a mat4 in the vertex
+ * stage, which has these numbers in the places that `otherPlaces` lists.
  */
 export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): Call {
   const { code, declarations } = textOf(warp, stage, isWebGPU)
@@ -114,7 +114,7 @@ function matrixOf(columns: string[], isWebGPU: boolean) {
   return { type, result: `${type}(${[...columns, ...zeros].join(', ')})` }
 }
 
-/** Returns the places in a mat4 that `count` vectors leave, as columns and rows: those behind the vectors, then other columns. */
+/** Returns the places in a mat4 that `count` vec3 columns leave free: first the last row of these columns, then the other columns. */
 export const otherPlaces = (count: number): (readonly [column: number, row: number])[] =>
   [0, 1, 2, 3].flatMap((column) =>
     (column < count ? [3] : [0, 1, 2, 3]).map((row) => [column, row] as const),
@@ -137,7 +137,8 @@ function columnsOf(stage: Stage, isWebGPU: boolean): string[] {
   const tangents = hasTangents(stage) ? [`${shaderNames.tangent}.xyz`] : []
   if (isOfPixel(stage)) return [shaderNames.normal, ...tangents]
   if (stage === 'position') return [shaderNames.position]
-  // The normal is zero if the surface collapses. A short one in its place is never NaN, and its neighbours outweigh it.
+  // The normal is zero if the surface collapses. A very short normal in its place does not become NaN when it is normalized, and the normals
+  // of neighbours outweigh it.
   const normal = isWebGPU
     ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
     : `(${shaderNames.normal} == vec3(0.0) ? warpjetRestNormal * 1e-6 : ${shaderNames.normal})`

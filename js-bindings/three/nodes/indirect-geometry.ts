@@ -10,22 +10,22 @@ import type { DividedBuffers } from '../../detail/gpu/divided-buffers.js'
 import type { GpuBuffer, GpuDevice } from '../../detail/gpu/webgpu.js'
 import type { GeometryBase } from '../detail/base.js'
 
-/** The part of the backend that is used here. It keeps the buffer of an attribute as `buffer`, and makes one only if there is none. */
+/** The part of the backend that is used here. It stores the buffer of an attribute as `buffer`, and creates one only if that is missing. */
 export interface Backend {
   readonly isWebGPUBackend?: boolean
   readonly device: GpuDevice
   get(attribute: object): { buffer?: GpuBuffer }
 }
 
-/** `own` is the user's geometry. */
+/** Returns a geometry whose vertices, indices and draw arguments are the buffers of the compute passes. `original` is the user's geometry. */
 export function indirectGeometry(
   backend: Backend,
   base: GeometryBase,
-  own: BufferGeometry,
+  original: BufferGeometry,
   { layout, vertices, indices, drawn }: DividedBuffers,
 ): BufferGeometry {
   const geometry = new BufferGeometry()
-  const { name, userData, boundingSphere, boundingBox } = own
+  const { name, userData, boundingSphere, boundingBox } = original
   Object.assign(geometry, { name, userData, boundingSphere, boundingBox })
   const { stride, before } = layout
   // The arrays only tell three.js the types of numbers.
@@ -44,7 +44,7 @@ export function indirectGeometry(
   return geometry.setIndex(index).setIndirect(indirect as never)
 }
 
-/** Makes three.js forget the geometry. The buffers of instances are the user's. */
+/** Makes three.js forget the geometry, but not the buffers of instances, which belong to the user's geometry. */
 export function disposeIndirect(geometry: BufferGeometry, { ofInstances }: GeometryBase) {
   for (const name of Object.keys(ofInstances)) geometry.deleteAttribute(name)
   geometry.dispose()

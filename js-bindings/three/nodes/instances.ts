@@ -1,4 +1,4 @@
-// Instances and bones: which objects have matrices of their own, and when three.js applies them.
+// Instances and bones: which objects have such matrices, and when three.js applies them.
 import type { BufferGeometry, Texture } from 'three'
 import type { Builder } from './builder.js'
 import { tsl, type AnyNode } from './tsl.js'
@@ -21,8 +21,8 @@ export function withoutInstances(
   setup: () => void,
 ) {
   const { object } = builder
-  const isNone = { value: false }
-  builder.object = Object.create(object, { isInstancedMesh: isNone, isBatchedMesh: isNone })
+  const isFalse = { value: false }
+  builder.object = Object.create(object, { isInstancedMesh: isFalse, isBatchedMesh: isFalse })
   try {
     withoutPositionNode(material, setup)
   } finally {
@@ -41,10 +41,10 @@ interface Kind {
 
 export const isSkinned = (object: object) => (object as Kind).isSkinnedMesh === true
 
-/** Tests whether three.js has applied matrices of the frame before to `positionPrevious`. */
+/** Tests whether three.js has applied matrices of the previous frame to `positionPrevious`. */
 export const isPosed = (object: object) => isSkinned(object) || instancesOf(object) !== undefined
 
-/** Applies the matrices of instances; `undefined` for an object that has none. */
+/** Returns the TSL function that applies the matrices of instances; `undefined` for an object that has none. */
 export function instancesOf(object: object) {
   const { isBatchedMesh, isInstancedMesh, instanceMatrix } = object as Kind
   if (isBatchedMesh) return tsl.batch
@@ -53,7 +53,7 @@ export function instancesOf(object: object) {
   return isOfThree ? tsl.instancedMesh : undefined
 }
 
-/** Applies the matrices of instances that the shader has between the warp and the vertex; `undefined` if there are none. */
+/** Returns the TSL function that applies the matrices of instances if three.js applies them after the warp; otherwise `undefined`. */
 export const instancesAfter = (
   { space, isAfterInstances }: { space: string; isAfterInstances?: boolean },
   object: object,
@@ -63,8 +63,8 @@ export const instancesAfter = (
 const maxAttributes = 16
 
 /**
- * Returns a function to the matrix of an instance, once three.js has applied it; `undefined` if it cannot be read again, as for matrices
- * that leave no attributes to the geometry.
+ * Returns a function that returns the node of an instance's matrix; call it once three.js has applied the matrix. Returns `undefined` if
+ * the matrix cannot be read a second time, as where too few attributes are left.
  */
 export function instanceMatrixOf(object: object): (() => AnyNode) | undefined {
   const { isBatchedMesh, _matricesTexture, geometry } = object as Kind
@@ -73,20 +73,20 @@ export function instanceMatrixOf(object: object): (() => AnyNode) | undefined {
     return batchIndirectIndex && _matricesTexture
       ? () => matrixInTexture(_matricesTexture, batchIndirectIndex)
       : undefined
-  // Each matrix takes four attributes, and three.js has one already.
+  // A matrix takes four attributes, and three.js reads the matrix once already.
   const count = Object.keys(geometry!.attributes).length + 8
   return referenceAttribute && count <= maxAttributes
     ? () => referenceAttribute('instanceMatrix', 'mat4')
     : undefined
 }
 
-/** Reads the first three columns of a batch's matrix: four texels a matrix. */
+/** Reads the first three columns of a matrix from a batch's texture, which has four texels per matrix. */
 function matrixInTexture(texture: Texture, index: AnyNode): AnyNode {
   const width = tsl.int(tsl.textureSize(tsl.textureLoad(texture), 0).x)
   const first = tsl.int(index).mul(4).toVar()
   const columns = [0, 1, 2].map((i) => {
-    const at = first.add(i)
-    return tsl.textureLoad(texture, tsl.ivec2(at.mod(width), at.div(width))).xyz
+    const texel = first.add(i)
+    return tsl.textureLoad(texture, tsl.ivec2(texel.mod(width), texel.div(width))).xyz
   })
   return tsl.mat3(...columns)
 }

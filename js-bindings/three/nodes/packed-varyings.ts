@@ -40,8 +40,8 @@ export class PackedVaryings {
 
   /** Returns the interpolated vectors, in the fragment stage. */
   read(): ReadonlyMap<string, AnyNode> {
-    let at = 0
-    const next = () => this.varyings[at >> 2]![axes[at++ & 3]!]
+    let component = 0
+    const next = () => this.varyings[component >> 2]![axes[component++ & 3]!]
     return new Map(
       [...this.sizes].map(([name, size]) => [
         name,

@@ -1,7 +1,7 @@
 /**
  * Normals at each pixel with WebGPURenderer, on both its backends. The vertex stage passes the inputs of the warp as varyings. Before the
  * material's own nodes for normals run, the normal of the geometry is replaced by that of the warp at the interpolated inputs, so that
- * maps, both sides and clearcoats follow.
+ * normal maps, both sides of faces and clearcoats use it.
  */
 import type { Texture } from 'three'
 import { shaderNames } from '../../compile/hosts.js'
@@ -40,7 +40,7 @@ interface PixelOptions {
   obstacle?: string | false | undefined
 }
 
-/** Returns what a material needs for normals at each pixel; `undefined` if it gets those of vertices. */
+/** Returns the object that computes a material's normals at each pixel; `undefined` if they are computed at vertices. */
 export function pixelNormalsFor(
   warp: ThreeWarp,
   builder: Builder,
@@ -62,7 +62,7 @@ export function pixelNormalsFor(
   return undefined
 }
 
-/** Calls `work` if the material reads normals. */
+/** Calls `work` when the material sets up its normals; never if it reads none. */
 function beforeNormals({ context }: Builder, work: () => void) {
   const setupNormal = context.setupNormal as () => unknown
   context.setupNormal = () => {
@@ -71,7 +71,7 @@ function beforeNormals({ context }: Builder, work: () => void) {
   }
 }
 
-/** Returns how many varyings the material's own nodes have at most. If the user added nodes, this is an estimate. */
+/** Returns the maximum number of varyings that the material's own nodes have. If the user added nodes, this is an estimate. */
 function varyingsOfThree(material: NormalMaterial, hasTangents: boolean): number {
   const textures = Object.values(material).filter((value) => (value as Partial<Texture>)?.isTexture)
   const channels = new Set(textures.map(({ channel }: Texture) => channel))
@@ -104,9 +104,9 @@ export class PixelNormals {
   private readonly stage: Stage
   private readonly isWebGPU: boolean
   readonly hasTangents: boolean
-  /** The inputs. The normal has its length as the fourth component: interpolation shortens it. */
+  /** The inputs of the warp. The fourth component of the normal is its length, since interpolation shortens the vector. */
   private readonly varyings: PackedVaryings
-  /** The columns of the matrix of an instance. Every vertex of the instance passes the same ones. */
+  /** The columns of the instance's matrix, which are the same at all vertices of the instance. */
   private readonly matrix: PackedVaryings | undefined
 
   constructor(
@@ -198,7 +198,7 @@ export class PixelNormals {
     tsl.bitangentView.assign(onBack(builder, normalizeOr(viewBitangent, tsl.vec3(0, 1, 0))))
   }
 
-  /** The normal, and the tangent, in the space of the offset. */
+  /** Returns the normal, or a matrix of normal and tangent, in the space of the offset. */
   private call(): AnyNode {
     const nodes = nodesOf(this.warp)
     const inputs: Record<string, unknown> = { ...nodes.uniforms, ...this.outer }
@@ -213,7 +213,7 @@ export class PixelNormals {
     if (this.warp.settings.space === 'world') return tsl.mat3(tsl.cameraViewMatrix).mul(normal)
     if (!this.matrix) return tsl.transformNormalToView(normal)
     const [x, y, z] = this.columns as [AnyNode, AnyNode, AnyNode]
-    // Up to its scale, the matrix that transforms normals consists of the cofactors.
+    // The matrix that transforms normals is, up to scale, the matrix of cofactors.
     const cofactors = tsl.mat3(y.cross(z), z.cross(x), x.cross(y))
     const sign = tsl.sign(x.dot(y.cross(z)))
     return tsl.transformNormalToView(cofactors.mul(normal).mul(sign).normalize())

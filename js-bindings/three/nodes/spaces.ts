@@ -7,7 +7,7 @@ export interface Space {
   position: AnyNode
   normal: () => AnyNode
   tangent: () => AnyNode
-  /** The position in the frame before, without the warp. */
+  /** The position in the previous frame, without the warp. */
   previous: () => AnyNode
   assignPrevious: (position: AnyNode) => void
   assign: (position: AnyNode, normal?: AnyNode, tangent?: AnyNode) => void
@@ -28,7 +28,7 @@ export const local = (previous: AnyNode): Space => ({
   },
 })
 
-/** The space of three's `positionGeometry`: what morph targets, bones and instances have done counts for nothing. */
+/** The space of three's `positionGeometry`, before morph targets, bones and instances. */
 export const geometrySpace = (): Space => ({
   ...local(tsl.positionGeometry),
   position: tsl.positionGeometry,
@@ -36,7 +36,7 @@ export const geometrySpace = (): Space => ({
   tangent: () => tsl.tangentGeometry.xyz,
 })
 
-/** The space of the world. `isPosed` says whether three.js has applied matrices of the frame before to `positionPrevious`. */
+/** The space of the world. `isPosed` is true if three.js has applied matrices of the previous frame to `positionPrevious`. */
 export function world(isPosed: boolean): Space {
   const linear = () => tsl.mat3(tsl.modelWorldMatrix)
   const transform = (matrix: AnyNode, position: AnyNode) => matrix.mul(tsl.vec4(position, 1)).xyz

@@ -1,5 +1,5 @@
-// The nodes of 'three/tsl' that a warp uses, with looser types: those of three.js depend on what each node holds, which is not
-// known for a function that is written as shader code.
+// The nodes of 'three/tsl' that a warp uses, with looser types: three.js' types depend on the type of a node's value, which is not known
+// for a function that is written as shader code.
 import type { Mesh, Texture } from 'three'
 import * as TSL from 'three/tsl'
 

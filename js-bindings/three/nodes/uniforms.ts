@@ -1,4 +1,4 @@
-// The uniforms of a warp as nodes of three.js: their values of this frame, and those of the frame before for velocities.
+// The uniforms of a warp as nodes of three.js: their values in this frame and, for velocities, in the previous one.
 import { Matrix3, Matrix4, Vector2, Vector3, Vector4, type Texture } from 'three'
 import { shaderNames } from '../../compile/hosts.js'
 import { fillOf } from '../surface.js'
@@ -51,7 +51,7 @@ const nodeOf = (type: string, read: (frame: Frame) => Numbers) =>
     return self.value
   })
 
-/** Nodes with the values at the moment of a draw call. */
+/** Returns nodes with the values at the time of a draw call. */
 export function uniformsOf(warp: ThreeWarp): NodesByName {
   return {
     ...Object.fromEntries(
@@ -69,10 +69,10 @@ export function uniformsOf(warp: ThreeWarp): NodesByName {
   }
 }
 
-/** The nodes of numbers with the values that the last frame was drawn with; before the first, those of the first. */
+/** Returns nodes of the numbers' values in the previous frame; in the first frame, of their current values. */
 export function previousUniformsOf(warp: ThreeWarp): NodesByName {
-  const all = numberUniforms(warp)
-  const read = () => new Map(all.map(({ name, read }) => [name, [read()].flat()]))
+  const uniforms = numberUniforms(warp)
+  const read = () => new Map(uniforms.map(({ name, read }) => [name, [read()].flat()]))
   const recorded = new WeakMap<Frame, { frameId: number; now: Values; before: Values }>()
   const before = (frame: Frame) => {
     const now = read()
@@ -83,7 +83,7 @@ export function previousUniformsOf(warp: ThreeWarp): NodesByName {
     return values
   }
   return Object.fromEntries(
-    all.map(({ name, type }) => [
+    uniforms.map(({ name, type }) => [
       name,
       nodeOf(type, (frame) => {
         const numbers = before(frame).get(name)!
@@ -95,7 +95,7 @@ export function previousUniformsOf(warp: ThreeWarp): NodesByName {
 
 type Values = ReadonlyMap<string, readonly number[]>
 
-/** For a parameter of a function: GLSL has an image and its sampler in one, which three.js knows by the image's name. */
+/** Returns a node that can be an argument of a function. In GLSL one argument is the image and its sampler; three.js writes the image's name. */
 function imageOf(read: () => Texture): AnyNode {
   const node = tsl.texture(read()) as unknown as {
     generate: (builder: unknown, output: string) => unknown

@@ -1,7 +1,7 @@
 /**
  * Normals of vertices with WebGPURenderer where a warp collapses the surface. Three.js normalizes normals in the vertex stage, so that a
- * vertex without a normal would weigh as much as its neighbors. We pass normals once more, those almost without weight, and pixels
- * between such vertices get the geometric normal of their triangle.
+ * vertex without a normal would weigh as much as its neighbors. We pass the normals a second time, with almost no weight at collapsed
+ * vertices. Pixels between such vertices get the geometric normal of their triangle.
  */
 import type { Builder } from './builder.js'
 import { normalizeOr, onBack } from './facing.js'
@@ -13,10 +13,10 @@ interface NormalMaterial {
   isShadowPassMaterial?: boolean
 }
 
-/** `functionFor` returns a normal of this length, times that of the normal before the warp, for a zero normal. */
-const shortest = 1e-6
+/** For a zero normal, `functionFor` returns the normal before the warp times this. */
+const shortFactor = 1e-6
 
-/** Replaces the normals that a material reads, and returns what the vertex stage needs; `undefined` if it lights facets or no normals. */
+/** Replaces the normals that a material reads, and returns what the vertex stage needs; `undefined` if the material reads no vertex normals. */
 export function vertexNormalsFor(
   builder: Builder,
   material: NormalMaterial,
@@ -45,11 +45,11 @@ export class VertexNormals {
 
   /** Records whether the warp collapsed the surface at the vertex, from the normals after the warp and before it. */
   mark(normal: AnyNode, rest: AnyNode) {
-    const isFlat = tsl
+    const isCollapsed = tsl
       .length(rest)
-      .mul(2 * shortest)
+      .mul(2 * shortFactor)
       .greaterThan(tsl.length(normal))
-    this.weight = tsl.select(isFlat, shortest, 1).toVar()
+    this.weight = tsl.select(isCollapsed, shortFactor, 1).toVar()
   }
 
   /** Passes the normal, in the vertex stage, after three.js has applied the matrices of instances. */
@@ -59,8 +59,8 @@ export class VertexNormals {
 
   private assignNormals() {
     const facing = normalizeOr(tsl.normalFlat, tsl.vec3(0, 0, 1))
-    const isWeighty = this.varying.dot(this.varying).greaterThan(1e-10)
-    const normal = tsl.select(isWeighty, this.varying.normalize(), onBack(this.builder, facing))
+    const hasWeight = this.varying.dot(this.varying).greaterThan(1e-10)
+    const normal = tsl.select(hasWeight, this.varying.normalize(), onBack(this.builder, facing))
     tsl.normalViewGeometry.assign(normal)
   }
 }

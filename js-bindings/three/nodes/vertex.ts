@@ -1,5 +1,5 @@
-// A warp in the vertex stage of a material of WebGPURenderer, on both its backends: positions, normals, tangents, and where the
-// vertex was in the frame before, for velocities.
+// A warp in the vertex stage of a material of WebGPURenderer, on both its backends: positions, normals, tangents, and positions in the
+// previous frame, for velocities.
 import type { BufferGeometry } from 'three'
 import { shaderNames, variationAttribute, variationNames } from '../../compile/hosts.js'
 import { nameOf } from '../describe.js'
@@ -22,10 +22,10 @@ interface Normals {
 }
 
 /**
- * Adds a warp to the vertex that is being built. `setup` is what three.js does in its place: morph targets, bones,
- * displacement map, matrices of instances, and the material's `positionNode`, in this order. The warp follows all of them, but
- * in the space of the geometry it comes before the matrices of instances and the `positionNode` behind these, and in the space
- * 'rest' it comes first. `displaceExactly` applies a `positionNode` with exact normals, which `setup` leaves out.
+ * Adds a warp to the vertex that is being built. `setup` is three.js' own method, which applies morph targets, bones, the
+ * displacement map, the matrices of instances, and the material's `positionNode`, in this order. The warp comes after all of these.
+ * But in the space 'local' it comes before the matrices of instances, if there are any, and a `positionNode` after them; and in the
+ * space 'rest' it comes first. `displaceExactly` applies a `positionNode` with exact normals, which `setup` leaves out.
  */
 export function setupWarped(
   warp: ThreeWarp,
@@ -38,12 +38,12 @@ export function setupWarped(
   const { space } = warp.settings
   const instances = space === 'local' ? instancesOf(object) : undefined
   const isDisplacedLater = displaceExactly && (space === 'rest' || instances)
-  const ofVertex = vertexNormalsFor(builder, material)
-  // Replaces them again.
+  const vertexNormals = vertexNormalsFor(builder, material)
+  // Replaces the normals of `vertexNormals`.
   const pixel = pixelNormalsFor(warp, builder, material, {
     obstacle: isDisplacedLater && 'a positionNode with exactNormals changes normals after the warp',
   })
-  const vertex = pixel ? undefined : ofVertex
+  const vertex = pixel ? undefined : vertexNormals
   const normals = { pixel, vertex }
   orientFaces(warp, builder)
   if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), normals)
@@ -52,11 +52,11 @@ export function setupWarped(
     setup()
     displaceExactly?.()
   }
-  // These have assigned `positionPrevious`.
-  const isMoved = displaceExactly !== undefined && !instances
-  if (space === 'world') moveVertex(warp, builder, world(isMoved || isPosed(object)), normals)
+  // True if `displaceExactly` has assigned `positionPrevious`.
+  const isDisplaced = displaceExactly !== undefined && !instances
+  if (space === 'world') moveVertex(warp, builder, world(isDisplaced || isPosed(object)), normals)
   if (space === 'local') {
-    const previous = isMoved || isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
+    const previous = isDisplaced || isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
     moveVertex(warp, builder, local(previous), normals)
   }
   instances?.(object)
@@ -67,7 +67,7 @@ export function setupWarped(
   vertex?.pass()
 }
 
-/** Applies a `positionNode` like three.js, and assumes that it displaced the vertex in the frame before as it does now. */
+/** Applies a `positionNode` like three.js, and assumes that it displaced the vertex in the previous frame as it does now. */
 function displace(builder: Builder, positionNode: unknown) {
   const before = tsl.positionLocal.toVar()
   tsl.positionLocal.assign(tsl.subBuild(positionNode, 'POSITION', 'vec3'))
@@ -83,7 +83,7 @@ function orientFaces(warp: ThreeWarp, builder: Builder) {
     `( ${getFrontFacing()} == ( ${orientation.build(builder, 'float')} > 0.0 ) )`
 }
 
-/** Nodes of the variables of the shader that a warp reads by name, now and in the frame before. */
+/** Nodes of the variables of the shader that a warp reads by name: their values in this frame and in the previous one. */
 export interface OuterNodes {
   now: NodesByName
   before: NodesByName
@@ -93,9 +93,9 @@ const noOuterNodes: OuterNodes = { now: {}, before: {} }
 
 export interface MoveOptions extends Normals {
   outer?: OuterNodes
-  /** The new position, if the shader has it already. */
+  /** The new position, if another node computes it. */
   position?: AnyNode | undefined
-  /** Variables for the other numbers of the warp, in order. */
+  /** The variables that get the other numbers of the warp, in order. */
   others?: readonly { node: AnyNode; size: number }[]
 }
 
@@ -184,8 +184,8 @@ function inputsOf({ geometry, material }: Builder, uniforms: NodesByName, isLoca
   const { color } = geometry.attributes
   const variation = variationNames.map((name) => {
     const attribute = variationAttribute(name)
-    const isThere = isLocal && geometry.hasAttribute(attribute)
-    const node = isThere ? tsl.attribute(attribute, 'vec3') : tsl.vec3(0, 0, 0)
+    const isPresent = isLocal && geometry.hasAttribute(attribute)
+    const node = isPresent ? tsl.attribute(attribute, 'vec3') : tsl.vec3(0, 0, 0)
     return [parameterNames[name], node] as const
   })
   return {
@@ -203,8 +203,8 @@ const colorOf = (size: number) => {
 }
 
 /**
- * A node for the `positionNode` of any material. Where the whole `positionNode` is such a node, `setupWarped` is used instead;
- * this is for one that is a part of other nodes.
+ * Returns a node for the `positionNode` of any material. It is evaluated only where it is a part of other nodes: if it is the whole
+ * `positionNode`, `setupWarped` is used instead.
  */
 export const nodeFor = (warp: ThreeWarp): AnyNode =>
   tsl.Fn((builder: Builder) => {
@@ -216,7 +216,7 @@ export const nodeFor = (warp: ThreeWarp): AnyNode =>
     orientFaces(warp, builder)
     if (instances) restoreGeometry(builder)
     moveVertex(warp, builder, isWorld ? world(isPosed(object)) : local(tsl.positionLocal), {})
-    // Three.js has applied these matrices already, which come after the warp.
+    // Three.js has applied the matrices of instances already, but they belong after the warp.
     instances?.(object)
     return tsl.positionLocal
   })()

@@ -25,10 +25,10 @@ export class WarpNodes {
   }
 }
 
-const known = new WeakMap<ThreeWarp, WarpNodes>()
+const nodesByWarp = new WeakMap<ThreeWarp, WarpNodes>()
 
 export function nodesOf(warp: ThreeWarp): WarpNodes {
-  let nodes = known.get(warp)
-  if (!nodes) known.set(warp, (nodes = new WarpNodes(warp)))
+  let nodes = nodesByWarp.get(warp)
+  if (!nodes) nodesByWarp.set(warp, (nodes = new WarpNodes(warp)))
   return nodes
 }

@@ -24,8 +24,8 @@ export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOpti
 
 /**
  * Warps the mesh, points or line that it is in, `<mesh>…<Warp offset={wave} /></mesh>`, or everything in it,
- * `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is that of the
- * clock. Another offset is compiled, and replaces the one before. `ref` is the result of `warp`. A WebGPURenderer needs
+ * `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is the time of the
+ * clock. Another offset is compiled, and replaces the previous one. `ref` is the result of `warp`. A WebGPURenderer needs
  * `import 'warpjet/three/webgpu'`. Throws a `WarpError` where `warp` does.
  */
 export const Warp = forwardRef(WarpOf) as <const Uniforms extends ThreeUniforms = {}>(
@@ -39,10 +39,10 @@ function WarpOf(
   const { offset, uniforms, space, normals, fadeNoise, detail, share, surfaceVariation } = props
   const group = useRef<Group>(null)
   const warped = useRef<WarpedObject>(null)
-  const isAround = children !== undefined && children !== null && children !== false
+  const hasChildren = children !== undefined && children !== null && children !== false
   const kinds = JSON.stringify(Object.entries(uniforms ?? {}).map(kindOf))
-  // New values are set below.
-  const causes = [
+  // The warp is made again if one of these changes. The second effect sets new values of uniforms.
+  const dependencies = [
     offset,
     space,
     normals,
@@ -50,31 +50,31 @@ function WarpOf(
     detail,
     share,
     surfaceVariation,
-    isAround,
+    hasChildren,
     kinds,
   ]
   useLayoutEffect(() => {
-    const object = isAround ? group.current : group.current?.parent
+    const object = hasChildren ? group.current : group.current?.parent
     if (!object) return
     const options = { uniforms, space, normals, fadeNoise, detail, share, surfaceVariation }
-    const made = warp(object, offset as never, withoutUndefined(options) as never) as WarpedObject
-    warped.current = made
+    const result = warp(object, offset as never, withoutUndefined(options) as never) as WarpedObject
+    warped.current = result
     return () => {
       warped.current = null
-      made.dispose()
+      result.dispose()
     }
-  }, causes)
+  }, dependencies)
   useLayoutEffect(() => {
     const handles = warped.current?.uniforms as Record<string, { value: unknown }> | undefined
     for (const [name, value] of Object.entries(uniforms ?? {}))
       if (handles && handles[name]!.value !== value) handles[name]!.value = value
   })
-  useImperativeHandle(ref, () => warped.current!, causes)
+  useImperativeHandle(ref, () => warped.current!, dependencies)
   useFrame(({ clock }) => warped.current?.update(1000 * clock.elapsedTime))
   return createElement('group', { ref: group }, children)
 }
 
-/** The parts of a uniform that decide its type. */
+/** Returns the properties of a uniform that determine its type. */
 const kindOf = ([name, value]: [string, unknown]) => [
   name,
   typeof value,

@@ -38,7 +38,7 @@ struct Elements {
   }
 };
 
-// A stride of 0 means that elements of `size` bytes are contiguous.
+// Returns elements of `size` bytes in a view. A stride of 0 means that they are contiguous.
 Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_t offset,
                     std::uint64_t count, std::size_t size, std::size_t stride) {
   const Bytes bytes = bytesOfView(gltf, bufferView);
@@ -52,7 +52,8 @@ Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_
   return {bytes.data() + offset, stride, static_cast<std::size_t>(count)};
 }
 
-// The elements in the accessor's own view, of `size` bytes each. Only vectors may have a stride.
+// Returns the elements in the accessor's own view, of `size` bytes each. Only vectors may have a
+// stride.
 Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
   const auto& views = gltf.model.bufferViews;
@@ -61,8 +62,8 @@ Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   return elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, size, stride);
 }
 
-// The size of an element, or less if it isn't a vector: such elements are checked or rejected where
-// they are read.
+// Returns the size of an element, or less if it isn't a vector: such elements are checked or
+// rejected where they are read.
 std::size_t sizeOf(const tinygltf::Accessor& info) {
   // tinygltf's constants for vector types are their lengths.
   const int width = info.type <= TINYGLTF_TYPE_VEC4 ? info.type : 1;
@@ -92,7 +93,8 @@ void withType(int accessor, int componentType, Function function) {
   }
 }
 
-// glTF 2.0, section 3.6.2.2: f = c / 127, and max(c / 127, -1) for signed types, for example.
+// Converts a component as in glTF 2.0, section 3.6.2.2: for example, normalized signed bytes become
+// max(c / 127, -1).
 template <typename T>
 float toFloat(T value, bool isNormalized) {
   if constexpr (std::is_same_v<T, float>) return value;
@@ -115,16 +117,16 @@ void forSparse(const Gltf& gltf, int accessor, std::size_t components, Replace r
                                      static_cast<std::uint64_t>(info.sparse.values.byteOffset),
                                      count, components * sizeof(T), 0);
   const auto replaceAll = [&]<typename Index>(Index) {
-    const Elements places = elementsIn(gltf, accessor, info.sparse.indices.bufferView,
-                                       static_cast<std::uint64_t>(info.sparse.indices.byteOffset),
-                                       count, sizeof(Index), 0);
-    for (std::size_t i = 0; i < places.count; ++i) {
-      const Index place = places.at<Index>(i);
+    const Elements indices = elementsIn(gltf, accessor, info.sparse.indices.bufferView,
+                                        static_cast<std::uint64_t>(info.sparse.indices.byteOffset),
+                                        count, sizeof(Index), 0);
+    for (std::size_t i = 0; i < indices.count; ++i) {
+      const Index index = indices.at<Index>(i);
       if constexpr (std::is_unsigned_v<Index>) {
-        if (place >= info.count)
-          fail(accessor, "replaces its element " + groupDigits(place) + ", but has only " +
+        if (index >= info.count)
+          fail(accessor, "replaces its element " + groupDigits(index) + ", but has only " +
                              groupDigits(info.count));
-        replace(static_cast<std::size_t>(place), values, i);
+        replace(static_cast<std::size_t>(index), values, i);
       } else {
         fail(accessor, "has sparse indices that are not unsigned integers");
       }

@@ -9,8 +9,9 @@
 
 namespace warpjet {
 
-// The number of elements, without reading them. Throws if the bytes are missing, or, for accessors
-// without bytes, above 2^22, so that nobody allocates memory for a count that is only declared.
+// Returns the number of elements, without reading them. Throws if bytes are missing, or if an
+// accessor without bytes declares more than 2^22 elements, so that nobody allocates memory for a
+// count that is only declared.
 std::size_t countOf(const Gltf& gltf, int accessor);
 
 // Appends `width` floats per element; shorter elements are padded with ones (a color without
@@ -22,7 +23,7 @@ void appendFloats(const Gltf& gltf, int accessor, int minWidth, int width,
 // Appends 16 floats per matrix, column by column. Throws a FileProblem.
 void appendMatrices(const Gltf& gltf, int accessor, std::vector<float>& numbers);
 
-// Unsigned integers of 8, 16 and 32 bits. Throws a FileProblem.
+// Returns indices: unsigned integers of 8, 16 or 32 bits. Throws a FileProblem.
 std::vector<std::uint32_t> indicesOf(const Gltf& gltf, int accessor);
 
 }  // namespace warpjet

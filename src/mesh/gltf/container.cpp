@@ -23,7 +23,7 @@ std::uint32_t littleEndian(Bytes bytes, std::size_t at) {
                     " bytes, got " + groupDigits(got) + "); export or download it again.");
 }
 
-// The content of the chunk that starts there.
+// Returns the content of the chunk that starts at byte `start`.
 Bytes chunkAt(Bytes bytes, std::size_t start) {
   const std::uint64_t length = littleEndian(bytes, start);
   const std::uint64_t end = start + chunkHeaderSize + length;

@@ -18,8 +18,8 @@ struct Chunks {
 // "JSON" and "BIN\0", glTF 2.0, section 4.4.3.
 constexpr std::uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
 
-// See glTF 2.0, section 4.4. Ignores chunks after the first two, as the specification requires.
-// Throws a FileProblem.
+// Splits a GLB; see glTF 2.0, section 4.4. Ignores chunks after the first two, as the specification
+// requires. Throws a FileProblem.
 Chunks chunksOfGlb(Bytes bytes);
 
 }  // namespace warpjet

@@ -11,7 +11,7 @@ namespace warpjet {
 
 namespace {
 
-// True if it has triangles and positions; otherwise warns.
+// Returns true if the primitive has triangles and positions; otherwise warns.
 bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
   if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
     throw FileProblem("a primitive has the unknown mode " + std::to_string(primitive.mode) +
@@ -46,8 +46,8 @@ bool hasEqualColors(const Gltf& gltf, const std::vector<Draw>& draws) {
   });
 }
 
-// Without indices, every three vertices must be a triangle, also after those of other draws, and
-// must not be mirrored.
+// Returns true unless every three vertices are a triangle that isn't mirrored, and no vertices are
+// left over, which would shift the triangles of the next draw.
 bool needsIndices(const Draw& draw, const std::vector<Skin>& skins) {
   const bool isMirrored =
       draw.isSkinned() ? skins[checkIndex("skin", draw.placed->skin, skins.size())].isMirrored
@@ -87,11 +87,11 @@ int Draw::accessor(const char* attribute) const {
 std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {
   const auto& meshes = gltf.model.meshes;
   std::vector<Draw> draws;
-  std::size_t seen = 0;
+  std::size_t count = 0;
   for (const Placed& place : placed) {
     const auto& mesh = meshes[checkIndex("mesh", place.mesh, meshes.size())];
-    seen += mesh.primitives.size();
-    if (seen > maxDraws) failTooManyDraws();
+    count += mesh.primitives.size();
+    if (count > maxDraws) failTooManyDraws();
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       if (!isDrawn(gltf, primitive)) continue;
       Draw draw{&primitive, &place, 0, 0, {}};

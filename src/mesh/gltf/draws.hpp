@@ -22,29 +22,29 @@ struct Draw {
 
   Primitives kind() const { return Primitives{primitive->mode}; }
   bool isIndexed() const { return primitive->indices != noPlace; }
-  // True if bones place it, and not its node.
+  // Returns true if bones place the draw, and not its node.
   bool isSkinned() const {
     return placed->skin >= 0 && accessor("JOINTS_0") != noPlace && accessor("WEIGHTS_0") != noPlace;
   }
 
-  // The accessor of an attribute, or noPlace.
+  // Returns the accessor of an attribute, or noPlace.
   int accessor(const char* attribute) const;
 };
 
-// All draws of triangles. Points, lines and primitives without positions are skipped with a
+// Returns all draws of triangles. Points, lines and primitives without positions are skipped with a
 // warning. Throws a FileProblem.
 std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed);
 
-// The arrays of the merged mesh. It has tangents only if all draws have them, since they can't be
-// guessed, and only with normals, as glTF requires.
+// The arrays of the merged mesh. It has tangents only if all draws have them, since missing ones
+// can't be guessed, and only if all draws have normals, as glTF requires.
 struct Layout {
   bool hasUvs, hasColors, hasTangents;
   bool isIndexed;       // true if triangles need indices
   bool hasEqualColors;  // true if the base color is the same everywhere
 };
 
-// Throws a FileProblem if a draw's skin doesn't exist, or if the mesh would be larger than
-// maxMeshBytes.
+// Determines the arrays. Throws a FileProblem if a draw's skin doesn't exist, or if the mesh would
+// be larger than maxMeshBytes.
 Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws, const std::vector<Skin>& skins);
 
 }  // namespace warpjet

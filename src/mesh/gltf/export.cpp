@@ -27,7 +27,7 @@ constexpr int clampedEdge = 33071;
 // 65535, the largest 16-bit index, is the restart value, so it can't refer to a vertex.
 constexpr std::size_t maxVerticesOf16Bits = 65535;
 
-// The document, and the bytes that its buffer views refer to.
+// A GLB file being written: the JSON document, and the bytes that its buffer views refer to.
 class File {
  public:
   json document{{"asset", {{"version", "2.0"}, {"generator", "warpjet " WARPJET_VERSION}}}};
@@ -63,15 +63,15 @@ class File {
  private:
   template <class T>
   void addRange(json& accessor, std::span<const T> values, int size) {
-    std::vector<T> least(values.begin(), values.begin() + size), most = least;
+    std::vector<T> low(values.begin(), values.begin() + size), high = low;
     for (std::size_t element = 0; element < values.size(); element += size) {
       for (int i = 0; i < size; ++i) {
-        least[i] = std::min(least[i], values[element + i]);
-        most[i] = std::max(most[i], values[element + i]);
+        low[i] = std::min(low[i], values[element + i]);
+        high[i] = std::max(high[i], values[element + i]);
       }
     }
-    accessor["min"] = least;
-    accessor["max"] = most;
+    accessor["min"] = low;
+    accessor["max"] = high;
   }
 
   std::vector<std::uint8_t> bytes_;
@@ -82,7 +82,7 @@ void put(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
     bytes.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// Chunks are padded to a multiple of four bytes.
+// Appends a chunk, padded to a multiple of four bytes.
 template <class Bytes>
 void putChunk(std::vector<std::uint8_t>& file, std::uint32_t type, const Bytes& bytes,
               std::uint8_t padding) {
@@ -142,12 +142,12 @@ json material(const Material& material) {
   return result;
 }
 
-// Adds a texture, if there is one that glTF supports, as the property `name` of `owner`.
-void addTexture(File& file, json& owner, const char* name, const std::optional<Image>& picture,
+// Adds an image, if there is one whose type glTF supports, as the texture `name` of `owner`.
+void addTexture(File& file, json& owner, const char* name, const std::optional<Image>& image,
                 const json& sampling = json::object()) {
-  const char* type = picture ? pictureType(picture->bytes) : nullptr;
+  const char* type = image ? pictureType(image->bytes) : nullptr;
   if (!type) return;
-  const int view = file.addView<std::uint8_t>(picture->bytes);
+  const int view = file.addView<std::uint8_t>(image->bytes);
   json& images = file.document["images"];
   json texture = sampling;
   texture["source"] = images.size();

@@ -1,4 +1,4 @@
-// A mesh as the bytes of a GLB file, binary glTF 2.0.
+// Writes a mesh as the bytes of a GLB file, binary glTF 2.0.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace warpjet {
 
-// The MIME type of a PNG or JPEG, by its first bytes; empty for other formats, which glTF doesn't
-// support.
+// Returns the MIME type of a PNG or JPEG, by its first bytes; null for other formats, which glTF
+// doesn't support.
 const char* pictureType(const std::vector<std::uint8_t>& bytes);
 
 // Requires at least one triangle and consistent arrays. Writes one scene, one node and one

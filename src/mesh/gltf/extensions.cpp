@@ -17,9 +17,9 @@ constexpr std::array<const char*, 2> meshoptExtensions{"EXT_meshopt_compression"
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
-// True for extensions that are read, and for those that move no vertex. Texture extensions disable
-// only textures that have no other source.
-bool isRead(std::string_view extension) {
+// Returns true for extensions that are read, and for those that move no vertex. Texture extensions
+// disable only textures that have no other source.
+bool isAccepted(std::string_view extension) {
   constexpr std::array<std::string_view, 9> names{
       "KHR_mesh_quantization",   "EXT_mesh_gpu_instancing", "KHR_node_visibility",
       "EXT_meshopt_compression", "KHR_meshopt_compression", dracoExtension,
@@ -98,7 +98,7 @@ void rejectExtensions(const json& tree) {
   if (required == tree.end()) return;
   for (const json& entry : *required) {
     const std::string name = entry;
-    if (!isRead(name))
+    if (!isAccepted(name))
       throw FileProblem("the model requires the extension " + quoteText(name) +
                         ", which is not supported; export the model " + adviceFor(name) + '.');
   }
@@ -106,30 +106,30 @@ void rejectExtensions(const json& tree) {
 
 Extensions takeExtensions(json& tree) {
   Extensions found;
-  forEach(tree, "nodes", [&](json& node, int place) {
+  forEach(tree, "nodes", [&](json& node, int index) {
     const json extensions = takeExtensionsOf(node);
     if (const auto it = extensions.find("EXT_mesh_gpu_instancing"); it != extensions.end())
-      found.instancing[place] = instancingOf(*it);
+      found.instancing[index] = instancingOf(*it);
     if (const auto it = extensions.find("KHR_node_visibility"); it != extensions.end())
-      if (!it->value("visible", true)) found.hiddenNodes.insert(place);
+      if (!it->value("visible", true)) found.hiddenNodes.insert(index);
   });
-  forEach(tree, "materials", [&](json& material, int place) {
+  forEach(tree, "materials", [&](json& material, int index) {
     const json extensions = takeExtensionsOf(material);
     if (const auto it = extensions.find("KHR_materials_pbrSpecularGlossiness");
         it != extensions.end())
-      found.glossiness[place] = glossinessOf(*it);
+      found.glossiness[index] = glossinessOf(*it);
   });
-  forEach(tree, "bufferViews", [&](json& view, int place) {
+  forEach(tree, "bufferViews", [&](json& view, int index) {
     const json extensions = takeExtensionsOf(view);
     for (const char* name : meshoptExtensions)
       if (const auto it = extensions.find(name); it != extensions.end())
-        found.meshoptViews[place] = meshoptViewOf(name, *it);
+        found.meshoptViews[index] = meshoptViewOf(name, *it);
   });
-  forEach(tree, "meshes", [&](json& mesh, int meshPlace) {
-    forEach(mesh, "primitives", [&](json& primitive, int place) {
+  forEach(tree, "meshes", [&](json& mesh, int meshIndex) {
+    forEach(mesh, "primitives", [&](json& primitive, int index) {
       const json extensions = takeExtensionsOf(primitive);
       if (const auto it = extensions.find(dracoExtension); it != extensions.end())
-        found.draco[{meshPlace, place}] = dracoPrimitiveOf(*it);
+        found.draco[{meshIndex, index}] = dracoPrimitiveOf(*it);
     });
   });
   return found;

@@ -55,10 +55,10 @@ struct Extensions {
 // mesh. Extensions that only change textures disable those textures.
 void rejectExtensions(const nlohmann::json& tree);
 
-// Extracts them from a description that has been reduced to the schema.
+// Extracts the extensions from a description that has been reduced to the schema.
 Extensions takeExtensions(nlohmann::json& tree);
 
-// Advice on how to export a model without it, such as "without Draco compression".
+// Returns advice on how to export a model instead, such as "without Draco compression".
 std::string adviceFor(std::string_view extension);
 
 }  // namespace warpjet

@@ -29,7 +29,8 @@ std::string textOr(const json& object, const char* name) {
   return found == object.end() ? std::string() : found->get<std::string>();
 }
 
-// True if its bytes are only a fallback for readers without one of the two extensions.
+// Returns true if the buffer's bytes are only a fallback for readers without the extensions for
+// meshopt compression.
 bool isFallback(const json& buffer) {
   const auto extensions = buffer.find("extensions");
   if (extensions == buffer.end()) return false;
@@ -37,8 +38,8 @@ bool isFallback(const json& buffer) {
                      [](const json& extension) { return extension.value("fallback", false); });
 }
 
-// Hides everything that tinygltf would load and decode by itself.
-void keepBuffersAndImages(Gltf& gltf, json& tree) {
+// Moves buffers and images out of the tree, since tinygltf would load and decode them by itself.
+void takeBuffersAndImages(Gltf& gltf, json& tree) {
   for (const json& buffer : takeMember(tree, "buffers"))
     gltf.buffers.push_back(
         {textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), isFallback(buffer), {}});
@@ -79,18 +80,19 @@ class HiddenIndices {
   std::vector<int> indices_;
 };
 
-// tinygltf reports several lines; the first one has the cause.
+// Throws with the first line of tinygltf's message, which has the cause.
 [[noreturn]] void failInvalid(const std::string& error) {
   throw FileProblem("the file is not valid glTF (" + quoteText(error.substr(0, error.find('\n'))) +
                     "); export the model again.");
 }
 
-// The bytes at a buffer's URI, or of the chunk if it has none; empty for a missing fallback.
-Bytes findBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
-  const auto& [uri, length, isFallback, bytes] = gltf.buffers[place];
-  const std::string name = "buffer " + std::to_string(place);
+// Returns the bytes at a buffer's URI, or of the binary chunk if the buffer has no URI; empty for a
+// missing fallback.
+Bytes findBytes(Gltf& gltf, std::size_t index, std::optional<Bytes> binary, const Files& files) {
+  const auto& [uri, length, isFallback, bytes] = gltf.buffers[index];
+  const std::string name = "buffer " + std::to_string(index);
   if (uri.empty()) {
-    if (place == 0 && binary) return *binary;
+    if (index == 0 && binary) return *binary;
     if (isFallback) return {};
     throw FileProblem(name + " has neither a uri nor a binary chunk; export the model as .glb.");
   }
@@ -130,7 +132,7 @@ Gltf parseDescription(std::string_view text) {
                       ", but only version 2 is supported; export the model as glTF 2.0.");
   rejectExtensions(tree);
   warnOfMotion(gltf, tree);
-  keepBuffersAndImages(gltf, tree);
+  takeBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);
 
   gltf.extensions = takeExtensions(tree);
@@ -159,13 +161,13 @@ void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
   }
 }
 
-Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int place, std::uint64_t offset,
+Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int index, std::uint64_t offset,
                     std::uint64_t length) {
-  const Buffer& buffer = gltf.buffers[checkIndex("buffer", place, gltf.buffers.size())];
+  const Buffer& buffer = gltf.buffers[checkIndex("buffer", index, gltf.buffers.size())];
   // Offset and length are below 2^32 each, but their sum may overflow a 32-bit size_t.
   if (offset + length > buffer.bytes.size())
     throw FileProblem(what + " reads up to byte " + groupDigits(offset + length) + " of buffer " +
-                      std::to_string(place) + ", which has only " +
+                      std::to_string(index) + ", which has only " +
                       groupDigits(buffer.bytes.size()) + "; export the model again.");
   return buffer.bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }

@@ -18,7 +18,7 @@ namespace warpjet {
 struct Buffer {
   std::string uri;
   std::uint64_t length = 0;
-  bool isFallback = false;  // for readers without the compression: its bytes may be missing
+  bool isFallback = false;  // for readers that can't decompress; its bytes may be missing
   Bytes bytes;
 };
 
@@ -30,7 +30,7 @@ struct PackedPlace {
   bool isUnpacked = false;
 };
 
-// The model has no buffers, and its images have no bytes. Its indices have not been checked yet.
+// `model` has no buffers, its images have no bytes, and its indices have not been checked yet.
 struct Gltf {
   tinygltf::Model model;
   Extensions extensions;
@@ -41,8 +41,8 @@ struct Gltf {
   std::vector<std::vector<std::uint8_t>> decodedUris;
   std::vector<std::string> warnings;
 
-  // Adds a warning once. It must not contain numbers of the file: a file could then cause any
-  // number of warnings, each compared with all others.
+  // Adds a warning, once. The message must not contain numbers of the file: otherwise a file could
+  // cause any number of warnings, each of which is compared with all others.
   void warn(const std::string& message);
 };
 
@@ -53,12 +53,12 @@ Gltf parseDescription(std::string_view json);
 // Finds the bytes of all buffers; the first one may be the binary chunk. Throws a FileProblem.
 void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files);
 
-// The part of a buffer that `what` reads. Throws a FileProblem if it doesn't exist.
+// Returns the part of a buffer that `what` reads. Throws a FileProblem if it doesn't exist.
 Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int buffer, std::uint64_t offset,
                     std::uint64_t length);
 
-// The part of a buffer that a view refers to, or its unpacked bytes. Throws a FileProblem if it
-// doesn't exist.
+// Returns the part of a buffer that a view refers to, or its unpacked bytes. Throws a FileProblem
+// if it doesn't exist.
 Bytes bytesOfView(const Gltf& gltf, int bufferView);
 
 // Returns the index of an element, such as an accessor; `what` is its name in messages. Throws a

@@ -16,21 +16,21 @@ const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
   return materials[checkIndex("material", material, materials.size())];
 }
 
-// The base color and texture of a material, from either of its two surface models.
-BaseColor paintOf(const Gltf& gltf, int material) {
+// Returns the base color and texture of a material, from either of its two surface models.
+BaseColor baseColorOf(const Gltf& gltf, int material) {
   const tinygltf::Material& info = materialAt(gltf, material);
   const auto glossiness = gltf.extensions.glossiness.find(material);
   if (glossiness != gltf.extensions.glossiness.end()) return glossiness->second;
   const std::vector<double>& color = info.pbrMetallicRoughness.baseColorFactor;
   const tinygltf::TextureInfo& texture = info.pbrMetallicRoughness.baseColorTexture;
-  BaseColor paint{
+  BaseColor baseColor{
       {}, texture.index, texture.texCoord, texture.extensions.contains("KHR_texture_transform")};
-  std::copy_n(color.begin(), 4, paint.color.begin());
-  return paint;
+  std::copy_n(color.begin(), 4, baseColor.color.begin());
+  return baseColor;
 }
 
-// The image of a texture, or noPlace if only an extension defines it.
-int pictureOfTexture(const Gltf& gltf, int texture) {
+// Returns the image of a texture, or noPlace if only an extension defines it.
+int imageOfTexture(const Gltf& gltf, int texture) {
   if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;
   return textures[checkIndex("texture", texture, textures.size())].source;
@@ -55,33 +55,33 @@ std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, con
 Look lookOf(const Gltf& gltf, int material) {
   Look look;
   if (material == noPlace) return look;
-  const BaseColor paint = paintOf(gltf, material);
-  for (std::size_t i = 0; i < 4; ++i) look.baseColor[i] = std::clamp(paint.color[i], 0.0, 1.0);
-  look.picture = pictureOfTexture(gltf, paint.texture);
+  const BaseColor baseColor = baseColorOf(gltf, material);
+  for (std::size_t i = 0; i < 4; ++i) look.baseColor[i] = std::clamp(baseColor.color[i], 0.0, 1.0);
+  look.image = imageOfTexture(gltf, baseColor.texture);
   return look;
 }
 
 void warnOfLook(Gltf& gltf, int material) {
   if (material == noPlace) return;
-  const BaseColor paint = paintOf(gltf, material);
-  if (paint.color != lookOf(gltf, material).baseColor)
+  const BaseColor baseColor = baseColorOf(gltf, material);
+  if (baseColor.color != lookOf(gltf, material).baseColor)
     gltf.warn("Base colours outside 0 to 1 are clamped.");
-  if (paint.texture == noPlace) return;
-  if (pictureOfTexture(gltf, paint.texture) == noPlace)
+  if (baseColor.texture == noPlace) return;
+  if (imageOfTexture(gltf, baseColor.texture) == noPlace)
     gltf.warn("A base-colour texture has no PNG or JPEG image; it is left out.");
-  if (paint.isTransformed)
+  if (baseColor.isTransformed)
     gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
-  if (paint.texCoord != 0)
+  if (baseColor.texCoord != 0)
     gltf.warn("A texture uses other uvs than TEXCOORD_0, the only ones that are read.");
 }
 
-std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
-  if (picture == noPlace) return std::nullopt;
+std::optional<Image> readImage(Gltf& gltf, int number, const Files& files) {
+  if (number == noPlace) return std::nullopt;
   const auto& images = gltf.model.images;
-  const tinygltf::Image& image = images[checkIndex("image", picture, images.size())];
+  const tinygltf::Image& image = images[checkIndex("image", number, images.size())];
   std::optional<Image> found = bytesOf(gltf, image, files);
   if (!found || found->bytes.empty()) {
-    gltf.warn("The base-colour texture (image " + std::to_string(picture) + ", " +
+    gltf.warn("The base-colour texture (image " + std::to_string(number) + ", " +
               quoteText(image.uri) + ") is missing or broken; it is left out.");
     return std::nullopt;
   }
@@ -89,12 +89,12 @@ std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
   return found;
 }
 
-std::vector<std::string> picturesOf(const Gltf& gltf) {
+std::vector<std::string> imageUris(const Gltf& gltf) {
   std::vector<std::string> uris;
   const auto& images = gltf.model.images;
   for (std::size_t i = 0; i < gltf.model.materials.size(); ++i) {
-    const int picture = lookOf(gltf, static_cast<int>(i)).picture;
-    if (picture != noPlace) uris.push_back(images[checkIndex("image", picture, images.size())].uri);
+    const int image = lookOf(gltf, static_cast<int>(i)).image;
+    if (image != noPlace) uris.push_back(images[checkIndex("image", image, images.size())].uri);
   }
   return uris;
 }

@@ -11,10 +11,10 @@ namespace warpjet {
 
 constexpr int noPlace = -1;
 
-// The base color is clamped to 0 to 1; `picture` is the index of an image of the model, or noPlace.
+// The base color is clamped to 0 to 1; `image` is the index of an image of the model, or noPlace.
 struct Look {
   std::array<double, 4> baseColor{1, 1, 1, 1};
-  int picture = noPlace;
+  int image = noPlace;
 
   bool operator==(const Look&) const = default;
 };
@@ -25,10 +25,11 @@ Look lookOf(const Gltf& gltf, int material);
 // Warns if a Mesh doesn't support a material's color or texture.
 void warnOfLook(Gltf& gltf, int material);
 
-// An image as stored in the file, still encoded. A missing image is a warning.
-std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files);
+// Returns an image as stored in the file, still encoded. A missing image is a warning.
+std::optional<Image> readImage(Gltf& gltf, int image, const Files& files);
 
-// The URIs of the base-color images of all materials; empty strings for images inside of a buffer.
-std::vector<std::string> picturesOf(const Gltf& gltf);
+// Returns the URIs of the base-color images of all materials; empty strings for images inside of a
+// buffer.
+std::vector<std::string> imageUris(const Gltf& gltf);
 
 }  // namespace warpjet

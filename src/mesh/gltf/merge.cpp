@@ -18,7 +18,7 @@ namespace warpjet {
 namespace {
 
 // Appends an attribute of a draw, or its default if the draw has none.
-void append(const Gltf& gltf, const Draw& draw, const char* attribute, int least, int width,
+void append(const Gltf& gltf, const Draw& draw, const char* attribute, int minWidth, int width,
             float filler, std::vector<float>& numbers) {
   const std::size_t end = numbers.size() + draw.vertices * static_cast<std::size_t>(width);
   const int accessor = draw.accessor(attribute);
@@ -27,7 +27,7 @@ void append(const Gltf& gltf, const Draw& draw, const char* attribute, int least
     throw FileProblem("a part has " + groupDigits(draw.vertices) + " positions, but " +
                       groupDigits(countOf(gltf, accessor)) + " of " + attribute +
                       "; export the model again.");
-  appendFloats(gltf, accessor, least, width, numbers);
+  appendFloats(gltf, accessor, minWidth, width, numbers);
 }
 
 void appendIndices(const Gltf& gltf, const Draw& draw, std::size_t firstVertex,
@@ -53,8 +53,8 @@ void tint(std::vector<float>& colors, std::size_t firstVertex, const Look& look)
 }
 
 // Transforms the vertices by their node or their bones.
-void put(const Gltf& gltf, const Draw& draw, const std::vector<Skin>& skins,
-         std::size_t firstVertex, std::size_t firstIndex, Mesh& mesh) {
+void transform(const Gltf& gltf, const Draw& draw, const std::vector<Skin>& skins,
+               std::size_t firstVertex, std::size_t firstIndex, Mesh& mesh) {
   if (!draw.isSkinned()) return place(mesh, firstVertex, firstIndex, draw.placed->toWorld);
   const Skin& skin = skins[checkIndex("skin", draw.placed->skin, skins.size())];
   std::vector<float> joints, weights;
@@ -83,7 +83,7 @@ void appendDraw(Gltf& gltf, const Draw& draw, const Layout& layout, const std::v
   if (layout.isIndexed) appendIndices(gltf, draw, firstVertex, mesh.indices);
   if (!layout.hasEqualColors)
     tint(mesh.colors, firstVertex, lookOf(gltf, draw.primitive->material));
-  put(gltf, draw, skins, firstVertex, firstIndex, mesh);
+  transform(gltf, draw, skins, firstVertex, firstIndex, mesh);
 }
 
 void reserve(const std::vector<Draw>& draws, const Layout& layout, Mesh& mesh) {
@@ -105,17 +105,17 @@ std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, c
   const auto hasMaterial = [](const Draw& draw) { return draw.primitive->material != noPlace; };
   if (std::none_of(draws.begin(), draws.end(), hasMaterial)) return std::nullopt;
 
-  int picture = noPlace;
+  int image = noPlace;
   for (const Draw& draw : draws) {
     warnOfLook(gltf, draw.primitive->material);
-    if (picture == noPlace) picture = lookOf(gltf, draw.primitive->material).picture;
+    if (image == noPlace) image = lookOf(gltf, draw.primitive->material).image;
   }
   for (const Draw& draw : draws) {
-    if (lookOf(gltf, draw.primitive->material).picture != picture)
+    if (lookOf(gltf, draw.primitive->material).image != image)
       gltf.warn("The parts have different base-colour textures; only the first one is used.");
   }
   Material material;
-  material.baseColorTexture = pictureOf(gltf, picture, files);
+  material.baseColorTexture = readImage(gltf, image, files);
   if (layout.hasEqualColors) {
     const Look look = lookOf(gltf, draws[0].primitive->material);
     std::transform(look.baseColor.begin(), look.baseColor.end(), material.baseColor.begin(),
@@ -138,7 +138,7 @@ Mesh mergeDraws(Gltf& gltf, const Files& files) {
   Mesh mesh;
   reserve(draws, layout, mesh);
   for (const Draw& draw : draws) appendDraw(gltf, draw, layout, skins, mesh);
-  // Computed from all triangles together, so that adjacent parts are smooth.
+  // Missing normals are computed from all triangles together, so that adjacent parts are smooth.
   std::vector<bool> hasNormal;
   for (const Draw& draw : draws)
     hasNormal.resize(hasNormal.size() + draw.vertices, draw.accessor("NORMAL") != noPlace);

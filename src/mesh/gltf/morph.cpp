@@ -14,7 +14,7 @@ namespace {
 struct Movable {
   const char* name;
   std::vector<float> Mesh::*numbers;
-  int least, width;
+  int minWidth, width;
   std::size_t stride;
 };
 
@@ -24,20 +24,20 @@ constexpr Movable movables[] = {{"POSITION", &Mesh::positions, 3, 3, 3},
                                 {"TEXCOORD_0", &Mesh::uvs, 2, 2, 2},
                                 {"COLOR_0", &Mesh::colors, 3, 4, 4}};
 
-void add(const Gltf& gltf, int accessor, const Movable& movable, double weight,
-         std::size_t firstVertex, Mesh& mesh) {
+void addTarget(const Gltf& gltf, int accessor, const Movable& movable, double weight,
+               std::size_t firstVertex, Mesh& mesh) {
   std::vector<float>& numbers = mesh.*movable.numbers;
-  const std::size_t vertices = mesh.vertexCount() - firstVertex, found = countOf(gltf, accessor);
-  if (found != vertices)
+  const std::size_t vertices = mesh.vertexCount() - firstVertex, count = countOf(gltf, accessor);
+  if (count != vertices)
     throw FileProblem("a part has " + groupDigits(vertices) + " positions, but " +
-                      groupDigits(found) + " of its morph target's " + movable.name +
+                      groupDigits(count) + " of its morph target's " + movable.name +
                       "; export the model again.");
   std::vector<float> offsets;
-  appendFloats(gltf, accessor, movable.least, movable.width, offsets);
+  appendFloats(gltf, accessor, movable.minWidth, movable.width, offsets);
   // A color target without alpha leaves alpha unchanged; it isn't padded with ones.
-  const bool isOpaque =
+  const bool lacksAlpha =
       gltf.model.accessors[static_cast<std::size_t>(accessor)].type < movable.width;
-  const auto width = static_cast<std::size_t>(movable.width), used = width - (isOpaque ? 1 : 0);
+  const auto width = static_cast<std::size_t>(movable.width), used = width - (lacksAlpha ? 1 : 0);
   for (std::size_t i = 0; i < vertices; ++i)
     for (std::size_t k = 0; k < used; ++k) {
       float& number = numbers[(firstVertex + i) * movable.stride + k];
@@ -68,10 +68,10 @@ void morph(const Gltf& gltf, const tinygltf::Primitive& primitive,
   for (const auto& [target, weight] : weights)
     for (const Movable& movable : movables) {
       const auto accessor = primitive.targets[target].find(movable.name);
-      const bool isThere =
+      const bool hasAttribute =
           primitive.attributes.contains(movable.name) && !(mesh.*movable.numbers).empty();
-      if (isThere && accessor != primitive.targets[target].end())
-        add(gltf, accessor->second, movable, weight, firstVertex, mesh);
+      if (hasAttribute && accessor != primitive.targets[target].end())
+        addTarget(gltf, accessor->second, movable, weight, firstVertex, mesh);
     }
 }
 

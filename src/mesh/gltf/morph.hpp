@@ -16,7 +16,8 @@ struct MorphWeight {
   double weight;
 };
 
-// The weights of the node, or of its mesh if the node has none. Warns if there are targets.
+// Returns the nonzero weights of the node, or of its mesh if the node has none. Warns if the
+// primitive has targets.
 std::vector<MorphWeight> morphWeightsOf(Gltf& gltf, const tinygltf::Primitive& primitive,
                                         const Placed& placed);
 

@@ -26,7 +26,7 @@ void forAccessors(const tinygltf::Primitive& primitive, Function function) {
   if (primitive.indices >= 0) function(primitive.indices);
 }
 
-// The views whose bytes are needed for drawing; those of animations remain packed.
+// Returns the views whose bytes are needed for drawing; those of animations remain packed.
 std::set<int> findNeededViews(const Gltf& gltf) {
   std::set<int> views;
   const auto need = [&](int accessor) {
@@ -60,27 +60,27 @@ const tinygltf::Primitive& primitiveAt(const Gltf& gltf, std::pair<std::size_t, 
   return gltf.model.meshes[at.first].primitives[at.second];
 }
 
-[[noreturn]] void failPacked(const std::string& what, const std::string& is) {
-  throw FileProblem(what + ' ' + is + "; export the model again.");
+[[noreturn]] void failPacked(const std::string& what, const std::string& problem) {
+  throw FileProblem(what + ' ' + problem + "; export the model again.");
 }
 
 // Checks the requirements of the extension on a view (its section "JSON schema updates").
 void checkMeshopt(int view, const MeshoptView& packed) {
   const std::string what = "the compressed bufferView " + std::to_string(view);
-  const auto is = [](const std::string& word, std::initializer_list<const char*> words) {
+  const auto isOneOf = [](const std::string& word, std::initializer_list<const char*> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
   const std::uint64_t stride = packed.byteStride;
-  if (!is(packed.mode, {"ATTRIBUTES", "TRIANGLES", "INDICES"}))
+  if (!isOneOf(packed.mode, {"ATTRIBUTES", "TRIANGLES", "INDICES"}))
     failPacked(what, "has the unknown mode " + quoteText(packed.mode));
-  if (!is(packed.filter, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}))
+  if (!isOneOf(packed.filter, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}))
     failPacked(what, "has the unknown filter " + quoteText(packed.filter));
   const bool isVertices = packed.mode == "ATTRIBUTES";
-  bool isRight = isVertices ? stride > 0 && stride % 4 == 0 && stride <= 256
-                            : (stride == 2 || stride == 4) && packed.filter == "NONE";
-  if (is(packed.filter, {"OCTAHEDRAL", "COLOR"})) isRight &= stride == 4 || stride == 8;
-  if (packed.filter == "QUATERNION") isRight &= stride == 8;
-  if (!isRight)
+  bool isStrideValid = isVertices ? stride > 0 && stride % 4 == 0 && stride <= 256
+                                  : (stride == 2 || stride == 4) && packed.filter == "NONE";
+  if (isOneOf(packed.filter, {"OCTAHEDRAL", "COLOR"})) isStrideValid &= stride == 4 || stride == 8;
+  if (packed.filter == "QUATERNION") isStrideValid &= stride == 8;
+  if (!isStrideValid)
     failPacked(what, "has the byteStride " + groupDigits(stride) + ", which its mode " +
                          packed.mode + " and filter " + packed.filter + " do not allow");
   if (packed.mode == "TRIANGLES" && packed.count % 3 != 0)
@@ -105,15 +105,15 @@ std::string extensionOf(const Gltf& gltf, const PackedPlace& part) {
   return part.view < 0 ? dracoExtension : gltf.extensions.meshoptViews.at(part.view).extension;
 }
 
-// The width of a decoded Draco attribute, which must be a vector.
+// Returns the width of a decoded Draco attribute, which must be a vector.
 std::size_t widthOf(const tinygltf::Accessor& info) {
   if (info.type > TINYGLTF_TYPE_VEC4 && info.type != TINYGLTF_TYPE_SCALAR)
     throw FileProblem("the model compresses matrices with Draco; export the model again.");
   return info.type == TINYGLTF_TYPE_SCALAR ? 1 : static_cast<std::size_t>(info.type);
 }
 
-// Calls `function` with each attribute of the extension that the primitive has: its name, and the
-// accessor with its type.
+// Returns the attributes of the extension that the primitive has: the name of each, and the
+// accessor that declares its type.
 std::vector<std::pair<std::string, int>> dracoAttributes(const Gltf& gltf,
                                                          const PackedPlace& part) {
   const auto& attributes = primitiveAt(gltf, part.primitive).attributes;
@@ -211,8 +211,8 @@ std::vector<PackedPart> findPacked(Gltf& gltf) {
   return parts;
 }
 
-void unpack(Gltf& gltf, std::size_t place, Pieces pieces) {
-  PackedPlace& part = gltf.packed.at(place);
+void unpack(Gltf& gltf, std::size_t index, Pieces pieces) {
+  PackedPlace& part = gltf.packed.at(index);
   for (const auto& piece : pieces) gltf.unpackedBytes += piece.size();
   if (gltf.unpackedBytes > maxMeshBytes)
     throw FileProblem("the model is larger than " + groupDigits(maxMeshBytes) +

@@ -9,12 +9,12 @@
 
 namespace warpjet {
 
-// The compressed parts of a model whose buffers were found. Throws a FileProblem.
+// Returns the compressed parts of a model whose buffers were found. Throws a FileProblem.
 std::vector<PackedPart> findPacked(Gltf& gltf);
 
-// Stores the decoded bytes of a part, identified by its index in that list, in the model. Throws a
-// FileProblem if they don't have the declared size.
-void unpack(Gltf& gltf, std::size_t place, Pieces pieces);
+// Stores the decoded bytes of a part in the model; `index` is that of the part in the list of
+// `findPacked`. Throws a FileProblem if they don't have the declared size.
+void unpack(Gltf& gltf, std::size_t index, Pieces pieces);
 
 // Throws a FileProblem if a required part has not been unpacked.
 void rejectPacked(const Gltf& gltf);

@@ -18,8 +18,8 @@ struct PackedPart {
   std::string plan;
 };
 
-// One piece of decoded bytes; for Draco, the indices as 32-bit integers, three per triangle,
-// followed by the numbers of each attribute in the order and type of the plan.
+// The decoded bytes. Meshopt: one piece. Draco: a piece with the indices, 32-bit integers, three
+// per triangle, followed by a piece per attribute, with numbers in the order and type of the plan.
 using Pieces = std::vector<std::vector<std::uint8_t>>;
 
 }  // namespace warpjet

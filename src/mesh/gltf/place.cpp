@@ -9,12 +9,12 @@ namespace warpjet {
 
 namespace {
 
-glm::dvec3 at(const std::vector<float>& numbers, std::size_t place) {
-  return {numbers[place], numbers[place + 1], numbers[place + 2]};
+glm::dvec3 at(const std::vector<float>& numbers, std::size_t first) {
+  return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-void set(std::vector<float>& numbers, std::size_t place, const glm::dvec3& value) {
-  for (int i = 0; i < 3; ++i) numbers[place + i] = static_cast<float>(value[i]);
+void set(std::vector<float>& numbers, std::size_t first, const glm::dvec3& value) {
+  for (int i = 0; i < 3; ++i) numbers[first + i] = static_cast<float>(value[i]);
 }
 
 glm::dvec3 unit(const glm::dvec3& v) {
@@ -22,9 +22,9 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return length > 0 ? v / length : glm::dvec3(0);
 }
 
-// The inverse transpose up to a positive factor. It needs no division and exists for flat
-// transforms, too: the columns of the cofactor matrix are m2 x m3, m3 x m1, m1 x m2, multiplied by
-// the determinant's sign.
+// Returns the inverse transpose up to a positive factor: the cofactor matrix, which has the columns
+// m2 x m3, m3 x m1, m1 x m2, times the determinant's sign. It needs no division and exists for flat
+// transforms, too.
 glm::dmat3 normalMatrix(const glm::dmat3& m) {
   const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
                              glm::cross(m[0], m[1]));
@@ -39,7 +39,7 @@ void move(Mesh& mesh, std::size_t vertex, const glm::dmat4& toWorld, const glm::
     set(mesh.tangents, k, unit(glm::dmat3(toWorld) * at(mesh.tangents, k)));
 }
 
-void setHands(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, bool isMirrored) {
+void setHandedness(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, bool isMirrored) {
   for (std::size_t i = firstVertex * 4 + 3; i < mesh.tangents.size(); i += 4)
     mesh.tangents[i] = (mesh.tangents[i] < 0) == isMirrored ? 1.0f : -1.0f;
   if (isMirrored) reverseWinding(mesh.indices, firstIndex);
@@ -49,7 +49,7 @@ void setHands(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, bool 
 
 void place(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const glm::dmat4& toWorld) {
   const glm::dmat3 m(toWorld);
-  setHands(mesh, firstVertex, firstIndex, glm::determinant(m) < 0);
+  setHandedness(mesh, firstVertex, firstIndex, glm::determinant(m) < 0);
   if (toWorld == glm::dmat4(1)) return;
   const glm::dmat3 forNormals = normalMatrix(m);
   for (std::size_t i = firstVertex; i < mesh.vertexCount(); ++i) move(mesh, i, toWorld, forNormals);
@@ -57,7 +57,7 @@ void place(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const gl
 
 void pose(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const Skin& skin,
           const std::vector<float>& joints, const std::vector<float>& weights) {
-  setHands(mesh, firstVertex, firstIndex, skin.isMirrored);
+  setHandedness(mesh, firstVertex, firstIndex, skin.isMirrored);
   const std::size_t vertices = mesh.vertexCount() - firstVertex;
   for (std::size_t i = 0; i < vertices; ++i) {
     const std::size_t width = joints.size() / vertices;

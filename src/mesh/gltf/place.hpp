@@ -1,4 +1,4 @@
-// Transforms the last vertices of a mesh by a matrix or a skin.
+// Transforms the vertices that were last appended to a mesh by a matrix or a skin.
 #pragma once
 
 #include <cstddef>

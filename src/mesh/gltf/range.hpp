@@ -10,11 +10,12 @@
 
 namespace warpjet {
 
-// Clamps to 0 to 1.
+// Clamps colors to the range from 0 to 1.
 void clampColors(Gltf& gltf, std::vector<float>& colors, std::size_t first);
 
 // Normalizes the first three of `stride` numbers. Unit vectors keep their bits, and zero stays
-// zero. Returns whether the difference is visible; `name` is "Normals", for example.
+// zero. The first function returns whether the difference is visible; the second one warns if it
+// is. `name` is "Normals", for example.
 bool makeUnit(std::vector<float>& vectors, std::size_t first, std::size_t stride);
 void makeUnit(Gltf& gltf, std::vector<float>& vectors, std::size_t first, std::size_t stride,
               const std::string& name);

@@ -12,7 +12,7 @@ namespace warpjet {
 
 namespace {
 
-// Translation, rotation and scale as arrays in glTF's order; each may be null.
+// Combines translation, rotation and scale, which are arrays in glTF's order. Each may be null.
 template <typename Number>
 glm::dmat4 transformOf(const Number* translation, const Number* q, const Number* scale) {
   glm::dmat4 transform(1);
@@ -26,7 +26,7 @@ glm::dmat4 transformOf(const Number* translation, const Number* q, const Number*
   return transform;
 }
 
-// glTF 2.0, section 3.5.3: matrix, or translation * rotation * scale.
+// Returns the matrix of a node, or translation * rotation * scale: glTF 2.0, section 3.5.3.
 glm::dmat4 transformOf(const tinygltf::Node& node) {
   if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
   const auto numbers = [](const std::vector<double>& list) {
@@ -35,54 +35,56 @@ glm::dmat4 transformOf(const tinygltf::Node& node) {
   return transformOf(numbers(node.translation), numbers(node.rotation), numbers(node.scale));
 }
 
-// The transforms of a node's instances, or nullopt if it has none.
+// Returns the transforms of a node's instances.
 std::vector<glm::dmat4> instancesOf(const Gltf& gltf, const Instancing& instancing) {
   std::optional<std::size_t> count;
   const auto numbersOf = [&](int accessor, int width) {
     std::vector<float> numbers;
     if (accessor < 0) return numbers;
-    const std::size_t found = countOf(gltf, accessor);
-    if (found > maxDraws) failTooManyDraws();
-    if (found != count.value_or(found))
+    const std::size_t elements = countOf(gltf, accessor);
+    if (elements > maxDraws) failTooManyDraws();
+    if (elements != count.value_or(elements))
       throw FileProblem("the instances of a node have " + groupDigits(*count) +
-                        " elements of one attribute and " + groupDigits(found) +
+                        " elements of one attribute and " + groupDigits(elements) +
                         " of another; export the model again.");
-    count = found;
+    count = elements;
     appendFloats(gltf, accessor, width, width, numbers);
     return numbers;
   };
-  const std::vector<float> places = numbersOf(instancing.translation, 3),
-                           turns = numbersOf(instancing.rotation, 4),
+  const std::vector<float> translations = numbersOf(instancing.translation, 3),
+                           rotations = numbersOf(instancing.rotation, 4),
                            scales = numbersOf(instancing.scale, 3);
   std::vector<glm::dmat4> instances;
   for (std::size_t i = 0; i < count.value_or(0); ++i) {
-    const auto at = [&](const std::vector<float>& numbers, std::size_t width) {
+    const auto elementOf = [&](const std::vector<float>& numbers, std::size_t width) {
       return numbers.empty() ? nullptr : &numbers[i * width];
     };
-    instances.push_back(transformOf(at(places, 3), at(turns, 4), at(scales, 3)));
+    instances.push_back(
+        transformOf(elementOf(translations, 3), elementOf(rotations, 4), elementOf(scales, 3)));
   }
   return instances;
 }
 
-std::vector<int> orphansOf(const tinygltf::Model& model) {
+std::vector<int> parentlessNodes(const tinygltf::Model& model) {
   std::vector<bool> isChild(model.nodes.size());
   for (const tinygltf::Node& node : model.nodes)
     for (const int child : node.children)
       isChild[checkIndex("node", child, model.nodes.size())] = true;
-  std::vector<int> orphans;
+  std::vector<int> parentless;
   for (std::size_t i = 0; i < model.nodes.size(); ++i)
-    if (!isChild[i]) orphans.push_back(static_cast<int>(i));
-  return orphans;
+    if (!isChild[i]) parentless.push_back(static_cast<int>(i));
+  return parentless;
 }
 
 std::vector<int> rootsOf(const tinygltf::Model& model) {
-  if (model.scenes.empty()) return orphansOf(model);
+  if (model.scenes.empty()) return parentlessNodes(model);
   const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
   return model.scenes[checkIndex("scene", scene, model.scenes.size())].nodes;
 }
 
-// Calls `function` with the index of each node below these, in the order of the file, parents
-// before children. Visits the children of a node only if the call returns true.
+// Calls `function` with the index and the transform of each node in the trees with these roots, in
+// the order of the file, parents before children. Visits the children of a node only if the call
+// returns true.
 template <typename Function>
 void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, Function function) {
   struct Visit {
@@ -140,7 +142,7 @@ std::vector<Placed> placeMeshes(Gltf& gltf) {
 
 std::vector<glm::dmat4> placesOfNodes(const Gltf& gltf) {
   std::vector<glm::dmat4> places(gltf.model.nodes.size(), glm::dmat4(1));
-  forNodesBelow(gltf.model, orphansOf(gltf.model),
+  forNodesBelow(gltf.model, parentlessNodes(gltf.model),
                 [&](std::size_t node, const glm::dmat4& toWorld) {
                   places[node] = toWorld;
                   return true;

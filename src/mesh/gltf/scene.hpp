@@ -22,13 +22,14 @@ inline constexpr std::size_t maxDraws = std::size_t{1} << 20;
 
 [[noreturn]] void failTooManyDraws();
 
-// The meshes of the default scene, or of the first one, or, without scenes, of all root nodes. A
-// mesh occurs as often as nodes or their instances (EXT_mesh_gpu_instancing) show it; hidden nodes
-// (KHR_node_visibility) show nothing. Throws a FileProblem if the nodes are not trees: no node may
-// be reached twice.
+// Returns the meshes of the default scene; if there is no default, of the first scene; if there are
+// no scenes, of all nodes without parents. A mesh occurs as often as nodes or their instances
+// (EXT_mesh_gpu_instancing) show it; hidden nodes (KHR_node_visibility) show nothing. Throws a
+// FileProblem if the nodes are not trees: no node may be reached twice.
 std::vector<Placed> placeMeshes(Gltf& gltf);
 
-// The transforms of all nodes, in any scene. Throws a FileProblem if the nodes are not trees.
+// Returns the transforms of all nodes, in any scene. Throws a FileProblem if the nodes are not
+// trees.
 std::vector<glm::dmat4> placesOfNodes(const Gltf& gltf);
 
 }  // namespace warpjet

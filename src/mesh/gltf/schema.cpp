@@ -21,13 +21,13 @@ enum class Kind {
   Size,     // a count, an offset or an enumeration
   Flag,     // true or false
   Text,     //
-  Numbers,  // `length` numbers; any number of them if that is 0
-  Indices,  // any number
+  Numbers,  // `length` numbers; any number of them if `length` is 0
+  Indices,  // any number of indices
   Names,    // any number of strings
   Keys,     // an object of which only the keys are needed
-  Some,     // a list of which only the emptiness matters
+  Some,     // a list; only whether it is empty matters
   Object,   //
-  Objects   // a list of them
+  Objects   // a list of objects
 };
 
 struct Member {
@@ -144,13 +144,13 @@ constexpr Member root[] = {{"asset", Kind::Object, required, 0, asset},
 
 // The location of a value. It is converted to text only for messages.
 struct Place {
-  const Place* around = nullptr;
-  const char* name = nullptr;  // the name of a member; otherwise it is an element
-  std::size_t element = 0;
+  const Place* parent = nullptr;
+  const char* name = nullptr;  // the name of a member of an object
+  std::size_t element = 0;     // the index in a list, if there is no name
 
   std::string text() const {
-    if (!around) return "";
-    const std::string before = around->text();
+    if (!parent) return "";
+    const std::string before = parent->text();
     if (!name) return before + '[' + std::to_string(element) + ']';
     return before.empty() ? name : before + '.' + name;
   }
@@ -164,17 +164,16 @@ struct Place {
                     " must be " + expected + ", not " + shown + "; export the model again.");
 }
 
-void checkWholeNumber(json& value, const Place& place, std::uint64_t most) {
+void checkWholeNumber(json& value, const Place& place, std::uint64_t max) {
   std::optional<std::uint64_t> number;
   if (value.is_number_unsigned()) number = value.get<std::uint64_t>();
   // Some exporters write 3.0.
   if (value.is_number_float()) {
     const double real = value.get<double>();
-    if (real >= 0 && real <= static_cast<double>(most) && real == std::floor(real))
+    if (real >= 0 && real <= static_cast<double>(max) && real == std::floor(real))
       number = static_cast<std::uint64_t>(real);
   }
-  if (!number || *number > most)
-    fail(place, "a whole number from 0 to " + groupDigits(most), value);
+  if (!number || *number > max) fail(place, "a whole number from 0 to " + groupDigits(max), value);
   value = *number;
 }
 
@@ -210,8 +209,8 @@ void checkEach(json& value, const Place& place, Check check) {
 
 void removeOthers(json& object, std::span<const Member> members) {
   for (auto it = object.begin(); it != object.end();) {
-    const auto isThis = [&](const Member& member) { return it.key() == member.name; };
-    it = std::any_of(members.begin(), members.end(), isThis) ? std::next(it) : object.erase(it);
+    const auto hasName = [&](const Member& member) { return it.key() == member.name; };
+    it = std::any_of(members.begin(), members.end(), hasName) ? std::next(it) : object.erase(it);
   }
 }
 

@@ -16,11 +16,11 @@ struct Skin {
   bool isMirrored = false;  // true if most of the joints mirror
 };
 
-// All skins of the model, by index. Throws a FileProblem.
+// Returns all skins of the model, by index. Throws a FileProblem.
 std::vector<Skin> skinsOf(const Gltf& gltf);
 
-// The transform of a vertex: the transforms of its joints, blended by their weights, which are
-// scaled to add up to 1. Throws a FileProblem if a joint doesn't exist.
+// Returns the transform of a vertex: the transforms of its joints, blended by their weights, which
+// are scaled to add up to 1. Throws a FileProblem if a joint doesn't exist.
 glm::dmat4 blendOf(const Skin& skin, std::span<const float> joints, std::span<const float> weights);
 
 }  // namespace warpjet

@@ -29,7 +29,7 @@ bool hasDirection(glm::dvec3 v) {
   return length > 0 && std::isfinite(length);
 }
 
-// The area-weighted normals of the triangles around each vertex.
+// Returns the area-weighted normals of the triangles around each vertex.
 std::vector<glm::dvec3> triangleNormals(const Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.vertexCount());
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {

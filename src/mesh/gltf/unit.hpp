@@ -8,8 +8,8 @@
 
 namespace warpjet {
 
-// Unit vectors keep their bits. A zero normal is replaced by that of the triangles around its
-// vertex, or by z if those have none either.
+// Normalizes the normals. Unit vectors keep their bits. A zero normal is replaced by that of the
+// triangles around its vertex, or by (0, 0, 1) if these have none either.
 std::vector<float> unitNormals(const Mesh& mesh);
 
 // Normalizes tangents of four numbers, the last of which is 1 or -1. A zero tangent is replaced by

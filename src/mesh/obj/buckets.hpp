@@ -21,14 +21,14 @@ constexpr std::uint64_t mixBits(std::uint64_t a, std::uint64_t b) {
 // Stores only indices; the caller holds the elements.
 class Buckets {
  public:
-  // For at most `maxCount` distinct elements; it is never more than half full.
+  // Makes a table for at most `maxCount` distinct elements, with which it is half full.
   explicit Buckets(std::size_t maxCount) {
     std::size_t size = 2;
     while (size < maxCount * 2) size *= 2;
     slots_.assign(size, none);
   }
 
-  // The index of an equal element, or `index`, which is then added.
+  // Returns the index of an equal element; if there is none, adds `index` and returns it.
   template <typename IsEqual>
   std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t index, IsEqual isEqual) {
     for (auto i = static_cast<std::size_t>(hash);; ++i) {

@@ -15,7 +15,8 @@ namespace warpjet {
 
 namespace {
 
-// A list of names, or one name with spaces: these can't be distinguished.
+// Adds the libraries that a line names. It may be a list of names, or one name with spaces; since
+// these can't be distinguished, adds both.
 void addLibraries(TextLine line, std::vector<std::string>& uris, std::set<std::string>& known) {
   const auto add = [&](std::string_view name) {
     if (name.empty()) return;
@@ -69,9 +70,9 @@ std::vector<std::string> filesOfObj(std::string_view text, const Files& files) {
 
 ObjColors::ObjColors(std::string_view text, const Files& files)
     : names_(namesInObj(text)), materials_(materialsOf(names_, files)) {
-  const auto isThere = [&](const std::string& uri) { return fileOf(uri, files) != nullptr; };
+  const auto isAvailable = [&](const std::string& uri) { return fileOf(uri, files) != nullptr; };
   if (!names_.libraries.empty() &&
-      std::none_of(names_.libraries.begin(), names_.libraries.end(), isThere))
+      std::none_of(names_.libraries.begin(), names_.libraries.end(), isAvailable))
     missing_ = names_.libraries.front();
 }
 
@@ -92,9 +93,9 @@ std::uint32_t ObjColors::currentIndex() {
   index_ = none;
   if (!current_.color) return none;
   std::array<float, 3> color = *current_.color;
-  for (float& part : color) {
-    isClamped_ |= !(part >= 0 && part <= 1);
-    part = linearOf(std::clamp(part, 0.0f, 1.0f));
+  for (float& channel : color) {
+    isClamped_ |= !(channel >= 0 && channel <= 1);
+    channel = linearOf(std::clamp(channel, 0.0f, 1.0f));
   }
   const auto [entry, isNew] = indices_.emplace(color, static_cast<std::uint32_t>(colors_.size()));
   if (isNew) colors_.push_back(color);

@@ -24,31 +24,33 @@ struct ObjNames {
 
 ObjNames namesInObj(std::string_view text);
 
-// The materials of all libraries in `files`.
+// Returns the materials of all libraries in `files`.
 ObjMaterials materialsOf(const ObjNames& names, const Files& files);
 
-// The URIs of the files that it needs, as far as the available files refer to them.
+// Returns the URIs of the .mtl files that an OBJ needs, and of the images that the available .mtl
+// files refer to.
 std::vector<std::string> filesOfObj(std::string_view text, const Files& files);
 
 class ObjColors {
  public:
   ObjColors(std::string_view text, const Files& files);
 
-  // Applies to all following faces.
+  // Sets the material of all following faces.
   void useMaterial(std::string_view name);
 
-  // The index of the current material's color, without duplicates; `none` if it has none. Call it
-  // for each face.
+  // Returns the index of the current material's color, without duplicates; `none` if it has none.
+  // Call it for each face.
   std::uint32_t currentIndex();
 
-  // Linear red, green and blue.
+  // Returns linear red, green and blue.
   const std::array<float, 3>& colorAt(std::uint32_t index) const { return colors_[index]; }
 
-  // True if all faces have the same color, or none has any.
+  // Returns true if all faces have the same color, or none has any.
   bool isUniform() const { return colors_.size() + (hasFacesWithoutColor_ ? 1 : 0) <= 1; }
   bool hasColors() const { return !colors_.empty(); }
 
-  // The color and image that all faces share; empty if they share neither.
+  // Returns the color that all faces share, if they do, and the first image; nullopt if there are
+  // no colors and no image.
   std::optional<Material> material(const Files& files, std::vector<std::string>& warnings) const;
 
   void warn(std::vector<std::string>& warnings) const;
@@ -56,7 +58,7 @@ class ObjColors {
  private:
   ObjNames names_;
   ObjMaterials materials_;
-  std::string missing_;  // the first library, if all are missing
+  std::string missing_;  // the first library, if all libraries are missing
   ObjMaterial current_;
   std::optional<std::uint32_t> index_;  // of the current material, once a face uses it
   std::vector<std::array<float, 3>> colors_;

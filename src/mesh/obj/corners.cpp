@@ -12,8 +12,9 @@ namespace warpjet {
 
 namespace {
 
-// Indices count from 1 or, if negative, from the end; they must be in the list.
-std::uint32_t placeOf(std::int64_t number, std::size_t count) {
+// Converts a number of the file, which counts from 1 or, if negative, from the end, to an index;
+// `none` if it is outside of the list.
+std::uint32_t indexOf(std::int64_t number, std::size_t count) {
   const auto length = static_cast<std::int64_t>(count);
   if (number == 0 || number > length || number < -length) return none;
   return static_cast<std::uint32_t>(number > 0 ? number - 1 : length + number);
@@ -40,7 +41,7 @@ bool readCorners(TextLine& line, const ObjCounts& counts, std::vector<ObjCorner>
       text.remove_prefix(std::min(length + 1, text.size()));
     }
     const std::int64_t number = cornerNumber(line, parts[0]);
-    ObjCorner corner{placeOf(number, counts.positions), none, none};
+    ObjCorner corner{indexOf(number, counts.positions), none, none};
     if (corner.position == none)
       line.fail("refers to position " + std::to_string(number) + ", but " +
                 (counts.positions == 0 ? "there is none"
@@ -48,7 +49,7 @@ bool readCorners(TextLine& line, const ObjCounts& counts, std::vector<ObjCorner>
                 " before it");
     const auto find = [&](std::string_view part, std::size_t count) {
       if (part.empty()) return none;
-      const std::uint32_t place = placeOf(cornerNumber(line, part), count);
+      const std::uint32_t place = indexOf(cornerNumber(line, part), count);
       hasAll &= place != none;
       return place;
     };

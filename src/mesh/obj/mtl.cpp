@@ -11,14 +11,14 @@ namespace warpjet {
 namespace {
 
 std::string toLowerCase(std::string_view word) {
-  std::string small(word);
-  for (char& c : small)
+  std::string lower(word);
+  for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return small;
+  return lower;
 }
 
-// A single number is a gray. Returns nullopt if there are no numbers, as after "spectral" and
-// "xyz".
+// Reads the color on a line; a single number is a gray. Returns nullopt if there are no numbers, as
+// after "spectral" and "xyz".
 std::optional<std::array<float, 3>> colorOn(TextLine& line) {
   std::array<float, 3> color{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -31,14 +31,14 @@ std::optional<std::array<float, 3>> colorOn(TextLine& line) {
   return color;
 }
 
-// The max number of words after a texture option; all but the numbers of -o, -s and -t are
+// Returns the max number of words after a texture option; all but the numbers of -o, -s and -t are
 // required.
 std::size_t wordsOf(std::string_view option) {
   if (option == "-o" || option == "-s" || option == "-t") return 3;
   return option == "-mm" ? 2 : 1;
 }
 
-// The file name after the options, which may contain spaces.
+// Returns the file name after the options; it may contain spaces.
 std::string_view pictureNameOn(TextLine& line) {
   while (line.rest().starts_with('-')) {
     const std::string option = toLowerCase(line.word());

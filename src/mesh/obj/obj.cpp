@@ -32,27 +32,31 @@ constexpr float noColor = std::numeric_limits<float>::quiet_NaN();
 // bytes, integers up to 255. Positions without a color are white.
 std::vector<float> linearColors(const std::vector<float>& colors,
                                 std::vector<std::string>& warnings) {
-  const auto all = [&](auto isRight) {
+  const auto all = [&](auto isValid) {
     return std::all_of(colors.begin(), colors.end(),
-                       [&](float part) { return std::isnan(part) || isRight(part); });
+                       [&](float channel) { return std::isnan(channel) || isValid(channel); });
   };
-  float maxCount = 1;
-  if (!all([](float part) { return part >= 0 && part <= 1; })) {
-    if (all([](float part) { return part >= 0 && part <= 255 && part == std::floor(part); }))
-      maxCount = 255;
-    warnings.push_back(maxCount == 255
+  float maxChannel = 1;
+  if (!all([](float channel) { return channel >= 0 && channel <= 1; })) {
+    if (all([](float channel) {
+          return channel >= 0 && channel <= 255 && channel == std::floor(channel);
+        }))
+      maxChannel = 255;
+    warnings.push_back(maxChannel == 255
                            ? "The colours of the .obj are read as whole numbers from 0 to 255."
                            : "Colours of the .obj outside 0 to 1 are clamped.");
   }
   std::vector<float> linear(colors.size() / 3 * 4, 1.0f);
   for (std::size_t i = 0; i < colors.size(); ++i)
     if (!std::isnan(colors[i]))
-      linear[i / 3 * 4 + i % 3] = linearOf(std::clamp(colors[i] / maxCount, 0.0f, 1.0f));
+      linear[i / 3 * 4 + i % 3] = linearOf(std::clamp(colors[i] / maxChannel, 0.0f, 1.0f));
   return linear;
 }
 
+// Sets the first number of a line to NaN if any of its numbers is invalid, and keeps the message
+// about the first such line.
 template <std::size_t maxCount>
-void mark(const TextLine& line, LineNumbers<maxCount>& numbers, Lists& lists) {
+void markInvalid(const TextLine& line, LineNumbers<maxCount>& numbers, Lists& lists) {
   if (numbers.isFinite) return;
   numbers.values[0] = std::numeric_limits<float>::quiet_NaN();
   if (lists.firstProblem.empty()) lists.firstProblem = line.problemOfNumber();
@@ -68,7 +72,7 @@ void readPosition(TextLine& line, Lists& lists) {
   };
   const bool hasColor = numbers.count == 6 && areNumbers(3);
   numbers.isFinite = areNumbers(0);
-  mark(line, numbers, lists);
+  markInvalid(line, numbers, lists);
   lists.positions.insert(lists.positions.end(), values.begin(), values.begin() + 3);
   if (!hasColor && lists.colors.empty()) return;
   lists.colors.resize(lists.positions.size(), noColor);
@@ -78,16 +82,16 @@ void readPosition(TextLine& line, Lists& lists) {
 void readUv(TextLine& line, Lists& lists) {
   auto numbers = line.numbers<2>();
   if (numbers.count < 1) line.fail("has a uv without numbers");
-  mark(line, numbers, lists);
+  markInvalid(line, numbers, lists);
   lists.uvs.insert(lists.uvs.end(), {numbers.values[0], 1 - numbers.values[1]});
 }
 
 void readNormal(TextLine& line, Lists& lists) {
   auto numbers = line.numbers<3>();
   if (numbers.count < 3) line.fail("has a normal of fewer than 3 numbers");
-  mark(line, numbers, lists);
+  markInvalid(line, numbers, lists);
   const auto [x, y, z] = numbers.values;
-  // Files round normals to a few digits.
+  // Normalized, since files round normals to a few digits.
   const double length = std::hypot(double{x}, double{y}, double{z});
   for (const float number : {x, y, z})
     lists.normals.push_back(length == 0 ? 0 : static_cast<float>(number / length));
@@ -107,27 +111,28 @@ struct Losses {
 // Removes invalid elements from the corners of a face; removes all corners of a face without valid
 // positions.
 void mend(std::vector<ObjCorner>& face, const Lists& lists, Losses& losses) {
-  const auto isOdd = [](const std::vector<float>& list, std::uint32_t place, std::size_t width) {
+  const auto isInvalid = [](const std::vector<float>& list, std::uint32_t place,
+                            std::size_t width) {
     return place != none && std::isnan(list[place * width]);
   };
-  bool isPlaced = true;
+  bool hasPositions = true;
   for (ObjCorner& corner : face) {
-    isPlaced &= !isOdd(lists.positions, corner.position, 3);
-    if (isOdd(lists.normals, corner.normal, 3)) {
+    hasPositions &= !isInvalid(lists.positions, corner.position, 3);
+    if (isInvalid(lists.normals, corner.normal, 3)) {
       corner.normal = none;
       losses.normals = true;
     }
-    if (isOdd(lists.uvs, corner.uv, 2)) {
+    if (isInvalid(lists.uvs, corner.uv, 2)) {
       corner.uv = none;
       losses.uvs = true;
     }
   }
-  if (isPlaced) return;
+  if (hasPositions) return;
   face.clear();
   losses.positions = true;
 }
 
-// Three corners per triangle.
+// Appends the triangles of a face, three corners each.
 void appendTriangles(const std::vector<ObjCorner>& face, const std::vector<float>& positions,
                      std::vector<ObjCorner>& corners) {
   std::vector<glm::dvec3> polygon;

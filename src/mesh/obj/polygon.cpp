@@ -18,24 +18,24 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// Positive if a, b and c turn left.
+// Returns twice the signed area of a triangle, which is positive if a, b and c turn left.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Drops the coordinate along which the plane faces most, so that the others remain exact; the
-// result is counterclockwise.
+// Projects the polygon to a coordinate plane: drops the coordinate in which the polygon's normal is
+// largest, and leaves the other two exact. The result is counterclockwise.
 std::vector<glm::dvec2> flatten(const std::vector<glm::dvec3>& corners) {
   // Twice the area's normal by Newell's method: the normal of the mean plane if the polygon isn't
   // planar.
   glm::dvec3 normal(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-  int maxCount = 0;
+  int dropped = 0;
   for (const int axis : {1, 2})
-    if (std::abs(normal[axis]) > std::abs(normal[maxCount])) maxCount = axis;
-  int first = (maxCount + 1) % 3, second = (maxCount + 2) % 3;
-  if (normal[maxCount] < 0) std::swap(first, second);
+    if (std::abs(normal[axis]) > std::abs(normal[dropped])) dropped = axis;
+  int first = (dropped + 1) % 3, second = (dropped + 2) % 3;
+  if (normal[dropped] < 0) std::swap(first, second);
   std::vector<glm::dvec2> flat;
   for (const glm::dvec3& corner : corners) flat.emplace_back(corner[first], corner[second]);
   return flat;
@@ -67,7 +67,7 @@ class Remainder {
     std::iota(previous_.begin() + 1, previous_.end(), 0u);
     next_.back() = 0;
     previous_.front() = static_cast<std::uint32_t>(count_ - 1);
-    for (std::uint32_t i = 0; i < count_; ++i) isEar_[i] = findsEar(i);
+    for (std::uint32_t i = 0; i < count_; ++i) isEar_[i] = isEarAt(i);
   }
 
   Triangles cut() {
@@ -79,8 +79,8 @@ class Remainder {
       next_[before] = after;
       previous_[after] = before;
       // Only these two corners can become ears or cease to be ears.
-      isEar_[before] = findsEar(before);
-      isEar_[after] = findsEar(after);
+      isEar_[before] = isEarAt(before);
+      isEar_[after] = isEarAt(after);
       // Continues after the neighbor, to avoid a fan of slivers.
       corner = next_[after];
     }
@@ -92,8 +92,9 @@ class Remainder {
     return turn(corners_[previous_[i]], corners_[i], corners_[next_[i]]);
   }
 
-  // True if no corner is inside of the triangle at this corner. If any is, a reflex corner is.
-  bool findsEar(std::uint32_t i) const {
+  // Returns true if no corner is inside of the triangle at this corner. Only reflex corners count:
+  // if any corner is inside, a reflex corner is, too.
+  bool isEarAt(std::uint32_t i) const {
     const glm::dvec2 &a = corners_[previous_[i]], &b = corners_[i], &c = corners_[next_[i]];
     if (turn(a, b, c) <= 0) return false;
     for (std::uint32_t k = next_[next_[i]]; k != previous_[i]; k = next_[k]) {
@@ -106,7 +107,8 @@ class Remainder {
     return true;
   }
 
-  // Searches from a corner on. Without ears, the rest is flat or self-intersecting.
+  // Returns the next ear from a corner on. If there is none, the rest is flat or self-intersecting;
+  // then returns a straight corner, if there is one.
   std::uint32_t nextEar(std::uint32_t from) const {
     std::uint32_t straight = from;
     for (std::size_t i = 0; i < count_; ++i, from = next_[from]) {

@@ -5,7 +5,7 @@
 
 namespace warpjet {
 
-// IEC 61966-2-1.
+// Converts one channel by the formula of IEC 61966-2-1.
 inline float linearOf(float srgb) {
   return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }

@@ -20,15 +20,15 @@ std::vector<std::uint32_t> Refiner::chooseEdges() {
     if (chosen[i]) edges.push_back(i);
   }
   const std::size_t count = surface_.triangles().size();
-  return worst(std::move(edges),
-               refinement_.maxTriangles - std::min(refinement_.maxTriangles, count));
+  return keepWorst(std::move(edges),
+                   refinement_.maxTriangles - std::min(refinement_.maxTriangles, count));
 }
 
-// If a sliver is split, its longest side is split. So triangles at the border of a fine region, or
-// between two nearly parallel edges, don't become ever thinner. (Bisecting the longest side never
-// reduces the smallest angle below half of its initial value: Rosenberg and Stenger, "A lower bound
-// on the angles of triangles constructed by bisecting the longest side", 1975.) The consequences of
-// a choice are propagated from edge to edge.
+// Chooses the longest side of each sliver of which another side is chosen. So triangles at the
+// border of a fine region, or between two nearly parallel edges, don't become ever thinner.
+// (Bisecting the longest side never reduces the smallest angle below half of its initial value:
+// Rosenberg and Stenger, "A lower bound on the angles of triangles constructed by bisecting the
+// longest side", 1975.) The consequences of a choice are propagated from edge to edge.
 void Refiner::keepShape(std::vector<bool>& chosen) const {
   struct Entailed {
     std::uint32_t edge, next;
@@ -59,8 +59,9 @@ void Refiner::keepShape(std::vector<bool>& chosen) const {
   }
 }
 
-// Splitting an edge adds one triangle per triangle that uses it.
-std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges, std::size_t room) {
+// Returns the edges with the highest scores that fit into `room` more triangles. Splitting an edge
+// adds one triangle per triangle that uses it. Edges that were split before come first.
+std::vector<std::uint32_t> Refiner::keepWorst(std::vector<std::uint32_t> edges, std::size_t room) {
   std::size_t added = 0, addedAgain = 0;
   for (const std::uint32_t i : edges) {
     const Edge& edge = surface_.edges()[i];

@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// A thousandth of an already short edge remains then.
+// After that many halvings, a thousandth of an edge remains, which was short already.
 constexpr int maxHalvings = 10;
 
 Weights halfway(const Weights& a, const Weights& b) {
@@ -30,7 +30,7 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
                             const WarpFunction& warp) {
   Mesh vertices;
   for (const Turn& turn : turns) {
-    appendBlend(vertices, mesh, {turn.corners, turn.where});
+    appendBlend(vertices, mesh, {turn.corners, turn.weights});
     for (const Weights& corner : cornerWeights) appendBlend(vertices, mesh, {turn.corners, corner});
   }
   const auto normals = applyWarp(vertices, warp, true).normals;
@@ -40,19 +40,19 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
     const auto turnOf = [&](std::size_t corner) {
       return angleBetween(normal, at(normals, 4 * i + 1 + corner));
     };
-    std::size_t most = 0;
+    std::size_t farthest = 0;
     for (std::size_t corner = 1; corner < 3; ++corner) {
-      if (turnOf(corner) > turnOf(most)) most = corner;
+      if (turnOf(corner) > turnOf(farthest)) farthest = corner;
     }
     searches.push_back(
-        {i, turns[i].where, cornerWeights[most], normal, at(normals, 4 * i + 1 + most)});
+        {i, turns[i].weights, cornerWeights[farthest], normal, at(normals, 4 * i + 1 + farthest)});
   }
   for (int halving = 0; halving < maxHalvings && !searches.empty(); ++halving) {
     vertices = {};
     for (const Search& search : searches)
       appendBlend(vertices, mesh, {turns[search.turn].corners, halfway(search.from, search.to)});
     const auto middles = applyWarp(vertices, warp, true).normals;
-    std::vector<Search> left;
+    std::vector<Search> remaining;
     for (std::size_t i = 0; i < searches.size(); ++i) {
       Search search = searches[i];
       const Weights middle = halfway(search.from, search.to);
@@ -66,9 +66,9 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
         search.from = middle;
         search.normalFrom = normal;
       }
-      if (std::max(before, after) > angle / 2) left.push_back(search);
+      if (std::max(before, after) > angle / 2) remaining.push_back(search);
     }
-    searches = std::move(left);
+    searches = std::move(remaining);
   }
   std::vector<bool> hasJump(turns.size());
   for (const Search& search : searches) hasJump[search.turn] = true;

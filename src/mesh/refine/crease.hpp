@@ -10,15 +10,15 @@
 
 namespace warpjet {
 
-// A piece between a point of a triangle or of an edge and the corner whose normal differs most from
-// that of the point.
+// A point of a triangle or of an edge. Its turn is the piece from the point to the corner whose
+// normal differs most from that of the point.
 struct Turn {
   std::array<std::uint32_t, 3> corners;
-  Weights where;
+  Weights weights;
 };
 
-// Finds those with a jump of about that angle or more, by bisection, so that steep but smooth turns
-// don't count.
+// Returns for each piece whether the normal jumps on it by about that angle or more. The jump is
+// found by bisection, so that steep but smooth turns don't count.
 std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float angle,
                             const WarpFunction& warp);
 

@@ -13,10 +13,10 @@ namespace {
 
 float fraction(double x) { return static_cast<float>(x - std::floor(x)); }
 
-// The middle comes first. The others are spread evenly but not regularly, since a symmetric or
-// periodic warp can be 0 at all regular samples: by the golden ratio along an edge, and by Roberts'
-// sequence ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018) folded into a
-// triangle.
+// Returns the weights of a sample. The middle comes first. The other samples are spread evenly but
+// not regularly, since a symmetric or periodic warp can be 0 at all regular samples: by the golden
+// ratio along an edge, and by Roberts' sequence ("The Unreasonable Effectiveness of Quasirandom
+// Sequences", 2018) folded into a triangle.
 Weights weights(const Piece& piece, std::uint32_t sample) {
   if (piece.isEdge()) {
     if (sample == 0) return {0.5f, 0.5f, 0};
@@ -39,8 +39,8 @@ float distanceToSegment(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
   return glm::distance(p, a + t * ab);
 }
 
-// If the nearest point is inside the triangle, this is the distance from its plane, otherwise from
-// the nearest side.
+// Returns the distance of p from a triangle: from its plane if the nearest point is inside,
+// otherwise from the nearest side.
 float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   const glm::vec3 normal = areaVector(a, b, c);
   const auto isInside = [&](glm::vec3 from, glm::vec3 to) {
@@ -53,7 +53,7 @@ float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// The rounding error of a number of that size after the few operations that compute it.
+// Returns the rounding error of a number of that size after the few operations that compute it.
 float rounding(glm::vec3 p) {
   const float size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   return 4 * std::numeric_limits<float>::epsilon() * size;
@@ -63,7 +63,8 @@ void raiseIfFinite(float& largest, float candidate) {
   if (std::isfinite(candidate)) largest = std::max(largest, candidate);
 }
 
-// The flat piece between three vectors, and the parabola through their midpoints, too.
+// Two pieces: a flat one between three vectors, and a parabolic one that also contains the vectors
+// at the midpoints of the sides.
 struct Patch {
   std::array<glm::vec3, 3> corners, middles;
 
@@ -90,8 +91,8 @@ Patch patchOf(const Piece& piece, const std::vector<float>& corners,
   return patch;
 }
 
-void put(std::vector<float>& numbers, std::size_t place, glm::vec3 value) {
-  for (int i = 0; i < 3; ++i) numbers[3 * place + i] = value[i];
+void put(std::vector<float>& numbers, std::size_t vertex, glm::vec3 value) {
+  for (int i = 0; i < 3; ++i) numbers[3 * vertex + i] = value[i];
 }
 
 void clear(Mesh& vertices) {
@@ -124,7 +125,7 @@ class Measurement {
   struct Sample {
     std::size_t piece;
     bool isFirst;
-    Weights where;
+    Weights weights;
   };
 
   bool hasNormals() const { return !warped_.normals.empty(); }
@@ -154,15 +155,15 @@ class Measurement {
       raiseIfFinite(deviation.unresolved, distance);
     } else {
       raiseIfFinite(deviation.max.distance, distance);
-      raiseIfFinite(deviation.residual.distance, glm::distance(p, patch.curved(sample.where)));
+      raiseIfFinite(deviation.residual.distance, glm::distance(p, patch.curved(sample.weights)));
     }
     if (!hasNormals()) return;
     const Patch normals = patchOf(piece, warped_.normals, middles_.normals);
     const glm::vec3 normal = at(moved.normals, i);
-    const float angle = angleBetween(normal, normals.flat(sample.where));
-    if (angle > deviation.max.angle) deviation.where = sample.where;
+    const float angle = angleBetween(normal, normals.flat(sample.weights));
+    if (angle > deviation.max.angle) deviation.maxAngleSample = sample.weights;
     raiseIfFinite(deviation.max.angle, angle);
-    raiseIfFinite(deviation.residual.angle, angleBetween(normal, normals.curved(sample.where)));
+    raiseIfFinite(deviation.residual.angle, angleBetween(normal, normals.curved(sample.weights)));
   }
 
   const Mesh& mesh_;

@@ -39,22 +39,24 @@ struct Deviation {
   // The largest deviation of warped samples and normals from the straight piece between the
   // corners.
   SurfaceError max;
-  // The same from a parabola through the midpoints, which estimates what lies between samples.
+  // The largest deviation from a parabola through the midpoints. It estimates how much the
+  // deviation may be larger between samples.
   SurfaceError residual;
-  Weights where;          // the sample with the largest angle
-  float unresolved = 0;   // the largest distance that is too small to tell from rounding errors
-  bool isDefined = true;  // true if all samples were finite
+  Weights maxAngleSample;  // the sample with the largest angle
+  float unresolved = 0;    // the largest distance that is too small to tell from rounding errors
+  bool isDefined = true;   // true if all samples were finite
 };
 
-// All warped vertices of the mesh are in `warped`. Those at the midpoints of sides are in
-// `middles`: edges write theirs before triangles read them. Samples that are NaN or infinite are
-// ignored, and distances below the resolution of floats don't count.
+// Measures pieces. `warped` has the warped vertices of the mesh, and `middles` the warped midpoints
+// of sides, which edges write and triangles read, so edges must be measured first. Samples that are
+// NaN or infinite are ignored, and distances below the resolution of floats don't count.
 std::vector<Deviation> measure(const Mesh& mesh, const Moved& warped, Moved& middles,
                                std::span<const Piece> pieces, const WarpFunction& warp);
 
 // Warps these vertices; positions that the warp omits are NaN. With `hasNormals`, there is one
 // normal per vertex, whatever the warp returns; otherwise there are none.
 Moved applyWarp(const Mesh& vertices, const WarpFunction& warp, bool hasNormals);
+// Brings the result of a warp to this length in the same way.
 void fit(Moved& moved, std::size_t vertices, bool hasNormals);
 
 }  // namespace warpjet

@@ -12,7 +12,8 @@ namespace warpjet {
 
 namespace {
 
-// Each pass halves edges, so floats run out of positions in between long before.
+// Each pass halves edges, so that there are no more floats between their ends long before this
+// limit.
 constexpr int maxPasses = 64;
 
 // The number of samples of the first measurement. Coarse meshes are sampled more densely: this
@@ -22,17 +23,17 @@ constexpr int maxPasses = 64;
 constexpr double edgeSamples = 2048, triangleSamples = 8192;
 constexpr double minPerEdge = 5, maxPerEdge = 64, minPerTriangle = 4, maxPerTriangle = 512;
 
-// The number of samples of the closer measurement of pieces that seem close enough. Triangles are
-// sampled so densely that a bump with a width of a 200th of the mesh is hit, unless the mesh is so
-// large that this exceeds the max number. If the samples don't fit a parabola, so that more may be
-// hidden between them, at least this number is taken.
+// Pieces that seem close enough are measured again with more samples. Triangles are sampled so
+// densely that a bump with a width of a 200th of the mesh is hit, unless that exceeds the max
+// number of samples. If the samples don't fit a parabola, so that a larger deviation may be hidden
+// between them, at least the `doubtSamples` are taken.
 constexpr double bumpSamplesAcross = 320, maxBumpSamples = 1 << 20;
 constexpr std::uint32_t doubtSamplesOfEdge = 31, doubtSamplesOfTriangle = 100;
 
-// Normals jump at a crease, however short the edges across it are: edges of this many tolerances,
-// or this part of the warped mesh, are short enough. Without a jump, edges shorter than the other
-// part, which is invisible, are still not split for their normals, since the normals of a collapsed
-// surface are rounding errors.
+// Normals jump at a crease, however short the edges across it are. So an edge at a crease is short
+// enough if its warped length is at most `creaseTolerances` times the tolerance and `creasePart` of
+// the size of the warped mesh. Edges shorter than `shortestPart` of that size, which is invisible,
+// are never split for their normals, since the normals of a collapsed surface are rounding errors.
 constexpr float creaseTolerances = 8, creasePart = 1 / 64.0f, shortestPart = 1 / 4096.0f;
 
 // An edge that is stretched by this factor more than the original edges on average is torn: where
@@ -44,11 +45,11 @@ void addIfFinite(double& sum, double term) {
 }
 
 std::uint32_t sampleCount(double wanted, double min, double max) {
-  // The order of the comparison also catches NaN.
+  // The comparison is false for NaN.
   return static_cast<std::uint32_t>(wanted > min ? std::min(std::ceil(wanted), max) : min);
 }
 
-// The longest side of the bounding box.
+// Returns the longest side of the bounding box.
 float sizeOf(const std::vector<float>& positions) {
   std::array<float, 3> low, high;
   low.fill(std::numeric_limits<float>::infinity());
@@ -124,13 +125,13 @@ void Refiner::findScale() {
   for (const Triangle& triangle : surface_.triangles())
     addIfFinite(area, surface_.areaOf(triangle.corners));
   const double across = bumpSamplesAcross / sizeOf(mesh.positions);
-  samplesOfLength_ = edgeSamples / length;
-  samplesOfArea_ = triangleSamples / area;
-  bumpSamplesOfArea_ = std::min(across * across, maxBumpSamples / area);
-  tear_ = maxStretch * std::max(1.0, warpedLength / length);
+  samplesPerLength_ = edgeSamples / length;
+  samplesPerArea_ = triangleSamples / area;
+  bumpSamplesPerArea_ = std::min(across * across, maxBumpSamples / area);
+  minTornStretch_ = maxStretch * std::max(1.0, warpedLength / length);
   const float warpedSize = sizeOf(warped_.positions);
-  crease_ = std::min(creaseTolerances * refinement_.tolerance, creasePart * warpedSize);
-  shortest_ = shortestPart * warpedSize;
+  maxCreaseLength_ = std::min(creaseTolerances * refinement_.tolerance, creasePart * warpedSize);
+  minNormalsLength_ = shortestPart * warpedSize;
 }
 
 void Refiner::measureSides() {
@@ -147,14 +148,14 @@ void Refiner::measureSides() {
     if (length == 0) continue;  // as at the poles of many spheres
     const float warpedLength = distance(warped_.positions, a, b);
     pieces.push_back(
-        {{a, b, a}, {i, i, i}, sampleCount(length * samplesOfLength_, minPerEdge, maxPerEdge)});
+        {{a, b, a}, {i, i, i}, sampleCount(length * samplesPerLength_, minPerEdge, maxPerEdge)});
     scrutinies.push_back({doubtSamplesOfEdge, 0, warpedLength});
-    const bool isTorn = warpedLength > tear_ * length;
+    const bool isTorn = warpedLength > minTornStretch_ * length;
     const std::uint32_t edge = sides[i].edge;
     if (isTorn || !hasRoom(surface_.edges()[edge])) needs_[edge].canSplit = false;
   }
   measuredSides_ = static_cast<std::uint32_t>(sides.size());
-  const auto findings = look(pieces, scrutinies);
+  const auto findings = measureInTwoPasses(pieces, scrutinies);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Need& need = needs_[sides[pieces[i].sides[0]].edge];
     need.score = std::max(need.score, findings[i].score);
@@ -162,7 +163,7 @@ void Refiner::measureSides() {
   }
 }
 
-// If the inside deviates although the sides don't, the longest side is split.
+// Measures triangles whose sides don't deviate. If the inside does, the longest side is split.
 void Refiner::measureInsides() {
   std::vector<std::size_t> triangles;
   std::vector<Piece> pieces;
@@ -175,12 +176,12 @@ void Refiner::measureInsides() {
     const auto& [a, b] = surface_.sides()[triangle.sides[triangle.longest]].ends;
     triangles.push_back(i);
     pieces.push_back({triangle.corners, triangle.sides,
-                      sampleCount(area * samplesOfArea_, minPerTriangle, maxPerTriangle)});
+                      sampleCount(area * samplesPerArea_, minPerTriangle, maxPerTriangle)});
     scrutinies.push_back({doubtSamplesOfTriangle,
-                          sampleCount(area * bumpSamplesOfArea_, 0, maxBumpSamples),
+                          sampleCount(area * bumpSamplesPerArea_, 0, maxBumpSamples),
                           distance(warped_.positions, a, b)});
   }
-  const auto findings = look(pieces, scrutinies);
+  const auto findings = measureInTwoPasses(pieces, scrutinies);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& triangle = surface_.triangles()[triangles[i]];
     Need& need = needs_[surface_.edgeNumber(triangle, triangle.longest)];
@@ -195,7 +196,7 @@ bool Refiner::hasWantedSide(const Triangle& triangle) const {
   });
 }
 
-// Splitting the remaining edges doesn't improve the inside.
+// Returns true if a side can't be split; then splitting the other sides doesn't improve the inside.
 bool Refiner::isTorn(const Triangle& triangle) const {
   return std::any_of(triangle.sides.begin(), triangle.sides.end(), [&](std::uint32_t side) {
     return !needs_[surface_.sides()[side].edge].canSplit;

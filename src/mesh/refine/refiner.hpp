@@ -32,25 +32,30 @@ class Refiner {
 
   // See scrutiny.cpp.
   struct Scrutiny {
-    std::uint32_t inDoubt, always;  // samples of the closer look
-    float warpedLength;             // of the edge that would be split
+    // The numbers of samples of the second measurement: if the first one leaves doubts, and in any
+    // case.
+    std::uint32_t samplesIfDoubtful, minSamples;
+    float warpedLength;  // of the edge that would be split
   };
   struct Finding {
     SurfaceError error;
     float score = 0;
     bool isCreased = false;
   };
-  std::vector<Finding> look(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies);
+  // Measures pieces, and measures those that seem fine again with more samples.
+  std::vector<Finding> measureInTwoPasses(std::span<const Piece> pieces,
+                                          std::span<const Scrutiny> scrutinies);
   void findCreases(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies,
                    std::span<const Deviation> deviations, std::vector<Finding>& findings) const;
-  void note(const Deviation& deviation);
+  // Updates `isDefined_` and `unresolved_`.
+  void recordLimits(const Deviation& deviation);
   float score(const SurfaceError& error, bool countsAngle) const;
   bool countsAngle(const Finding& finding, const Scrutiny& scrutiny) const;
 
   // See choice.cpp.
   std::vector<std::uint32_t> chooseEdges();
   void keepShape(std::vector<bool>& chosen) const;
-  std::vector<std::uint32_t> worst(std::vector<std::uint32_t> edges, std::size_t room);
+  std::vector<std::uint32_t> keepWorst(std::vector<std::uint32_t> edges, std::size_t room);
 
   bool hasWantedSide(const Triangle& triangle) const;
   bool isTorn(const Triangle& triangle) const;
@@ -64,11 +69,11 @@ class Refiner {
   Moved middles_;                    // by side
   std::vector<Need> needs_;          // by edge
   std::uint32_t measuredSides_ = 0;  // the number of measured sides, which come first
-  double samplesOfLength_ = 0, samplesOfArea_ = 0, bumpSamplesOfArea_ = 0;
-  double tear_ = 0;       // the stretch above which an edge counts as torn
-  float crease_ = 0;      // the length of a warped edge that is short enough at a crease
-  float shortest_ = 0;    // the length below which an edge isn't split for its normals
-  float unresolved_ = 0;  // a distance above the tolerance that floats can't resolve
+  double samplesPerLength_ = 0, samplesPerArea_ = 0, bumpSamplesPerArea_ = 0;  // in model units
+  double minTornStretch_ = 0;   // the stretch above which an edge counts as torn
+  float maxCreaseLength_ = 0;   // creases are only searched for on warped edges up to this length
+  float minNormalsLength_ = 0;  // warped edges up to this length aren't split for their normals
+  float unresolved_ = 0;        // a distance above the tolerance that floats can't resolve
   bool isFull_ = false, isDefined_ = true;
 };
 

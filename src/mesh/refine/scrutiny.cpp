@@ -1,5 +1,5 @@
-// The refiner's evaluation of pieces: a first look at all, and a closer one at those that seem
-// fine.
+// The part of the refiner that measures pieces: all of them once, and those that seem fine a second
+// time with more samples.
 #include <algorithm>
 #include <utility>
 
@@ -11,15 +11,15 @@ namespace warpjet {
 
 namespace {
 
-// The share of the residual that the closer measurement may have missed, and the share of the
-// deviation that any measurement may miss: between samples of noise, the deviation is up to a
+// The share of the residual that the second measurement may have missed, and the share of the
+// tolerance that a measured deviation may reach: between samples of noise, the deviation is up to a
 // twentieth larger.
-constexpr float doubtLeft = 0.1f, margin = 0.95f;
+constexpr float missedShare = 0.1f, margin = 0.95f;
 
 }  // namespace
 
-std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
-                                            std::span<const Scrutiny> scrutinies) {
+std::vector<Refiner::Finding> Refiner::measureInTwoPasses(std::span<const Piece> pieces,
+                                                          std::span<const Scrutiny> scrutinies) {
   auto deviations = measure(surface_.mesh(), warped_, middles_, pieces, warp_);
   std::vector<Finding> findings(pieces.size());
   findCreases(pieces, scrutinies, deviations, findings);
@@ -32,7 +32,7 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
     const float residual = score(deviations[i].residual, countsAngle(findings[i], scrutinies[i]));
     const bool mayBeMore = findings[i].score + 4 * residual > 1;
     const std::uint32_t samples =
-        std::max(scrutinies[i].always, mayBeMore ? scrutinies[i].inDoubt : 0);
+        std::max(scrutinies[i].minSamples, mayBeMore ? scrutinies[i].samplesIfDoubtful : 0);
     if (samples <= pieces[i].samples) continue;
     // All samples of an edge but the middle move if their number changes.
     const std::uint32_t known = pieces[i].isEdge() ? 1 : pieces[i].samples;
@@ -43,7 +43,8 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
   const auto again = measure(surface_.mesh(), warped_, middles_, closer, warp_);
   for (std::size_t i = 0; i < closer.size(); ++i) {
     Deviation& deviation = deviations[numbers[i]];
-    if (again[i].max.angle > deviation.max.angle) deviation.where = again[i].where;
+    if (again[i].max.angle > deviation.max.angle)
+      deviation.maxAngleSample = again[i].maxAngleSample;
     deviation.max.raise(again[i].max);
     deviation.residual.raise(again[i].residual);
     deviation.unresolved = std::max(deviation.unresolved, again[i].unresolved);
@@ -53,14 +54,14 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
   for (std::size_t i = 0; i < closer.size(); ++i) {
     Finding& finding = findings[numbers[i]];
     if (isInDoubt[i])
-      finding.score += doubtLeft * score(deviations[numbers[i]].residual,
-                                         countsAngle(finding, scrutinies[numbers[i]]));
+      finding.score += missedShare * score(deviations[numbers[i]].residual,
+                                           countsAngle(finding, scrutinies[numbers[i]]));
   }
-  for (const Deviation& deviation : deviations) note(deviation);
+  for (const Deviation& deviation : deviations) recordLimits(deviation);
   return findings;
 }
 
-// Also computes the scores, which exclude the angle across a crease.
+// Finds creases and computes the scores, which exclude the angle across a crease.
 void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies,
                           std::span<const Deviation> deviations,
                           std::vector<Finding>& findings) const {
@@ -68,10 +69,10 @@ void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutin
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     findings[i].error = deviations[i].max;
-    if (!countsAngle(findings[i], scrutinies[i]) || scrutinies[i].warpedLength > crease_ ||
+    if (!countsAngle(findings[i], scrutinies[i]) || scrutinies[i].warpedLength > maxCreaseLength_ ||
         findings[i].error.angle <= refinement_.angle)
       continue;
-    turns.push_back({pieces[i].corners, deviations[i].where});
+    turns.push_back({pieces[i].corners, deviations[i].maxAngleSample});
     numbers.push_back(i);
   }
   const auto hasJump = findJumps(surface_.mesh(), turns, refinement_.angle, warp_);
@@ -80,14 +81,14 @@ void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutin
     findings[i].score = score(findings[i].error, countsAngle(findings[i], scrutinies[i]));
 }
 
-void Refiner::note(const Deviation& deviation) {
+void Refiner::recordLimits(const Deviation& deviation) {
   isDefined_ = isDefined_ && deviation.isDefined;
   if (deviation.unresolved > refinement_.tolerance)
     unresolved_ = std::max(unresolved_, deviation.unresolved);
 }
 
 bool Refiner::countsAngle(const Finding& finding, const Scrutiny& scrutiny) const {
-  return !finding.isCreased && scrutiny.warpedLength > shortest_;
+  return !finding.isCreased && scrutiny.warpedLength > minNormalsLength_;
 }
 
 float Refiner::score(const SurfaceError& error, bool countsAngle) const {

@@ -19,17 +19,17 @@ std::string describeNumber(float number) {
 
 std::vector<std::string> shortfallOf(const Refined& refined, const Refinement& refinement) {
   std::vector<std::string> messages;
-  std::string left;
+  std::string shortfall;
   if (!refined.reachedTolerance)
-    left = "the warped surface is still up to " + describeNumber(refined.worst) +
-           " away from them, above the tolerance of " + describeNumber(refinement.tolerance);
+    shortfall = "the warped surface is still up to " + describeNumber(refined.worst) +
+                " away from them, above the tolerance of " + describeNumber(refinement.tolerance);
   if (!refined.reachedAngle)
-    left += (left.empty() ? "" : ", and ") + std::string("its normals are still up to ") +
-            describeNumber(refined.worstAngle) + " radians off, above the angle of " +
-            describeNumber(refinement.angle);
-  if (!left.empty())
+    shortfall += (shortfall.empty() ? "" : ", and ") + std::string("its normals are still up to ") +
+                 describeNumber(refined.worstAngle) + " radians off, above the angle of " +
+                 describeNumber(refinement.angle);
+  if (!shortfall.empty())
     messages.push_back(
-        "With " + groupDigits(refined.mesh.triangleCount()) + " triangles " + left + "; " +
+        "With " + groupDigits(refined.mesh.triangleCount()) + " triangles " + shortfall + "; " +
         (refined.isFull
              ? "raise maxTriangles, which is " + groupDigits(refinement.maxTriangles) + '.'
              : "more would not help, as the warp creases or tears the surface there, or float32 "

@@ -18,9 +18,10 @@ Origins originsOf(const Mesh& mesh) {
   return origins;
 }
 
-// If all triangles had two corners in one place, all of them were removed, and no indices are left.
+// Returns the original mesh if no triangle is left: all of them had two corners in one place, so
+// that they were removed.
 template <class Finer>
-Finer orElse(Finer finer, const Mesh& mesh) {
+Finer keepIfEmpty(Finer finer, const Mesh& mesh) {
   if (!finer.mesh.indices.empty()) return finer;
   finer.mesh = mesh;
   finer.origins = originsOf(mesh);
@@ -31,7 +32,7 @@ Finer orElse(Finer finer, const Mesh& mesh) {
 
 Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp) {
   if (mesh.triangleCount() == 0) return {mesh, {}, true, true, 0, 0, false, true};
-  return orElse(Refiner(mesh, refinement, warp).run(), mesh);
+  return keepIfEmpty(Refiner(mesh, refinement, warp).run(), mesh);
 }
 
 Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) {
@@ -48,7 +49,7 @@ Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangle
     surface.divide(surface.mesh().positions);
   }
   Origins origins = surface.origins();
-  return orElse(Divided{std::move(surface).takeMesh(), std::move(origins), made}, mesh);
+  return keepIfEmpty(Divided{std::move(surface).takeMesh(), std::move(origins), made}, mesh);
 }
 
 }  // namespace warpjet

@@ -18,7 +18,7 @@ struct Moved {
   std::vector<float> positions, normals;
 };
 
-// Warps any number of vertices; only attributes matter, there are no indices.
+// Warps any number of vertices, which are passed without indices.
 using WarpFunction = std::function<Moved(const Mesh& vertices)>;
 
 // The first limit ensures that vertex numbers fit 32 bits, the second one is the default.

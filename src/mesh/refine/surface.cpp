@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-// Triangles whose height is below this share of their longest side.
+// Triangles whose height is below this share of their longest side are slivers.
 constexpr float sliver = 0.0625f;
 
 Position positionOf(const Mesh& mesh, std::size_t vertex) {
@@ -74,7 +74,7 @@ void Surface::addMiddles(std::span<const std::uint32_t> edges) {
   for (const std::uint32_t edge : edges) edges_[edge].middle = welder_.weld(middleOf(edges_[edge]));
 
   for (const Triangle& triangle : triangles_) {
-    if (isSlit(triangle)) continue;
+    if (isDegenerate(triangle)) continue;
     for (const std::uint32_t side : triangle.sides) {
       if (edges_[sides_[side].edge].middle != none && sides_[side].middle == none) split(side);
     }
@@ -94,7 +94,7 @@ void Surface::split(std::uint32_t side) {
   sides_[side].halves = {atA, atB};
 }
 
-bool Surface::isSlit(const Triangle& triangle) const {
+bool Surface::isDegenerate(const Triangle& triangle) const {
   const auto [a, b, c] = triangle.corners;
   return welded_[a] == welded_[b] || welded_[b] == welded_[c] || welded_[c] == welded_[a];
 }
@@ -119,20 +119,20 @@ void Surface::divide(const Triangle& triangle, const std::vector<float>& positio
     return;
   }
   for (const std::uint32_t side : triangle.sides) --edges_[sides_[side].edge].uses;
-  if (isSlit(triangle)) return;
+  if (isDegenerate(triangle)) return;
 
   // Rotates the triangle until the split sides come first.
   int first = 0;
   while (!isSplit(triangle.sides[first]) ||
          (splits == 2 && !isSplit(triangle.sides[(first + 1) % 3])))
     ++first;
-  const auto turn = [first](Three three) {
+  const auto rotate = [first](Three three) {
     std::rotate(three.begin(), three.begin() + first, three.end());
     return three;
   };
   const std::uint32_t origin = triangle.origin;
-  const auto [a, b, c] = turn(triangle.corners);
-  const auto [sideAB, sideBC, sideCA] = turn(triangle.sides);
+  const auto [a, b, c] = rotate(triangle.corners);
+  const auto [sideAB, sideBC, sideCA] = rotate(triangle.sides);
   const std::uint32_t ab = sides_[sideAB].middle, bc = sides_[sideBC].middle,
                       ca = sides_[sideCA].middle;
 

@@ -14,7 +14,7 @@
 
 namespace warpjet {
 
-// Two positions, by number. Whether it is split is decided here, once for all its sides.
+// An edge between two positions, given by number. All its sides are split together.
 struct Edge {
   std::array<std::uint32_t, 2> ends;
   std::uint32_t middle = none;  // set when it is split
@@ -60,8 +60,7 @@ class Surface {
   }
   Position middleOf(const Edge& edge) const;
 
-  // Adds a vertex in the middle of each of these edges (and all their sides). Call `divide`
-  // afterwards.
+  // Adds a vertex in the middle of each side of these edges. Call `divide` afterwards.
   void addMiddles(std::span<const std::uint32_t> edges);
 
   // Replaces each triangle that has split sides: with 1, 2 or 3 split sides it becomes 2, 3 or 4
@@ -82,7 +81,7 @@ class Surface {
   using Three = std::array<std::uint32_t, 3>;
 
   std::uint32_t findSide(std::uint32_t a, std::uint32_t b);
-  bool isSlit(const Triangle& triangle) const;
+  bool isDegenerate(const Triangle& triangle) const;
   std::uint32_t halfOf(std::uint32_t side, std::uint32_t end) const;
   void split(std::uint32_t side);
   void add(const Three& corners, const Three& sides, std::uint32_t origin);

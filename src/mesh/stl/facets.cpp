@@ -38,14 +38,14 @@ void Facets::reserve(std::uint64_t count) {
 
 void Facets::add(const glm::vec3& normal, const std::array<glm::vec3, 3>& corners) {
   if (!std::all_of(corners.begin(), corners.end(), isFinite)) {
-    hasOddPositions_ = true;
+    hasInvalidPositions_ = true;
     return;
   }
   glm::dvec3 direction(0);
   if (isFinite(normal))
     direction = unit(glm::dvec3(normal));
   else
-    hasOddNormals_ = true;
+    hasInvalidNormals_ = true;
   const auto [a, b, c] = std::array<glm::dvec3, 3>{corners[0], corners[1], corners[2]};
   if (direction == glm::dvec3(0)) direction = unit(glm::cross(b - a, c - a));
   for (const glm::vec3& corner : corners)
@@ -55,12 +55,12 @@ void Facets::add(const glm::vec3& normal, const std::array<glm::vec3, 3>& corner
     }
 }
 
-Mesh Facets::mesh(std::vector<std::string>& warnings) {
+Mesh Facets::takeMesh(std::vector<std::string>& warnings) {
   if (mesh_.positions.empty())
     throw FileProblem(
         "there is nothing to draw: the .stl has no triangles; export it with its triangles.");
-  if (hasOddNormals_) warnings.push_back("Invalid normals of the .stl are computed.");
-  if (hasOddPositions_) warnings.push_back("Triangles with invalid positions are left out.");
+  if (hasInvalidNormals_) warnings.push_back("Invalid normals of the .stl are computed.");
+  if (hasInvalidPositions_) warnings.push_back("Triangles with invalid positions are left out.");
   return std::move(mesh_);
 }
 

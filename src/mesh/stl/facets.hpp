@@ -12,18 +12,18 @@ namespace warpjet {
 
 class Facets {
  public:
-  // Throws a FileProblem if this number of triangles exceeds the limit.
+  // Reserves memory. Throws a FileProblem if this number of triangles exceeds the limit.
   void reserve(std::uint64_t count);
 
-  // The numbers may be NaN or infinite.
+  // Adds a triangle. Its numbers may be NaN or infinite.
   void add(const glm::vec3& normal, const std::array<glm::vec3, 3>& corners);
 
-  // Throws a FileProblem if there are no triangles.
-  Mesh mesh(std::vector<std::string>& warnings);
+  // Returns the mesh. Throws a FileProblem if there are no triangles.
+  Mesh takeMesh(std::vector<std::string>& warnings);
 
  private:
   Mesh mesh_;
-  bool hasOddNormals_ = false, hasOddPositions_ = false;
+  bool hasInvalidNormals_ = false, hasInvalidPositions_ = false;
 };
 
 }  // namespace warpjet

@@ -35,8 +35,8 @@ std::uint64_t sizeInHeader(Bytes bytes) {
 
 // Compares words case-insensitively; `word` is lowercase.
 bool isWord(std::string_view text, std::string_view word) {
-  return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char c, char small) {
-    return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == small;
+  return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char c, char lower) {
+    return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower;
   });
 }
 
@@ -45,7 +45,7 @@ class Words {
  public:
   explicit Words(std::string_view text) : lines_(text, "stl"), line_(lines_.next()) {}
 
-  // The next word; empty at the end of the text.
+  // Returns the next word; empty at the end of the text.
   std::string_view next() {
     while (line_) {
       if (const std::string_view word = line_->word(); !word.empty()) return word;
@@ -87,7 +87,7 @@ class Words {
   std::optional<TextLine> line_;
 };
 
-// Parses after the keyword "facet".
+// Parses a facet, whose keyword "facet" has been read.
 void readFacet(Words& words, Facets& facets) {
   words.expect("normal");
   const glm::vec3 normal = words.vector();
@@ -131,7 +131,7 @@ bool isTextStl(std::string_view text) {
 
 Mesh meshOfTextStl(std::string_view text, std::vector<std::string>& warnings) {
   Facets facets;
-  // No facet is shorter than its keywords.
+  // Keywords and spaces alone make a facet at least this long.
   facets.reserve(text.size() / 80);
   Words words(text);
   words.expect("solid");
@@ -144,7 +144,7 @@ Mesh meshOfTextStl(std::string_view text, std::vector<std::string>& warnings) {
     else
       words.failAt(word, "facet");
   }
-  return facets.mesh(warnings);
+  return facets.takeMesh(warnings);
 }
 
 Mesh meshOfBinaryStl(Bytes bytes, std::vector<std::string>& warnings) {
@@ -161,7 +161,7 @@ Mesh meshOfBinaryStl(Bytes bytes, std::vector<std::string>& warnings) {
   for (std::size_t at = start; at < size; at += facetSize)
     facets.add(vectorAt(bytes, at),
                {vectorAt(bytes, at + 12), vectorAt(bytes, at + 24), vectorAt(bytes, at + 36)});
-  return facets.mesh(warnings);
+  return facets.takeMesh(warnings);
 }
 
 }  // namespace warpjet

@@ -11,18 +11,18 @@
 
 namespace warpjet {
 
-// True if the bytes have the size in the header of a binary STL.
+// Returns true if the bytes have the size in the header of a binary STL.
 bool hasStlSize(Bytes bytes);
 
-// Also true for a binary STL that is truncated or has extra bytes. Many of their headers begin with
-// "solid", like text files.
+// Returns true for a binary STL, also if it is truncated or has extra bytes. Many binary STLs begin
+// with "solid", like text files.
 bool isBinaryStl(Bytes bytes);
 
-// True if a text begins with the word "solid".
+// Returns true if a text begins with the word "solid".
 bool isTextStl(std::string_view text);
 
-// Both throw a FileProblem. Missing or invalid normals are replaced by those of their triangles,
-// and triangles with invalid positions are omitted.
+// These functions throw a FileProblem. Missing or invalid normals are replaced by those of their
+// triangles, and triangles with invalid positions are omitted.
 Mesh meshOfTextStl(std::string_view text, std::vector<std::string>& warnings);
 Mesh meshOfBinaryStl(Bytes bytes, std::vector<std::string>& warnings);
 

@@ -19,7 +19,8 @@ std::array<float, size> mix(const std::vector<float>& from, const Blend& blend) 
 
 float lengthOf(const float* p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
-// Normalizes the first three numbers.
+// Blends directions: normalizes the first three numbers, and takes the others from the first
+// vertex.
 template <std::size_t size>
 std::array<float, size> mixDirections(const std::vector<float>& from, const Blend& blend) {
   auto mixed = mix<size>(from, blend);

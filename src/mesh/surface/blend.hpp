@@ -20,7 +20,7 @@ struct Blend {
 // vertex is used.
 void appendBlend(Mesh& to, const Mesh& from, const Blend& blend);
 
-// The vertices from `first` up to but excluding `end`, without indices.
+// Returns the vertices from `first` up to but excluding `end`, without indices.
 Mesh slice(const Mesh& mesh, std::size_t first, std::size_t end);
 
 }  // namespace warpjet

@@ -15,7 +15,7 @@ namespace warpjet {
 
 namespace {
 
-// The number of each vertex's position.
+// Returns the number of each vertex's position.
 std::vector<std::uint32_t> weldVertices(const std::vector<float>& positions) {
   Welder welder;
   std::vector<std::uint32_t> welded;
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> weldVertices(const std::vector<float>& positions) {
   return welded;
 }
 
-// In double, where not even the squares of the largest floats overflow.
+// Returns a position in double, where not even the squares of the largest floats overflow.
 glm::dvec3 positionAt(const Mesh& mesh, std::uint32_t vertex) {
   const float* p = &mesh.positions[std::size_t{vertex} * 3];
   return {p[0], p[1], p[2]};
@@ -54,9 +54,9 @@ class Normals {
       normals[vertex * 3 + i] = length > 0 ? static_cast<float>(sum[i] / length) : 0;
   }
 
-  // A vertex used by both sides stays with the first side; the other side gets a copy, appended to
-  // the existing vertices.
-  void part(Mesh& mesh, const std::vector<bool>& hasNormal) {
+  // Gives each side its own vertices: a vertex used by both sides stays with the first side; the
+  // other side gets a copy, appended to the existing vertices.
+  void separateSides(Mesh& mesh, const std::vector<bool>& hasNormal) {
     Pairs copies;
     for (std::size_t i = 0; i < sheets_.sheetOfCorner.size() && !mesh.indices.empty(); ++i) {
       const std::uint32_t vertex = mesh.indices[i], sheet = sheets_.sheetOfCorner[i];
@@ -108,7 +108,7 @@ void addMissingNormals(Mesh& mesh, const std::vector<bool>& hasNormal) {
   mesh.normals.resize(mesh.positions.size());
   if (std::find(hasNormal.begin(), hasNormal.end(), false) == hasNormal.end()) return;
   Normals computed(mesh);
-  computed.part(mesh, hasNormal);
+  computed.separateSides(mesh, hasNormal);
   for (std::size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex)
     if (vertex >= hasNormal.size() || !hasNormal[vertex]) computed.write(mesh.normals, vertex);
 }

@@ -12,7 +12,7 @@ namespace warpjet {
 
 class Pairs {
  public:
-  // The number of the ordered pair. A new pair gets the number `next`.
+  // Returns the number of the ordered pair. A new pair gets the number `next`.
   std::uint32_t findOrAdd(std::uint32_t a, std::uint32_t b, std::uint32_t next) {
     if (2 * count_ >= slots_.size()) grow();
     Slot& slot = slots_[placeOf(a, b)];
@@ -22,7 +22,7 @@ class Pairs {
     return next;
   }
 
-  // The number of the ordered pair; `none` if it was not added.
+  // Returns the number of the ordered pair; `none` if it was not added.
   std::uint32_t find(std::uint32_t a, std::uint32_t b) const {
     return slots_.empty() ? none : slots_[placeOf(a, b)].number;
   }

@@ -16,7 +16,7 @@ inline float distance(const std::vector<float>& positions, std::size_t a, std::s
   return glm::distance(at(positions, a), at(positions, b));
 }
 
-// The area vector of the parallelogram, which is twice that of the triangle; along the normal.
+// Returns a normal whose length is the area of the parallelogram, twice that of the triangle.
 inline glm::vec3 areaVector(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   return glm::cross(b - a, c - a);
 }

@@ -14,7 +14,7 @@ namespace {
 using Ids = std::vector<std::uint32_t>;
 using Three = std::array<std::uint32_t, 3>;
 
-// Union-find: `find` returns the same number for joined vertices.
+// Groups of corners (union-find): `find` returns the same number for all corners that were joined.
 class Groups {
  public:
   explicit Groups(std::size_t size) : parents_(size) {
@@ -101,7 +101,8 @@ class SheetFinder {
     if (!twoSided_.empty()) findOnBothSides(triangles);
   }
 
-  // `triangles` are pairs: the index of the triple of positions, and the orientation.
+  // Finds the vertices that both a triangle and its reverse use. `triangles` has for each triangle
+  // the index of its triple of positions, and its orientation.
   void findOnBothSides(const std::vector<std::pair<std::uint32_t, bool>>& triangles) {
     isOnBothSides_.resize(mesh_.vertexCount());
     Pairs uses;

@@ -1,4 +1,4 @@
-// Two-sided surfaces: each triangle occurs twice, facing both ways.
+// Finds two-sided surfaces, on which each triangle occurs twice, facing both ways.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Sheets {
   // position that are on the same side of the same sheet. `none` outside of two-sided triangles,
   // and in triangles without area.
   std::vector<std::uint32_t> sheetOfCorner;
-  std::uint32_t count = 0;  // number of those numbers
+  std::uint32_t count = 0;  // of different numbers
   // By vertex: true if a triangle and the one that faces the other way both use it.
   std::vector<bool> isOnBothSides;
 };

@@ -26,13 +26,14 @@ glm::dvec3 vectorAt(const std::vector<float>& numbers, std::uint32_t vertex) {
   return {p[0], p[1], p[2]};
 }
 
-double largest(const std::vector<float>& numbers) {
-  double most = 0;
-  for (const float x : numbers) most = std::max(most, std::abs(double{x}));
-  return most;
+double maxMagnitude(const std::vector<float>& numbers) {
+  double largest = 0;
+  for (const float x : numbers) largest = std::max(largest, std::abs(double{x}));
+  return largest;
 }
 
-// Numbers the values of vertices; values in the same cell of a grid with that grain are equal.
+// Numbers the values of vertices. Values in the same cell of a grid of size `grain` get the same
+// number.
 Ids numberValues(const std::vector<float>& numbers, std::size_t size, double grain) {
   Welder welder;
   Ids found;
@@ -77,11 +78,11 @@ struct Mean {
   double weight = 0;
 
   void writeTo(std::vector<float>* arrays, std::size_t vertex) const {
-    constexpr double most = std::numeric_limits<float>::max();
+    constexpr double max = std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < size; ++i) {
       const glm::dvec3 mean = weight > 0 ? sums[i] / weight : glm::dvec3(0);
       for (int k = 0; k < 3; ++k)
-        arrays[i][3 * vertex + k] = static_cast<float>(std::clamp(mean[k], -most, most));
+        arrays[i][3 * vertex + k] = static_cast<float>(std::clamp(mean[k], -max, max));
     }
   }
 };
@@ -89,7 +90,7 @@ struct Mean {
 class Estimate {
  public:
   explicit Estimate(Mesh& mesh) : mesh_(mesh) {
-    positionIds_ = numberValues(mesh.positions, 3, largest(mesh.positions) * positionGrain);
+    positionIds_ = numberValues(mesh.positions, 3, maxMagnitude(mesh.positions) * positionGrain);
     smooth_ = pairIds(positionIds_, numberValues(mesh.normals, 3, normalGrain));
     normalMeans_.resize(mesh.vertexCount());
     if (mesh.uvs.empty()) return;

@@ -6,7 +6,7 @@ namespace warpjet {
 
 namespace {
 
-// The bits of a number, in which NaN equals itself. Adding 0 turns -0 into 0.
+// Returns the bits of a number, in which NaN equals itself. Adding 0 turns -0 into 0.
 std::uint32_t bits(float x) { return __builtin_bit_cast(std::uint32_t, x + 0.0f); }
 
 std::size_t hash(const Position& p) {

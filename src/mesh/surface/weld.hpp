@@ -16,7 +16,7 @@ class Welder {
   // Numbers count from 0 in the order of first occurrence.
   std::uint32_t weld(const Position& position);
 
-  // The position as it first occurred.
+  // Returns the position as it first occurred.
   const Position& position(std::uint32_t number) const { return positions_[number]; }
 
  private:

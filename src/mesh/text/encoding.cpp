@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::uint32_t replacement = 0xFFFD;
 
-// The position of the low byte in each unit: 0 in little endian, 1 in big endian.
+// Returns the position of the low byte in each 16-bit unit: 0 in little endian, 1 in big endian.
+// nullopt if the bytes aren't UTF-16.
 std::optional<std::size_t> lowByteOf(Bytes bytes) {
   if (bytes.size() < 2) return std::nullopt;
   if (bytes[0] == 0xFF && bytes[1] == 0xFE) return 0;

@@ -1,4 +1,4 @@
-// Text files in other encodings than UTF-8.
+// Converts text files in other encodings to UTF-8.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace warpjet {
 
 inline constexpr std::string_view utf8Mark = "\xEF\xBB\xBF";
 
-// The whole file as text.
+// Returns the whole file as text.
 std::string_view textOf(Bytes bytes);
 
 // Converts a UTF-16 file to UTF-8; nullopt for any other file. Its byte order mark determines the

@@ -12,19 +12,20 @@ namespace warpjet {
 
 namespace {
 
-// White space within a line; joined lines contain line breaks.
+// Returns true for white space within a line. That includes line breaks, since lines may be joined.
 bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// A # inside of a word is part of it, as in my#1.mtl or 1.#QNAN, except after a digit.
+// Removes a comment, which starts with #. A # inside of a word is part of the word, as in my#1.mtl
+// or 1.#QNAN, except after a digit.
 std::string_view withoutComment(std::string_view line) {
-  std::size_t at = line.find('#');
-  while (at != line.npos && at > 0 && !isSpace(line[at - 1]) &&
-         !(line[at - 1] >= '0' && line[at - 1] <= '9'))
-    at = line.find('#', at + 1);
-  return line.substr(0, at);
+  std::size_t end = line.find('#');
+  while (end != line.npos && end > 0 && !isSpace(line[end - 1]) &&
+         !(line[end - 1] >= '0' && line[end - 1] <= '9'))
+    end = line.find('#', end + 1);
+  return line.substr(0, end);
 }
 
-// True if it ends with the backslash that joins the next line.
+// Returns true if the line ends with a backslash, which joins the next line.
 bool isContinued(std::string_view line) { return line.ends_with('\\') || line.ends_with("\\\r"); }
 
 }  // namespace

@@ -23,14 +23,14 @@ class TextLine {
   TextLine(std::string_view text, std::string_view format, std::size_t number)
       : rest_(text), format_(format), number_(number) {}
 
-  // The next word on the line; empty at its end.
+  // Returns the next word on the line; empty at its end.
   std::string_view word();
 
-  // The rest of the line, without spaces around it, which is how names are written.
+  // Returns the rest of the line without spaces around it: a name, which may contain spaces.
   std::string_view rest() const;
 
-  // A number; NaN for infinity and for the NaN spellings of other programs. Throws a FileProblem
-  // for anything else.
+  // Parses a number; returns NaN for infinity and for the NaN spellings of other programs. Throws a
+  // FileProblem for anything else.
   float number(std::string_view word);
 
   // Reads up to `maxCount` numbers; ignores the rest.
@@ -45,11 +45,11 @@ class TextLine {
     return numbers;
   }
 
-  // A message with the line and its problem.
+  // Returns a message with the number of the line and this problem.
   std::string problem(const std::string& what) const;
-  // The message about the first number that was read as NaN.
+  // Returns the message about the first number that was read as NaN.
   std::string problemOfNumber() const;
-  // Throws a FileProblem with that message.
+  // Throws a FileProblem with the message of `problem`.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -66,7 +66,7 @@ class TextLines {
       : rest_(text), format_(format), end_(text.find('\n') == text.npos ? '\r' : '\n') {}
   std::optional<TextLine> next();
 
-  // The number of the last line that was read.
+  // Returns the number of the last line that was read.
   std::size_t number() const { return number_; }
 
  private:

@@ -6,11 +6,12 @@
 
 namespace warpjet {
 
-// A decimal number such as -1.5e3, or nullopt. Accurate to one unit in the last place: up to 19
-// digits are read, and powers of ten are multiplied in double. Overflow gives infinity.
+// Parses a decimal number such as -1.5e3; returns nullopt for other texts. Accurate to one unit in
+// the last place: up to 19 digits are read, and powers of ten are multiplied in double. Overflow
+// gives infinity.
 std::optional<float> parseFloat(std::string_view text);
 
-// True for spellings of NaN or infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".
+// Returns true for spellings of NaN or infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".
 bool isPrintedNonNumber(std::string_view text);
 
 }  // namespace warpjet

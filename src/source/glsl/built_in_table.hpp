@@ -9,7 +9,8 @@ namespace warpjet::source::glsl {
 
 extern const BuiltIns builtIns;
 
-// Its name in the table of versions if both languages have a function of its name; empty otherwise.
+// Returns the name in the table of versions of an overload that only one version has, such as "mix
+// by a bvec"; empty for other functions.
 std::string_view builtInFeature(const BuiltIn& row);
 
 }  // namespace warpjet::source::glsl

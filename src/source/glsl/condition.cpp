@@ -11,7 +11,7 @@ namespace {
 
 constexpr int maxIfDepth = 200;
 
-// Wrapping arithmetic on 32-bit integers.
+// Applies an operator to 32-bit integers; results wrap around.
 std::int32_t compute(Operator op, std::int32_t a, std::int32_t b) {
   const auto x = static_cast<std::uint32_t>(a), y = static_cast<std::uint32_t>(b);
   const auto wrapped = [](std::uint32_t value) { return static_cast<std::int32_t>(value); };

@@ -7,12 +7,13 @@
 namespace warpjet::source::glsl {
 
 Parsed parse(std::string_view text) {
-  Parsed made{std::make_unique<const Lines>(text), {}, {}};
-  const Lines& lines = *made.text;
-  PreprocessedSource read =
-      preprocess(readTokens(lines.joined, made.problems, lines.joins), made.problems);
-  if (!made.problems.any()) made.tree = Parser(std::move(read), made.problems).parse();
-  return made;
+  Parsed parsed{std::make_unique<const Lines>(text), {}, {}};
+  const Lines& lines = *parsed.source;
+  PreprocessedSource preprocessed =
+      preprocess(readTokens(lines.joined, parsed.problems, lines.joins), parsed.problems);
+  if (!parsed.problems.any())
+    parsed.tree = Parser(std::move(preprocessed), parsed.problems).parse();
+  return parsed;
 }
 
 }  // namespace warpjet::source::glsl

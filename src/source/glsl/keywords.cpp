@@ -13,7 +13,7 @@ namespace {
 
 struct Word {
   std::string_view text;
-  // The only version that reserves it; 0 if both do.
+  // The only version that reserves the word; 0 if both do.
   int version = 0;
 };
 
@@ -79,9 +79,9 @@ std::string nameProblem(std::string_view name, int version) {
   const std::string start = quote(name) + " cannot be a name: ";
   if (isReserved(name, version)) return start + "GLSL reserves this word; use another name";
   if (isKeyword(name, version)) return start + "it is a keyword";
-  for (const std::string_view of : {"gl_", "webgl_", "_webgl_"})
-    if (name.starts_with(of))
-      return start + "names that start with " + std::string(of) + " are reserved";
+  for (const std::string_view prefix : {"gl_", "webgl_", "_webgl_"})
+    if (name.starts_with(prefix))
+      return start + "names that start with " + std::string(prefix) + " are reserved";
   if (name.find("__") != name.npos)
     return start + "names with two consecutive underscores are reserved";
   if (const std::size_t maxLength = version == 100 ? 256 : 1024; name.size() > maxLength)

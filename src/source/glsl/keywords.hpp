@@ -6,13 +6,14 @@
 
 namespace warpjet::source::glsl {
 
-// Checks the keywords of that version; 0, without #version, means those of both.
+// Returns true for the keywords of that version; 0, which means that there is no #version, for
+// those of either version.
 bool isKeyword(std::string_view name, int version);
 
-// True if the word is reserved for future use.
+// Returns true if the word is reserved for future use.
 bool isReserved(std::string_view name, int version);
 
-// The reason why this isn't a valid name; empty if it is valid.
+// Returns the reason why this isn't a valid name; empty if it is valid.
 std::string nameProblem(std::string_view name, int version);
 
 }  // namespace warpjet::source::glsl

@@ -68,7 +68,8 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
   macros_[name.text] = std::move(macro);
 }
 
-// Compares token by token; the amount of white space doesn't matter.
+// Returns true if two definitions are equal token by token; the amount of white space doesn't
+// matter.
 bool Macros::isSame(const Macro& a, const Macro& b) {
   if (a.hasParameters != b.hasParameters || a.parameters != b.parameters ||
       a.body.size() != b.body.size())
@@ -154,7 +155,7 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
     line = lineOf(rest->tokens[rest->at]);
   }
   result.pop_back();
-  // Macros whose expansion has ended by then may be used again.
+  // Macros whose expansion has ended before the closing parenthesis may be used again.
   const auto depth = static_cast<Within::difference_type>(rest->depth);
   std::size_t argumentCount = 0;
   for (const std::vector<Token>& argument : arguments) argumentCount += argument.size();
@@ -192,7 +193,8 @@ bool Macros::readArguments(Stream*& stream, std::size_t count,
   }
 }
 
-// Arguments are expanded before substitution, when their names are not yet inside of the macro.
+// Expands the arguments, substitutes them in the body, and expands the result. A macro may be used
+// in its own arguments, since these are expanded first, outside of it.
 void Macros::substitute(const Macro& macro, const Token& name, std::uint32_t line,
                         std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
                         Within within, Stream& rest) {

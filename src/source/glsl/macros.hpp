@@ -42,11 +42,11 @@ class Macros {
     bool isOfLanguage = false;
   };
 
-  // The macros being expanded: a macro isn't expanded within itself.
+  // The names of the macros being expanded, since a macro isn't expanded within itself.
   using Within = std::vector<std::string_view>;
 
-  // The tokens being expanded, up to index `at`, nested in `depth` macros; and the stream that
-  // follows, if this one is itself an expansion.
+  // Tokens being expanded, which are nested in `depth` macros; those before index `at` are done. If
+  // they are themselves an expansion, `around` is the stream that continues after them.
   struct Stream {
     std::span<const Token> tokens;
     std::size_t depth;
@@ -64,7 +64,7 @@ class Macros {
   void substitute(const Macro& macro, const Token& name, std::uint32_t line,
                   std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
                   Within within, Stream& rest);
-  // A call over several lines has the number of its last line.
+  // Returns the line for __LINE__. A call over several lines has the number of its last line.
   static std::uint32_t lineOf(const Token& token) {
     return token.callLine ? token.callLine : token.location.shown;
   }

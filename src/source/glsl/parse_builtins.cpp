@@ -10,7 +10,8 @@ namespace warpjet::source::glsl {
 
 namespace {
 
-// The min value that each browser must support.
+// A constant, and the minimum that all browsers must support, by version; 0 if the version lacks
+// it.
 struct Limit {
   std::string_view name;
   int in100, in300;
@@ -74,7 +75,7 @@ void Parser::findStage() {
   }
 }
 
-// Declares only those that the source mentions.
+// Declares the built-in variables and constants that the source mentions.
 void Parser::declareBuiltIns() {
   std::set<std::string_view> named;
   for (const Token& token : text_.tokens)

@@ -86,8 +86,8 @@ void Parser::checkStart(Variable::Kind kind, ExpressionId start, const Token& na
                                    "shader runs; remove const");
   if (kind != Global) return;
   const auto isAllowed = [&](VariableId other) {
-    const Variable::Kind of = tree_.variables[other].kind;
-    return text_.version != 300 && (of == Global || of == Uniform);
+    const Variable::Kind otherKind = tree_.variables[other].kind;
+    return text_.version != 300 && (otherKind == Global || otherKind == Uniform);
   };
   if (!constants_.isConstant(start, isAllowed))
     fail(name.location,

@@ -17,9 +17,9 @@ ExpressionId Parser::add(Expression made) {
   if (problems_.any()) return failExpression(made.location, "");
   int depth = 0;
   for (std::size_t i = 0; i < made.operands.size(); ++i) {
-    const int of = tree_.expressions[made.operands[i]].depth;
+    const int operandDepth = tree_.expressions[made.operands[i]].depth;
     // Left operands of a chain are followed without recursion.
-    depth = std::max(depth, made.kind == Code::Binary && i == 0 ? of : of + 1);
+    depth = std::max(depth, made.kind == Code::Binary && i == 0 ? operandDepth : operandDepth + 1);
   }
   if (depth > maxTreeDepth)
     return failExpression(made.location, "this expression is nested too deep; split it");
@@ -28,7 +28,7 @@ ExpressionId Parser::add(Expression made) {
   return static_cast<ExpressionId>(tree_.expressions.size() - 1);
 }
 
-// A placeholder for an expression that couldn't be parsed.
+// Reports a problem, and returns a placeholder for the expression that couldn't be parsed.
 ExpressionId Parser::failExpression(Location location, std::string message) {
   fail(location, std::move(message));
   tree_.expressions.push_back(
@@ -193,7 +193,8 @@ ExpressionId Parser::unary() {
   return made;
 }
 
-// Checks that the operand can be assigned; `what` is the assigning operator.
+// Returns the operand of an assignment, after checking that it can be assigned; `what` is the
+// assigning operator.
 ExpressionId Parser::makeAssignable(ExpressionId operand, Location location,
                                     std::string_view what) {
   if (problems_.any()) return operand;

@@ -21,10 +21,11 @@ std::string_view wordOf(const Parameter& parameter) {
 // Describes how the parameters of two declarations of a function differ; empty if they don't.
 std::string differenceOf(const Function& before, const Function& now) {
   for (std::size_t i = 0; i < now.parameters.size(); ++i) {
-    const std::string_view was = wordOf(before.parameters[i]), is = wordOf(now.parameters[i]);
-    if (was != is)
+    const std::string_view oldWord = wordOf(before.parameters[i]);
+    const std::string_view newWord = wordOf(now.parameters[i]);
+    if (oldWord != newWord)
       return "parameter " + std::to_string(i + 1) + " of " + quote(now.name) + " was declared " +
-             std::string(was) + " before, and is " + std::string(is) +
+             std::string(oldWord) + " before, and is " + std::string(newWord) +
              " here; make both declarations equal";
   }
   return {};
@@ -124,7 +125,8 @@ std::vector<Parameter> Parser::parameters() {
   return all;
 }
 
-// True for a built-in function with the same parameters; in 3.00 the name alone is rejected.
+// Returns true for a built-in function with the same parameters; in 3.00 the name alone is
+// rejected.
 bool Parser::redefines(const Function& made) const {
   std::vector<Type> types;
   for (const Parameter& each : made.parameters) types.push_back(each.type);

@@ -87,15 +87,15 @@ StatementId Parser::forStatement() {
                        .children = {first, step, body}});
 }
 
-// True if a condition declares a variable; `vec3(…)` starts an expression.
+// Returns true if a condition declares a variable; `vec3(…)` starts an expression.
 bool Parser::startsDeclaration(std::size_t ahead) const {
   const Token& token = peek(ahead);
   return (startsType(ahead) && peek(ahead + 1).kind == Kind::Name) || token.is("const") ||
          token.is("highp") || token.is("mediump") || token.is("lowp");
 }
 
-// The loops that GLSL ES 1.00 allows, appendix A.4: one number counts from a constant to a constant
-// by a constant, and the body doesn't change it.
+// Requires version 3.00 for loops that GLSL ES 1.00, appendix A.4, doesn't allow. In 1.00, one
+// number counts from a constant to a constant by a constant, and the body doesn't change it.
 void Parser::requireCounting(StatementId start, ExpressionId test, StatementId step,
                              Location location) {
   if (text_.version != 100) return;

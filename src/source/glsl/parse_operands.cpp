@@ -108,8 +108,8 @@ ExpressionId Parser::element(ExpressionId operand) {
                         .operands = {operand, index}});
 }
 
-// True for a uniform or a part of one: in vertex shaders of GLSL ES 1.00, only those allow an index
-// that isn't constant (appendix A.5).
+// Returns true for a uniform or a part of one: in vertex shaders of GLSL ES 1.00, only those allow
+// an index that isn't constant (appendix A.5).
 bool Parser::isUniform(ExpressionId operand) const {
   const Expression* root = &tree_.expressions[operand];
   while (root->kind != Code::Variable && !root->operands.empty())
@@ -188,7 +188,7 @@ ExpressionId Parser::named() {
                         .location = name.location});
 }
 
-// Parses from the parenthesis to its counterpart.
+// Parses the arguments of a call, from the parenthesis to its counterpart.
 std::vector<ExpressionId> Parser::arguments() {
   std::vector<ExpressionId> all;
   expect("(", "this");
@@ -264,7 +264,7 @@ ExpressionId Parser::call(const Token& name) {
                         .operands = std::move(operands)});
 }
 
-// An offset in texels must be constant: GLSL ES 3.00, section 8.8.
+// Checks that an offset in texels is constant and in range: GLSL ES 3.00, section 8.8.
 void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location location) {
   if (problems_.any()) return;
   const auto numbers = constants_.integers(offset);
@@ -275,8 +275,8 @@ void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location locat
                        " must be a constant with whole numbers from -8 to 7");
 }
 
-// A call of a function of the source; `nothing` if no overload matches, in case a built-in one
-// does.
+// Parses a call of a function that the source defines. Returns `nothing` if only a built-in
+// function of that name matches the arguments.
 ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> operands,
                                   const std::vector<Type>& types) {
   std::string known;

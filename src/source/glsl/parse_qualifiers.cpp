@@ -146,25 +146,26 @@ void Parser::checkGlobal(const Qualifiers& given, Type type, Location location) 
   if (stage_ == Stage::Vertex && isOut && given.hasLocation)
     reject(Role::Layout, "with a location is for in in a vertex shader; remove it");
   checkPrecision(given, type);
-  const auto rejectType = [&](bool isWrong, const std::string& why) {
-    if (isWrong)
+  const auto rejectTypeIf = [&](bool isInvalid, const std::string& why) {
+    if (isInvalid)
       fail(location,
            quote(storage) + " is not allowed before " + tree_.types.withArticle(type) + "; " + why);
   };
   const bool isFloats = type.base == Base::Float;
-  if (storage == "attribute") rejectType(!isFloats || type.isArray(), "use floats");
-  if (storage == "varying") rejectType(!isFloats, "use floats");
+  if (storage == "attribute") rejectTypeIf(!isFloats || type.isArray(), "use floats");
+  if (storage == "varying") rejectTypeIf(!isFloats, "use floats");
   if (stage_ == Stage::Vertex && isIn)
-    rejectType(type.isArray() || type.base == Base::Struct, "use numbers and vectors");
+    rejectTypeIf(type.isArray() || type.base == Base::Struct, "use numbers and vectors");
   const bool isFlat = given.word(Role::Interpolation) == "flat";
-  const bool isHandedOn = (stage_ == Stage::Vertex && isOut) || (stage_ == Stage::Fragment && isIn);
-  if (isHandedOn && !isFlat)
-    rejectType(tree_.types.hasBase(type, Base::Int) || tree_.types.hasBase(type, Base::Uint),
-               "write flat before it");
-  if (isOut || isIn) rejectType(tree_.types.hasBase(type, Base::Bool), "use a number");
+  const bool isInterpolated =
+      (stage_ == Stage::Vertex && isOut) || (stage_ == Stage::Fragment && isIn);
+  if (isInterpolated && !isFlat)
+    rejectTypeIf(tree_.types.hasBase(type, Base::Int) || tree_.types.hasBase(type, Base::Uint),
+                 "write flat before it");
+  if (isOut || isIn) rejectTypeIf(tree_.types.hasBase(type, Base::Bool), "use a number");
   if (storage == "out" && type.base == Base::Struct)
-    rejectType(type.isArray() || tree_.types.hasArray(type) || tree_.types.hasNested(type),
-               "use its fields one by one");
+    rejectTypeIf(type.isArray() || tree_.types.hasArray(type) || tree_.types.hasNested(type),
+                 "use its fields one by one");
 }
 
 Parser::GlobalKind Parser::kindOf(const Qualifiers& given) {

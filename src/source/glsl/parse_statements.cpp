@@ -16,7 +16,7 @@ StatementId Parser::makeBlock(Location location, std::vector<StatementId> childr
       .kind = Statement::Kind::Block, .location = location, .children = std::move(children)});
 }
 
-// Parses from the brace to its counterpart. The caller opens its scope.
+// Parses a block from its brace to the counterpart. The caller opens the block's scope.
 StatementId Parser::block() {
   const Location location = peek().location;
   if (!expect("{", "the head of this function")) return nothing;
@@ -154,7 +154,7 @@ StatementId Parser::switchStatement() {
                        .children = std::move(children)});
 }
 
-// The label's constant, which replaces the expression.
+// Checks a label, and returns a constant that replaces its expression.
 ExpressionId Parser::caseLabel(ExpressionId label, Type wanted, std::set<std::int32_t>& labels,
                                Location location) {
   const auto known = constants_.integer(label);

@@ -29,7 +29,7 @@ class Parser {
   using Code = Expression::Kind;
 
   static constexpr int maxDepth = 128;
-  // The max size of one variable or structure, and of all variables together, in numbers.
+  // The max size of one variable or structure, and of all variables together, as counts of numbers.
   static constexpr int maxValueSize = 1 << 16, maxHeld = 1 << 20;
 
   struct GlobalKind {
@@ -49,7 +49,8 @@ class Parser {
   std::string_view takeName(std::string_view what);
   bool goDeeper();
   void global();
-  // True if the source declares the name: a keyword of one language may be a name in the other.
+  // Returns true if the source declares the name: a keyword of one language may be a name in the
+  // other.
   bool isDeclared(const Token& token) const;
   bool startsType(std::size_t ahead = 0) const;
   Type type();
@@ -62,7 +63,7 @@ class Parser {
   // parse_qualifiers.cpp
   Qualifiers qualifiers();
   void checkOrder(const Qualifiers::Word& before, const Token& token, QualifierRole role);
-  void layout(Qualifiers& describeNext);
+  void layout(Qualifiers& found);
   void allowOnly(const Qualifiers& given, std::initializer_list<QualifierRole> roles,
                  std::string_view where);
   void checkPrecision(const Qualifiers& given, Type type);

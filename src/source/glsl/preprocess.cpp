@@ -26,22 +26,22 @@ class Preprocessor {
   }
 
   PreprocessedSource run() {
-    std::size_t at = 0;
-    while (at < tokens_.size() && tokens_[at].kind != Kind::End && !problems_.any()) {
-      std::size_t end = at + 1;
-      const bool isDirective = tokens_[at].is("#") && tokens_[at].startsLine;
+    std::size_t start = 0;
+    while (start < tokens_.size() && tokens_[start].kind != Kind::End && !problems_.any()) {
+      std::size_t end = start + 1;
+      const bool isDirective = tokens_[start].is("#") && tokens_[start].startsLine;
       // The arguments of a macro may span several lines; a directive is a single line.
       while (end < tokens_.size() && tokens_[end].kind != Kind::End &&
              !(tokens_[end].startsLine && (isDirective || tokens_[end].is("#"))))
         ++end;
-      shift(at, end);
-      const Line line = Line(tokens_).subspan(at, end - at);
+      applyLineShift(start, end);
+      const Line line = Line(tokens_).subspan(start, end - start);
       if (isDirective) {
         directive(line);
       } else if (isLive()) {
         macros_.expand(line, result_.tokens);
       }
-      at = end;
+      start = end;
     }
     if (!blocks_.empty()) problems_.add(blocks_.back().location, "this #if has no #endif");
     Token end = tokens_.back();
@@ -53,7 +53,8 @@ class Preprocessor {
   }
 
  private:
-  // An #if with its branches, until its #endif.
+  // An #if with its branches, until its #endif. `isLive` is true if the tokens of the current
+  // branch are kept, `wasLive` if a branch has been chosen already.
   struct Block {
     Location location;
     bool isLive, wasLive, isOuterLive, hasElse = false;
@@ -61,7 +62,8 @@ class Preprocessor {
 
   bool isLive() const { return blocks_.empty() || blocks_.back().isLive; }
 
-  void shift(std::size_t from, std::size_t to) {
+  // Sets the line numbers that messages show, which `#line` changes.
+  void applyLineShift(std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i)
       tokens_[i].location.shown = static_cast<std::uint32_t>(tokens_[i].location.line + lineShift_);
   }
@@ -72,7 +74,8 @@ class Preprocessor {
     const bool isFirst = &line[0] == &tokens_[0];
     const Line rest = line.subspan(2);
     if (word.is("if") || word.is("ifdef") || word.is("ifndef")) return open(word, rest);
-    if (word.is("elif") || word.is("else") || word.is("endif")) return resume(word, rest);
+    if (word.is("elif") || word.is("else") || word.is("endif"))
+      return continueOrCloseBlock(word, rest);
     if (!isLive()) return;
     if (word.is("define")) return macros_.define(word, rest);
     if (word.is("undef")) return macros_.undefine(word, rest);
@@ -116,7 +119,8 @@ class Preprocessor {
     blocks_.push_back({word.location, isOuterLive && holds, holds, isOuterLive});
   }
 
-  void resume(const Token& word, Line rest) {
+  // Handles #elif, #else and #endif.
+  void continueOrCloseBlock(const Token& word, Line rest) {
     if (blocks_.empty())
       return problems_.add(word.location, "#" + std::string(word.text) + " has no #if before it");
     Block& block = blocks_.back();
@@ -158,7 +162,8 @@ class Preprocessor {
     if (numbers.file) macros_.define("__FILE__", *numbers.file);
   }
 
-  // `name : behavior`: GLSL ES 3.00, section 3.5. The host queries its driver for extensions.
+  // Reads `name : behavior`: GLSL ES 3.00, section 3.5. Doesn't check whether the extension is
+  // available: only the host can query that.
   void extension(const Token& word, Line rest) {
     const bool isName = !rest.empty() && rest[0].kind == Kind::Name;
     if (!isName || rest.size() < 3 || !rest[1].is(":") || rest.size() > 3)
@@ -173,9 +178,9 @@ class Preprocessor {
                                " is not a behavior of an extension; write enable, "
                                "require, warn or disable");
     if (name.is("all") && enables)
-      return problems_.add(behavior.location,
-                           "all extensions can only be disabled or warned of; name one to " +
-                               std::string(behavior.text) + " it");
+      return problems_.add(behavior.location, "#extension all allows only warn and disable; to " +
+                                                  std::string(behavior.text) +
+                                                  " an extension, name it");
     if (requires_ && !isExtension(name.text))
       return problems_.add(name.location, "WebGL has no extension " + quote(name.text) +
                                               "; write enable to go on without it");
@@ -186,9 +191,9 @@ class Preprocessor {
   }
 
   static bool isExtension(std::string_view name) {
-    for (const std::string_view of : {"GL_OES_", "GL_EXT_", "GL_ARB_", "GL_ANGLE_", "GL_OVR_",
-                                      "GL_KHR_", "GL_NV_", "GL_WEBGL_"})
-      if (name.starts_with(of)) return true;
+    for (const std::string_view prefix : {"GL_OES_", "GL_EXT_", "GL_ARB_", "GL_ANGLE_", "GL_OVR_",
+                                          "GL_KHR_", "GL_NV_", "GL_WEBGL_"})
+      if (name.starts_with(prefix)) return true;
     return false;
   }
 

@@ -33,7 +33,7 @@ struct Qualifiers {
   bool isWhole = false;
 
   bool any() const { return !words.empty(); }
-  // The qualifier with that role, or an empty word.
+  // Returns the qualifier with that role, or an empty word.
   std::string_view word(QualifierRole role) const;
   bool isConst() const { return !word(QualifierRole::Const).empty(); }
 };

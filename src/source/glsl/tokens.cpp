@@ -196,20 +196,21 @@ std::uint32_t intValue(const Token& token, Problems& problems) {
     digits.remove_prefix(isHex ? 2 : 1);
   }
   std::uint64_t value = 0;
-  bool isFine = !digits.empty();
+  bool isValid = !digits.empty();
   for (const char c : digits) {
     const unsigned digit =
         isDigit(c) ? static_cast<unsigned>(c - '0') : static_cast<unsigned>((c | 32) - 'a') + 10;
     value = value * base + digit;
-    isFine = isFine && digit < base && value <= 0xFFFFFFFF;
-    if (!isFine) break;
+    isValid = isValid && digit < base && value <= 0xFFFFFFFF;
+    if (!isValid) break;
   }
-  if (!isFine)
+  if (!isValid)
     problems.add(token.location, quote(token.text) + " is not a whole number of 32 bits");
   return static_cast<std::uint32_t>(value);
 }
 
-// Values beyond 3.4e38 are infinite floats: GLSL ES 3.00, section 4.1.4.
+// Returns the value as a double. Beyond 3.4e38, it is an infinite float: GLSL ES 3.00, section
+// 4.1.4.
 double floatValue(const Token& token) {
   return std::strtod(std::string(token.text).c_str(), nullptr);
 }

@@ -18,7 +18,7 @@ struct Token {
   bool startsLine = false, followsSpace = false;
   std::string_view text;
   Location location;
-  // True if it names a macro that occurred within its own expansion, so it is never expanded.
+  // True for the name of a macro within that macro's own expansion, which is never expanded.
   bool isPlain = false;
   // The line where the macro call ends that this token was expanded from; 0 if there is none.
   std::uint32_t callLine = 0;
@@ -28,15 +28,16 @@ struct Token {
   }
 };
 
-// The last token is an End. The text of tokens refers to `source`, whose lines end with '\n'. At
-// each of the positions `joins`, in ascending order, two lines were joined by a backslash.
+// Reads the tokens; the last one is an End. The text of tokens refers to `source`, whose lines end
+// with '\n'. At each of the positions `joins`, in ascending order, two lines were joined by a
+// backslash.
 std::vector<Token> readTokens(std::string_view source, Problems& problems,
                               std::span<const std::size_t> joins = {});
 
-// The reason why a token of the kind Other is invalid.
+// Returns the reason why a token of the kind Other is invalid.
 std::string problemOf(const Token& other);
 
-// The value of a number token.
+// Returns the value of a number token.
 std::uint32_t intValue(const Token& token, Problems& problems);
 double floatValue(const Token& token);
 

@@ -7,8 +7,8 @@
 
 namespace warpjet::source::glsl {
 
-// Why a source of that version can't use this feature, and an alternative; empty if it can. `what`
-// is a keyword, a symbol, or the name of a feature in the table.
+// Returns why a source of that version can't use this feature, and an alternative; empty if it can.
+// `what` is a keyword, a symbol, or the name of a feature in the table.
 std::string versionProblem(int version, std::string_view what);
 
 }  // namespace warpjet::source::glsl

@@ -8,13 +8,13 @@
 
 namespace warpjet::source::wgsl {
 
-// The numbers of a binary operation, whose result has that type; scalars are broadcast. Returns
-// nullopt if there is no value.
+// Applies a binary operator, whose result has that type; scalars are broadcast. Returns nullopt if
+// there is no value.
 std::optional<std::vector<double>> foldAbstract(Operator op, const Operand& left,
                                                 const Operand& right, Type type);
 
-// The numbers of a built-in function, component by component. Returns nullopt if the function has
-// no abstract result.
+// Applies a built-in function component by component. Returns nullopt if the function has no
+// abstract result.
 std::optional<std::vector<double>> foldAbstract(const BuiltIn& row,
                                                 const std::vector<Operand>& operands, Type type);
 

@@ -1,5 +1,5 @@
-// Determines which statements end a function: WGSL, section 9.7. One with a result must not reach
-// its end.
+// Determines how statements end: by reaching the next statement, or by a return, break or continue.
+// WGSL, section 9.7. A function with a result must not reach its end.
 #include "source/wgsl/parser.hpp"
 
 namespace warpjet::source::wgsl {

@@ -8,7 +8,7 @@ namespace warpjet::source::wgsl {
 
 bool isKeyword(std::string_view name);
 
-// The reason why this isn't a valid name; empty if it is valid.
+// Returns the reason why this isn't a valid name; empty if it is valid.
 std::string nameProblem(std::string_view name);
 
 }  // namespace warpjet::source::wgsl

@@ -18,9 +18,9 @@ ExpressionId Parser::add(Expression made) {
   int depth = 0;
   for (std::size_t i = 0; i < made.operands.size(); ++i) {
     if (made.operands[i] == nothing) made.operands[i] = failOperand(made.location, "").id;
-    const int of = tree_.expressions[made.operands[i]].depth;
+    const int operandDepth = tree_.expressions[made.operands[i]].depth;
     // Left operands of a chain are followed without recursion.
-    depth = std::max(depth, made.kind == Code::Binary && i == 0 ? of : of + 1);
+    depth = std::max(depth, made.kind == Code::Binary && i == 0 ? operandDepth : operandDepth + 1);
   }
   if (depth > maxTreeDepth) fail(made.location, "this expression is nested too deep; split it");
   made.depth = static_cast<std::uint16_t>(depth);
@@ -33,7 +33,7 @@ Operand Parser::make(Expression made) {
   return {.id = add(std::move(made)), .type = type};
 }
 
-// A placeholder for an expression that couldn't be parsed.
+// Reports a problem, and returns a placeholder for the expression that couldn't be parsed.
 Operand Parser::failOperand(Location location, std::string message) {
   fail(location, std::move(message));
   tree_.expressions.push_back(
@@ -49,7 +49,7 @@ Operand Parser::unsupported(Location location, Type type, std::string reason) {
                .location = location});
 }
 
-// A variable that a warp can't read.
+// Makes a variable that a warp can't read: reading it is an error with this reason.
 Operand Parser::unsupportedMemory(Type type, Location location, std::string reason) {
   Operand made = unsupported(location, type, std::move(reason));
   made.kind = Operand::Kind::Reference;
@@ -58,7 +58,7 @@ Operand Parser::unsupportedMemory(Type type, Location location, std::string reas
   return made;
 }
 
-// Declares the uniform with the host's name of this operand. Only those that are read become
+// Declares the uniform with the host's name of this operand. Only parts that are read become
 // inputs, since the uniforms of a shader are often one large structure.
 Operand Parser::hostVariable(const Operand& operand, Location location) {
   if (operand.type.length == 0 || tree_.types.size(operand.type) == 0)
@@ -88,7 +88,7 @@ Operand Parser::hostVariable(const Operand& operand, Location location) {
                .location = location});
 }
 
-// The value of a reference; other operands remain as they are.
+// Returns the value of a reference; other operands remain as they are.
 Operand Parser::load(Operand operand, Location location) {
   if (problems_.any()) return failOperand(location, "");
   if (operand.isPointer()) return operand;
@@ -100,7 +100,7 @@ Operand Parser::load(Operand operand, Location location) {
   return operand;
 }
 
-// An abstract value in the type that it has if nothing determines another one: i32 or f32.
+// Gives an abstract value its default type, i32 or f32; loads other operands.
 Operand Parser::concrete(const Operand& operand, Location location) {
   if (!operand.isAbstract()) return load(operand, location);
   return {.id = convert(operand, operand.type, location), .type = operand.type};
@@ -116,7 +116,7 @@ bool Parser::canConvert(const Operand& operand, Type type) const {
   return type.base == Base::Float || type.base == Base::Int || type.base == Base::Uint;
 }
 
-// A node of that type for an operand that can be converted to it.
+// Converts an operand to a type, which must be possible; returns the node.
 ExpressionId Parser::convert(const Operand& operand, Type type, Location location) {
   if (problems_.any()) return failOperand(location, "").id;
   if (!operand.isAbstract()) return load(operand, location).id;
@@ -132,7 +132,7 @@ ExpressionId Parser::convert(const Operand& operand, Type type, Location locatio
   return constantOf(type, operand.known.data(), location);
 }
 
-// The numbers of a scalar, vector, matrix or array of them.
+// Returns the numbers of a scalar, vector, matrix or array of them.
 ExpressionId Parser::constantOf(Type type, const double* numbers, Location location) {
   if (type.isScalar())
     return add({.kind = Code::Constant, .type = type, .value = *numbers, .location = location});
@@ -147,7 +147,7 @@ ExpressionId Parser::constantOf(Type type, const double* numbers, Location locat
       {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});
 }
 
-// The zero value of a type; equal parts are one node.
+// Returns the zero value of a type; equal parts are one node.
 Operand Parser::zero(Type type, Location location) {
   if (problems_.any()) return failOperand(location, "");
   if (type == voidType || type.base == Base::Sampler || type.length == 0)
@@ -167,7 +167,7 @@ Operand Parser::zero(Type type, Location location) {
       {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});
 }
 
-// Checks a computed abstract value.
+// Makes an abstract value of computed numbers, which are checked.
 Operand Parser::abstractOf(Type type, std::vector<double> numbers, Location location) {
   for (double& number : numbers) {
     if (!std::isfinite(number)) return failOperand(location, "this value is not a finite number");
@@ -179,7 +179,7 @@ Operand Parser::abstractOf(Type type, std::vector<double> numbers, Location loca
   return {.type = type, .known = std::move(numbers)};
 }
 
-// The value of a constant whole number; nullopt if it is unknown.
+// Returns the value of a constant whole number; nullopt if it is unknown.
 std::optional<std::int64_t> Parser::wholeOf(const Operand& operand) {
   if (operand.isAbstract())
     return operand.type == intType ? std::optional(static_cast<std::int64_t>(operand.known[0]))

@@ -52,11 +52,11 @@ Operand Parser::callFunction(const Token& name, FunctionId index, const Operands
     return failOperand(name.location, quote(name.text) + " expected (" + expected + "), got (" +
                                           typesOf(operands) + ")");
   }
-  std::vector<ExpressionId> given;
+  std::vector<ExpressionId> arguments;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Operand operand = operands[i];
     if (operand.isPointer()) operand.kind = Operand::Kind::Reference;
-    given.push_back(convert(operand, function.parameters[i].type, name.location));
+    arguments.push_back(convert(operand, function.parameters[i].type, name.location));
   }
   if (current_ == nothing)
     return failOperand(name.location,
@@ -66,10 +66,11 @@ Operand Parser::callFunction(const Token& name, FunctionId index, const Operands
                .type = tree_.functions[index].type,
                .index = index,
                .location = name.location,
-               .operands = std::move(given)});
+               .operands = std::move(arguments)});
 }
 
-// Finds the function for these operands. Abstract ones get the first types that fit: i32, u32, f32.
+// Finds the built-in function for these operands, and sets `types` to their types. Abstract
+// operands get the first types that fit, in the order i32, u32, f32.
 std::optional<Found> Parser::matchBuiltIn(std::string_view name, const Operands& operands,
                                           std::vector<Type>& types) const {
   std::vector<std::size_t> open;
@@ -95,7 +96,8 @@ std::optional<Found> Parser::matchBuiltIn(std::string_view name, const Operands&
   return std::nullopt;
 }
 
-// A result of abstract operands stays abstract if its function works component by component.
+// Folds a call if its operands are abstract and the function works component by component: then the
+// result is abstract, too. Otherwise returns an empty operand.
 Operand Parser::foldBuiltIn(const BuiltIn& row, const Operands& operands, Type type,
                             Location location) {
   const bool areAbstract = std::all_of(operands.begin(), operands.end(),
@@ -123,20 +125,20 @@ Operand Parser::callBuiltIn(const Token& name, Operands operands) {
   if (Operand folded = foldBuiltIn(row, operands, found->result, name.location);
       folded.isAbstract() || folded.id != nothing)
     return folded;
-  std::vector<ExpressionId> given;
+  std::vector<ExpressionId> arguments;
   for (std::size_t i = 0; i < operands.size(); ++i)
-    given.push_back(convert(operands[i], types[i], name.location));
+    arguments.push_back(convert(operands[i], types[i], name.location));
   Operand made = make({.kind = Code::BuiltIn,
                        .type = found->result,
                        .index = found->row,
                        .location = name.location,
-                       .operands = std::move(given)});
+                       .operands = std::move(arguments)});
   if (!problems_.any() && constants_.isConstant(made.id) && constants_.numbers(made.id).empty())
     return failOperand(name.location, noValue);
   return made;
 }
 
-// The constant limits of clamp and smoothstep must be in order.
+// Checks that constant limits of clamp and smoothstep are in order.
 void Parser::checkLimits(const BuiltIn& row, const Operands& operands, Location location) {
   const bool isClamp = row.name == "clamp";
   if (problems_.any() || (!isClamp && row.name != "smoothstep")) return;
@@ -150,7 +152,7 @@ void Parser::checkLimits(const BuiltIn& row, const Operands& operands, Location 
       fail(location, "expected a lower limit below the upper one in " + std::string(row.name));
 }
 
-// An operand of a function that only floats have.
+// Converts an operand of a function that exists only for floats.
 Operand Parser::asFloats(const Operand& operand, Location location) {
   Type wanted = operand.type;
   wanted.base = Base::Float;

@@ -45,7 +45,7 @@ Operand Parser::construct(Location location) {
   return constructType(made, std::move(operands), location);
 }
 
-// The type of numbers that all operands have or can get; nullopt if there is none.
+// Returns the type of numbers that all operands have or can get; nullopt if there is none.
 std::optional<Type> Parser::commonType(const Operands& operands) const {
   std::optional<Type> common;
   for (const Operand& each : operands)
@@ -124,20 +124,20 @@ Operand Parser::constructScalar(Type type, const Operand& operand, Location loca
   if (!operand.isAbstract())
     return make(
         {.kind = Code::Construct, .type = type, .location = location, .operands = {operand.id}});
-  Operand given = operand;
   if (type == boolType)
     return make({.kind = Code::Constant,
                  .type = type,
                  .value = operand.known[0] == 0 ? 0.0 : 1.0,
                  .location = location});
+  Operand whole = operand;
   if (type.isInteger() && operand.type.base == Base::Float) {
-    given.type.base = Base::Int;
+    whole.type.base = Base::Int;
     // A float beyond the range becomes the nearest value.
-    const double least = type == intType ? -2147483648.0 : 0;
-    const double most = type == intType ? 2147483647.0 : 4294967295.0;
-    given.known[0] = std::trunc(std::clamp(operand.known[0], least, most));
+    const double min = type == intType ? -2147483648.0 : 0;
+    const double max = type == intType ? 2147483647.0 : 4294967295.0;
+    whole.known[0] = std::trunc(std::clamp(operand.known[0], min, max));
   }
-  return {.id = convert(given, type, location), .type = type};
+  return {.id = convert(whole, type, location), .type = type};
 }
 
 Operand Parser::constructType(Type type, Operands operands, Location location) {
@@ -191,7 +191,7 @@ Operand Parser::constructType(Type type, Operands operands, Location location) {
   if (isAlone && !first.isAbstract() && first.type.layout() == type.layout())
     return make(
         {.kind = Code::Construct, .type = type, .location = location, .operands = {first.id}});
-  int given = 0;
+  int count = 0;
   bool areColumns = true;
   for (const Operand& each : operands) {
     Type part = each.type;
@@ -200,14 +200,14 @@ Operand Parser::constructType(Type type, Operands operands, Location location) {
       return failOperand(location, "expected components of type " + nameOf(scalarOf(type.base)) +
                                        " for " + name + ", got " + describe(each));
     areColumns = areColumns && each.type.rows == type.rows;
-    given += each.type.components();
+    count += each.type.components();
     parts.push_back(convert(each, part, location));
   }
   const bool isSplat = isAlone && first.type.isScalar() && type.isVector();
-  const bool mixes = type.isMatrix() && !areColumns && given != static_cast<int>(operands.size());
-  if (given != type.components() && !isSplat)
+  const bool mixes = type.isMatrix() && !areColumns && count != static_cast<int>(operands.size());
+  if (count != type.components() && !isSplat)
     return failOperand(location, "expected " + std::to_string(type.components()) +
-                                     " components for " + name + ", got " + std::to_string(given));
+                                     " components for " + name + ", got " + std::to_string(count));
   if (mixes)
     return failOperand(location, name + " is constructed from its columns, or from numbers");
   return make(

@@ -21,7 +21,7 @@ bool isOneOf(const std::array<std::string_view, size>& all, std::string_view tex
 
 }  // namespace
 
-// The operator at this point; >=, >> and so on consist of several tokens.
+// Returns the operator at the current position; >=, >> and >>= consist of several tokens.
 std::string_view Parser::operatorHere() const {
   const Token &first = peek(), &second = peek(1);
   if (first.kind != Token::Kind::Symbol) return {};

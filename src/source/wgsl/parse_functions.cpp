@@ -33,7 +33,8 @@ Parameter Parser::parameter(std::vector<Entity>& entities) {
   return {isWritten ? Parameter::Direction::InOut : Parameter::Direction::In, variable, made.type};
 }
 
-// Parses up to the body, which may use functions that are below it.
+// Parses a function up to its body. Bodies are parsed later, since they may call functions that are
+// declared below.
 Entity Parser::functionHead() {
   const Token name = takeName("a function");
   Function made{name.text, voidType, {}, name.location};

@@ -11,7 +11,8 @@ void Parser::declareGlobally(VariableId variable, ExpressionId start) {
                                         .location = tree_.variables[variable].location}));
 }
 
-// The type of a variable by its declaration or its initial value.
+// Returns the type of a variable: that of its declaration, or of its initial value if the
+// declaration has no type.
 Type Parser::initialType(const std::optional<DeclaredType>& declared, const Operand& value,
                          Location location, std::string_view name) {
   if (problems_.any()) return floatType;
@@ -27,7 +28,8 @@ Type Parser::initialType(const std::optional<DeclaredType>& declared, const Oper
   return declared->type;
 }
 
-// A constant stays abstract unless it has a type; `statement` declares it in a function.
+// Makes a constant, which stays abstract unless it has a type. In a function, `statement` becomes
+// its declaration.
 Entity Parser::constant(const Token& name, const std::optional<DeclaredType>& declared,
                         Operand value, StatementId* statement) {
   if (!problems_.any() && !value.isAbstract() &&
@@ -72,7 +74,7 @@ Entity Parser::globalConstant() {
   return constant(name, declared, std::move(given), nullptr);
 }
 
-// The pipeline may set another value than the default one, so it is an input.
+// Parses an override. It is an input, since the pipeline may set another value than the default.
 Entity Parser::overrideConstant() {
   const Token name = takeName("an override");
   std::optional<DeclaredType> declared;
@@ -155,7 +157,7 @@ Entity Parser::globalVariable() {
     return {};
   }
   if (declared->isSampler) {
-    // It has no value; only reads of an image name it.
+    // A sampler has no value; only reads of an image name it.
     const VariableId variable =
         addVariable(name.text, voidType, Variable::Kind::Global, name.location);
     return {.kind = Entity::Kind::Value,

@@ -37,8 +37,8 @@ StatementId Parser::continuing(ExpressionId& breakIf) {
   return makeBlock(location, std::move(children));
 }
 
-// Variables of the body that the continuing block reads exist beyond the body: they are declared
-// before the loop, and assigned in it. Returns their declarations, or `nothing`.
+// Moves the declarations of variables that the continuing block reads out of the loop's body: they
+// are declared before the loop, and assigned in the body. Returns the declarations, or `nothing`.
 StatementId Parser::hoist(std::vector<StatementId>& body, const Marks& continuing,
                           ExpressionId breakIf) {
   std::set<VariableId> read;
@@ -197,7 +197,7 @@ void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
   attributes();
 }
 
-// Cases do not fall through: each body ends with a break of ours.
+// Parses a switch. Cases don't fall through, so we add a break to the end of each.
 StatementId Parser::switchStatement() {
   const Location location = take().location;
   Operand given = concrete(value(), location);

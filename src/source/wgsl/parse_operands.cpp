@@ -7,7 +7,7 @@ namespace warpjet::source::wgsl {
 
 namespace {
 
-// True if no component of a swizzle occurs twice.
+// Returns true if no component of a swizzle occurs twice.
 bool isDistinct(int packed, int count) {
   unsigned seen = 0;
   for (int i = 0; i < count; ++i) {

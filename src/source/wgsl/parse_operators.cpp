@@ -14,7 +14,8 @@ bool isComparison(Operator op) { return op >= Operator::Equal && op <= Operator:
 
 }  // namespace
 
-// Gives two operands one type if one of them is abstract, or both are.
+// Gives two operands the same number type if one or both are abstract. Returns false if that is
+// impossible.
 bool Parser::unify(Operand& left, Operand& right) {
   if (left.isAbstract() == right.isAbstract()) {
     if (left.isAbstract() && left.type.base != right.type.base)
@@ -117,7 +118,7 @@ void Parser::checkKnown(Operator op, const Operand& right, Location location) {
   }
 }
 
-// Vectors are compared component by component.
+// Compares vectors component by component.
 Operand Parser::compare(Operator op, const Operand& left, const Operand& right, Location location) {
   const Type types[]{left.type, right.type};
   const auto found = findBuiltIn(tree_.builtIns, textOf(op), types);

@@ -1,5 +1,5 @@
-// Calls of functions that are no row of the table: their results have types of their own, or a warp
-// can't have them, or they are of GLSL.
+// Calls of functions that are not in the table: their results have special types, or a warp can't
+// call them, or they exist only in GLSL.
 #include <array>
 
 #include "source/nearest.hpp"
@@ -42,7 +42,7 @@ constexpr std::array advices{
 
 }  // namespace
 
-// modf and frexp return a structure, whose names WGSL does not tell.
+// Makes a call of modf or frexp, which return a structure whose type has no name in WGSL.
 Operand Parser::withStructure(const Token& name, const Operand& operand) {
   const bool isModf = name.is("modf");
   if (!operand.type.isNumeric() || operand.type.base != Base::Float || operand.type.isMatrix())
@@ -84,7 +84,8 @@ Operand Parser::bitcast(const Token& name) {
     return failOperand(name.location, "expected " + std::to_string(type.rows) +
                                           " numbers of 32 bits for bitcast<" + nameOf(type) +
                                           ">, got (" + typesOf(operands) + ")");
-  // Numbers without a type are those of i32, or of u32 beyond it.
+  // An abstract whole number is taken as an i32; if it is not negative and the result is a u32, as
+  // a u32.
   const bool isWide =
       type.base == Base::Uint && operands[0].isAbstract() && operands[0].type.base == Base::Int;
   const Operand given = isWide && operands[0].known[0] >= 0
@@ -103,7 +104,7 @@ Operand Parser::bitcast(const Token& name) {
                .operands = {given.id}});
 }
 
-// Functions for memory that shaders share, and names that WGSL does not have.
+// Rejects calls of functions for memory that shaders share, and of names that WGSL doesn't have.
 Operand Parser::callOther(const Token& name, const Operands& operands) {
   const std::string reason =
       quote(name.text) + " is for memory that shaders share, which a warp cannot read";

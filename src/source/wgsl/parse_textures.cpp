@@ -3,8 +3,9 @@
 
 namespace warpjet::source::wgsl {
 
-// Only textureSampleLevel, textureLoad and textureDimensions read a texture_2d<f32> without the
-// neighboring fragments; others fail when they are evaluated.
+// Parses a call that reads a texture. Of a texture_2d<f32>, textureSampleLevel, textureLoad and
+// textureDimensions work without the neighboring fragments; other calls fail when they are
+// evaluated.
 Operand Parser::callTexture(const Token& name, Operands operands) {
   const Location location = name.location;
   if (operands.empty() || operands[0].type != samplerType)
@@ -29,18 +30,18 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
                                         "textureSampleLevel(image, sampler, uv, 0)"
                                   : "only a texture_2d<f32> can be read in a warp");
   }
-  const auto wrong = [&](const std::string& wanted) {
+  const auto failArguments = [&](const std::string& wanted) {
     return failOperand(location, quote(name.text) + " expected (texture_2d<f32>, " + wanted +
                                      "), got (" + typesOf(operands) + ")");
   };
-  const auto of = [&](std::string_view row, std::initializer_list<ExpressionId> given,
-                      std::initializer_list<Type> types) {
+  const auto makeCall = [&](std::string_view row, std::initializer_list<ExpressionId> arguments,
+                            std::initializer_list<Type> types) {
     const auto found = findBuiltIn(tree_.builtIns, row, {types.begin(), types.size()});
     return make({.kind = Code::BuiltIn,
                  .type = found->result,
                  .index = found->row,
                  .location = location,
-                 .operands = given});
+                 .operands = arguments});
   };
   const auto asInts = [&](const Operand& given) {
     Type type = given.type;
@@ -55,10 +56,10 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
   constexpr Type vec2 = vectorType(Base::Float, 2), ivec2 = vectorType(Base::Int, 2);
   if (isSize) {
     if (operands.size() > 2 || (operands.size() == 2 && !isWhole(operands[1], 1)))
-      return wrong("level");
+      return failArguments("level");
     const ExpressionId level =
         operands.size() == 2 ? asInts(operands[1]) : zero(intType, location).id;
-    const Operand size = of("textureDimensions", {image.id, level}, {samplerType, intType});
+    const Operand size = makeCall("textureDimensions", {image.id, level}, {samplerType, intType});
     return make({.kind = Code::Construct,
                  .type = vectorType(Base::Uint, 2),
                  .location = location,
@@ -66,25 +67,25 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
   }
   if (isLoad) {
     if (operands.size() != 3 || !isWhole(operands[1], 2) || !isWhole(operands[2], 1))
-      return wrong("vec2i, level");
-    return of("textureLoad", {image.id, asInts(operands[1]), asInts(operands[2])},
-              {samplerType, ivec2, intType});
+      return failArguments("vec2i, level");
+    return makeCall("textureLoad", {image.id, asInts(operands[1]), asInts(operands[2])},
+                    {samplerType, ivec2, intType});
   }
   const bool hasOffset = operands.size() == 5;
   if ((operands.size() != 4 && !hasOffset) || operands[1].type != voidType ||
       !canConvert(operands[2], vec2) || !canConvert(operands[3], floatType))
-    return wrong("sampler, vec2f, f32");
-  const ExpressionId at = convert(operands[2], vec2, location),
+    return failArguments("sampler, vec2f, f32");
+  const ExpressionId uv = convert(operands[2], vec2, location),
                      level = convert(operands[3], floatType, location);
   if (!hasOffset)
-    return of("textureSampleLevel", {image.id, at, level}, {samplerType, vec2, floatType});
-  if (!canConvert(operands[4], ivec2)) return wrong("sampler, vec2f, f32, vec2i");
+    return makeCall("textureSampleLevel", {image.id, uv, level}, {samplerType, vec2, floatType});
+  if (!canConvert(operands[4], ivec2)) return failArguments("sampler, vec2f, f32, vec2i");
   const ExpressionId offset = convert(operands[4], ivec2, location);
   for (const std::int32_t number : constants_.integers(offset))
     if (number < -8 || number > 7) fail(location, "expected an offset from -8 to 7");
   if (constants_.integers(offset).empty()) fail(location, "the offset must be a constant");
-  return of("textureSampleLevelOffset", {image.id, at, level, offset},
-            {samplerType, vec2, floatType, ivec2});
+  return makeCall("textureSampleLevelOffset", {image.id, uv, level, offset},
+                  {samplerType, vec2, floatType, ivec2});
 }
 
 }  // namespace warpjet::source::wgsl

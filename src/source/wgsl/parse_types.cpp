@@ -13,7 +13,7 @@ constexpr std::int32_t maxArrayLength = 65536;
 
 int digitOf(char c) { return c >= '2' && c <= '4' ? c - '0' : 0; }
 
-// The columns and rows of vec3 or mat2x3; zeros for other words. A suffix may follow.
+// Returns the columns and rows of vec3 or mat2x3; zeros for other words. A suffix may follow.
 std::array<int, 2> shapeOf(std::string_view word) {
   if (word.starts_with("vec") && word.size() >= 4 && digitOf(word[3])) return {1, digitOf(word[3])};
   if (word.starts_with("mat") && word.size() >= 6 && word[4] == 'x' && digitOf(word[3]) &&
@@ -26,7 +26,8 @@ constexpr const char* noHalf = "f16 is not supported; write f32";
 
 }  // namespace
 
-// Types with a suffix, such as vec3f, and scalars.
+// Returns the type that a word names without a template list: a scalar, or a type with a suffix,
+// such as vec3f.
 std::optional<Type> Parser::shorthand(std::string_view word) const {
   for (const ScalarName& each : scalarNames)
     if (each.word == word) return each.type;
@@ -42,7 +43,7 @@ std::optional<Type> Parser::shorthand(std::string_view word) const {
   return std::nullopt;
 }
 
-// True for a word that a template list may follow: vec3, mat4x4, array, and so on.
+// Returns true for a word that a template list may follow: vec3, mat4x4, array, and so on.
 bool Parser::isGenerator(std::string_view word) const {
   const auto [columns, rows] = shapeOf(word);
   return (columns && word.size() == (columns > 1 ? 6 : 4)) || word == "array" || word == "ptr" ||
@@ -72,7 +73,7 @@ Type Parser::vectorOrMatrix(const Token& word) {
   return columns > 1 ? matrixType(columns, rows) : vectorType(scalar.base, rows);
 }
 
-// The constant length of an array, in a template list.
+// Parses the constant length of an array, in a template list.
 std::int32_t Parser::arrayLength() {
   const Location location = peek().location;
   Operand length = load(additive(unary()), location);
@@ -86,7 +87,8 @@ std::int32_t Parser::arrayLength() {
   return static_cast<std::int32_t>(*known);
 }
 
-// An array of arrays is one of structures whose only field has no name.
+// Returns the type of an array. An array of arrays is represented as an array of structures whose
+// only field has no name.
 Type Parser::arrayOf(Type element, std::int32_t length) {
   if (element.isArray()) {
     for (std::size_t i = 0; i < tree_.types.count(); ++i) {
@@ -171,7 +173,7 @@ Parser::DeclaredType Parser::textureType(const Token& word) {
   return made;
 }
 
-// Parses a type that may be one that only declarations have.
+// Parses the type in a declaration: there, it may also be a pointer, a texture or a sampler.
 Parser::DeclaredType Parser::declaredType() {
   const Token word = peek();
   if (word.kind != Token::Kind::Name || !goDeeper()) {
@@ -220,19 +222,19 @@ Type Parser::type() {
       return floatType;
     }
     if (isGenerator(word.text)) return vectorOrMatrix(word);
-    constexpr std::array<std::array<std::string_view, 2>, 12> ofGlsl{{{"float", "f32"},
-                                                                      {"int", "i32"},
-                                                                      {"uint", "u32"},
-                                                                      {"mat2", "mat2x2f"},
-                                                                      {"mat3", "mat3x3f"},
-                                                                      {"mat4", "mat4x4f"},
-                                                                      {"ivec2", "vec2i"},
-                                                                      {"ivec3", "vec3i"},
-                                                                      {"ivec4", "vec4i"},
-                                                                      {"uvec2", "vec2u"},
-                                                                      {"uvec3", "vec3u"},
-                                                                      {"uvec4", "vec4u"}}};
-    for (const auto& [glsl, wgsl] : ofGlsl)
+    constexpr std::array<std::array<std::string_view, 2>, 12> glslTypes{{{"float", "f32"},
+                                                                         {"int", "i32"},
+                                                                         {"uint", "u32"},
+                                                                         {"mat2", "mat2x2f"},
+                                                                         {"mat3", "mat3x3f"},
+                                                                         {"mat4", "mat4x4f"},
+                                                                         {"ivec2", "vec2i"},
+                                                                         {"ivec3", "vec3i"},
+                                                                         {"ivec4", "vec4i"},
+                                                                         {"uvec2", "vec2u"},
+                                                                         {"uvec3", "vec3u"},
+                                                                         {"uvec4", "vec4u"}}};
+    for (const auto& [glsl, wgsl] : glslTypes)
       if (word.text == glsl) {
         fail(word.location, quote(glsl) + " is a type of GLSL; write " + std::string(wgsl));
         return floatType;

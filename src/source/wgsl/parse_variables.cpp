@@ -54,7 +54,8 @@ StatementId Parser::variableStatement() {
   return declareLocal(name, type, Variable::Kind::Local, convert(start, type, name.location), true);
 }
 
-// The place that a pointer points to is known when it is made: indices are stored before.
+// Fixes the place that a pointer refers to, as WGSL does when a pointer is made: returns the
+// reference with each index stored in a variable, and appends their declarations to `before`.
 Operand Parser::freeze(const Operand& reference, std::vector<StatementId>& before) {
   if (reference.id == nothing) return reference;
   Expression node = tree_.expressions[reference.id];
@@ -209,7 +210,7 @@ StatementId Parser::assignment() {
     }
     right = convert(given, type, location);
   } else {
-    // Its type is that of the operator; the node is unused.
+    // Only for its type and its converted right operand; the node itself is unused.
     const Operand made = makeBinary(row->op, target, given, location);
     if (problems_.any()) return nothing;
     if (made.type != type) {

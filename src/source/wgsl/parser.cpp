@@ -114,7 +114,8 @@ Tree Parser::parse() {
   return std::move(tree_);
 }
 
-// The meaning of a name at this point, where a declaration below it may first have to be parsed.
+// Returns the meaning of a name at this point, where a declaration below it may first have to be
+// parsed.
 Entity Parser::resolve(std::string_view name) {
   if (problems_.any()) return {};
   if (const Entity* local = scopes_.find(name)) return *local;

@@ -3,8 +3,8 @@
 // Declarations outside of functions may be in any order: `findGlobals` finds where each one is, and
 // `resolve` parses it when its name is first used. Bodies of functions are parsed last.
 //
-// What WGSL has, but no warp can use, becomes an expression that fails when it is evaluated, so
-// that a whole shader can be parsed for the sake of one of its functions.
+// Features of WGSL that no warp can use become expressions that fail when they are evaluated, so
+// that a whole shader can be parsed even if only one of its functions is used.
 #pragma once
 
 #include <map>
@@ -141,7 +141,7 @@ class Parser {
   StatementId forStatement();
   StatementId whileStatement();
   StatementId continuing(ExpressionId& breakIf);
-  // The numbers of nodes before a piece of the source.
+  // The numbers of expressions and statements when the parser reached a place in the source.
   struct Marks {
     std::size_t expressions, statements;
   };

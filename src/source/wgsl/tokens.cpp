@@ -90,7 +90,7 @@ class Reader {
     }
   }
 
-  // Block comments may be nested.
+  // Skips a block comment, and those nested in it.
   void skipComment() {
     const Location start = location();
     int depth = 0;
@@ -130,7 +130,7 @@ class Reader {
     return token(Token::Kind::Symbol, 1);
   }
 
-  // Takes all that might belong to a number; readNumber checks it.
+  // Takes all characters that might belong to a number; readNumber checks them.
   Token number() {
     const bool isHex = peek() == '0' && (peek(1) == 'x' || peek(1) == 'X');
     std::size_t size = isHex ? 2 : 0;
@@ -150,11 +150,11 @@ class Reader {
   std::uint32_t line_ = 1;
 };
 
-// Skips digits from `at` on and returns their number.
+// Skips digits from `at` on and returns how many they are.
 template <class IsDigit>
-std::size_t skipDigits(std::string_view text, std::size_t& at, const IsDigit& isOne) {
+std::size_t skipDigits(std::string_view text, std::size_t& at, const IsDigit& isAllowed) {
   const std::size_t start = at;
-  while (at < text.size() && isOne(text[at])) ++at;
+  while (at < text.size() && isAllowed(text[at])) ++at;
   return at - start;
 }
 
@@ -199,14 +199,14 @@ std::optional<Number> readNumber(const Token& token, Problems& problems) {
   Number number{isFloat ? floatType : suffix == "u" ? uintType : intType, suffix.empty(), 0};
   number.value = std::strtod(std::string(text.substr(0, at)).c_str(), nullptr);
   if (isFloat) {
-    const double most = number.isAbstract ? 1.7976931348623157e308 : 3.4028235677973366e38;
-    if (!(number.value <= most)) return fail(" is too large for an f32");
+    const double maxFloat = number.isAbstract ? 1.7976931348623157e308 : 3.4028235677973366e38;
+    if (!(number.value <= maxFloat)) return fail(" is too large for an f32");
     return number;
   }
-  const double most = number.isAbstract         ? 9223372036854775807.0
-                      : number.type == uintType ? 4294967295.0
-                                                : 2147483647.0;
-  if (number.value > most)
+  const double maxInt = number.isAbstract         ? 9223372036854775807.0
+                        : number.type == uintType ? 4294967295.0
+                                                  : 2147483647.0;
+  if (number.value > maxInt)
     return fail(number.isAbstract
                     ? " is too large"
                     : " is too large for " + std::string(suffix == "u" ? "a u32" : "an i32"));

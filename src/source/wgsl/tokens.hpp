@@ -22,22 +22,22 @@ struct Token {
   bool is(std::string_view wanted) const {
     return (kind == Kind::Symbol || kind == Kind::Name) && text == wanted;
   }
-  // True if no space is between this token and the next one.
+  // Returns true if nothing is between this token and the next one.
   bool touches(const Token& next) const { return text.data() + text.size() == next.text.data(); }
 };
 
-// The last token is an End. The text of tokens refers to `source`. A `>` is always a token of its
-// own, since it may end a template list: `vec2<vec2<f32>>`.
+// Reads the tokens; the last one is an End. The text of tokens refers to `source`. A `>` is always
+// a token of its own, since it may end a template list: `vec2<vec2<f32>>`.
 std::vector<Token> readTokens(std::string_view source, Problems& problems);
 
 struct Number {
   Type type;
-  // True if it has no suffix, so that its type follows from its use.
+  // True if the number has no suffix, so that its type follows from its use.
   bool isAbstract;
   double value;
 };
 
-// The value of a number token; nullopt, with a problem, if it is invalid.
+// Returns the value of a number token; nullopt, with a problem, if it is invalid.
 std::optional<Number> readNumber(const Token& token, Problems& problems);
 
 }  // namespace warpjet::source::wgsl

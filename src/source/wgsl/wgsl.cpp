@@ -6,10 +6,10 @@
 namespace warpjet::source::wgsl {
 
 Parsed parse(std::string_view text) {
-  Parsed made{std::make_unique<const Lines>(text), {}, {}};
-  std::vector<Token> tokens = readTokens(made.text->separate, made.problems);
-  if (!made.problems.any()) made.tree = Parser(std::move(tokens), made.problems).parse();
-  return made;
+  Parsed parsed{std::make_unique<const Lines>(text), {}, {}};
+  std::vector<Token> tokens = readTokens(parsed.source->lines, parsed.problems);
+  if (!parsed.problems.any()) parsed.tree = Parser(std::move(tokens), parsed.problems).parse();
+  return parsed;
 }
 
 }  // namespace warpjet::source::wgsl

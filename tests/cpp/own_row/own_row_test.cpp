@@ -1,4 +1,4 @@
-// A new row of the table works without any other change, as this build proves, since it adds
+// A new row of the table works without any other change: this build adds three rows and changes
 // nothing else. The expected numbers and code were written by hand.
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ class OwnRow : public testing::Test, protected Bench {
  protected:
   int y = input("y");
 
-  // The program of one scalar result that depends on x or on x and y: the first input number, and
-  // the last.
+  // Returns the program of a scalar result that depends on x, or on x and y. x is the first input
+  // number, y the last.
   Program programOf(int result) {
     builder.output("gen", "result", result);
     EXPECT_TRUE(builder.finish()) << builder.problem();
@@ -59,12 +59,12 @@ class OwnRow : public testing::Test, protected Bench {
   }
 
   static std::string writeModule(const Builder& from, const Dialect& dialect) {
-    const ShaderTextResult made = write(from.module(), dialect);
-    return made.text ? made.text->declarations + made.text->emitted.code : made.problem;
+    const ShaderTextResult written = write(from.module(), dialect);
+    return written.text ? written.text->declarations + written.text->emitted.code : written.problem;
   }
 
  private:
-  std::size_t count_ = 0;  // number of all input numbers
+  std::size_t count_ = 0;  // of input numbers
 };
 
 TEST_F(OwnRow, IsFoldedForConstantOperands) {
@@ -89,23 +89,23 @@ TEST_F(OwnRow, HasAZeroDerivativeIfItDeclaresNoPartials) {
 TEST_F(OwnRow, IsWrittenInEachLanguage) {
   builder.output("gen", "root", call("cbrt", {x}));
   builder.output("gen", "size", method("hypot", {x, y}));
-  builder.output("gen", "whole", call("times", {x, y}));
+  builder.output("gen", "count", call("times", {x, y}));
   const std::string webgl2 = writeModule(builder, glsl300), webgl = writeModule(builder, glsl100),
                     webgpu = writeModule(builder, wgsl);
   EXPECT_TRUE(webgl2.starts_with("highp float warpjetCbrt(highp float x) {")) << webgl2;
   EXPECT_TRUE(webgpu.starts_with("fn warpjetCbrt(x: f32) -> f32 {")) << webgpu;
   for (const std::string& each : {webgl2, webgpu}) {
     EXPECT_TRUE(each.find("root = warpjetCbrt(x);") != each.npos) << each;
-    EXPECT_TRUE(each.find("whole = round(x / y);") != each.npos) << each;
+    EXPECT_TRUE(each.find("count = round(x / y);") != each.npos) << each;
   }
   EXPECT_TRUE(webgl2.find("size = length(vec2(x, y));") != webgl2.npos) << webgl2;
   EXPECT_TRUE(webgpu.find("size = length(vec2f(x, y));") != webgpu.npos) << webgpu;
-  // lowered
+  // GLSL ES 1.00 lacks the functions: the rows are lowered.
   EXPECT_TRUE(webgl.find("root = sign(x) * pow(abs(x), 0.33333334);") != webgl.npos) << webgl;
-  EXPECT_TRUE(webgl.find("whole = floor(x / y + 0.5);") != webgl.npos) << webgl;
+  EXPECT_TRUE(webgl.find("count = floor(x / y + 0.5);") != webgl.npos) << webgl;
 }
 
-// More vertices than lanes in a register, and not a multiple of them.
+// There are more vertices than lanes in a register, but not a multiple.
 TEST_F(OwnRow, IsEvaluatedLaneByLaneIfWrittenForPlainNumbers) {
   const Program program = programOf(call("cbrt", {x}));
   EXPECT_EQ(inLanes(program, {-8, -1, 0, 1, 8, 27}, {}), (std::vector<float>{-2, -1, 0, 1, 2, 3}));

@@ -1,9 +1,9 @@
 // Built-in functions, variables and constants.
-import { above, body, each } from './sources.js'
+import { makeCases, withBody, withTop } from './sources.js'
 
 export const builtIns = [
-  ...each(
-    'a name of the language',
+  ...makeCases(
+    'a built-in name',
     [
       'gl_MaxVertexAttribs',
       'gl_MaxVertexUniformVectors',
@@ -30,10 +30,10 @@ export const builtIns = [
       'gl_Normal',
       'gl_ModelViewMatrix',
     ],
-    (name) => body(`float x = float(${name});`),
+    (name) => withBody(`float x = float(${name});`),
   ),
-  ...each(
-    'what is the language’s, changed',
+  ...makeCases(
+    'an assigned built-in variable',
     [
       'gl_MaxVertexAttribs = 1',
       'gl_DepthRange.near = 1.0',
@@ -45,19 +45,19 @@ export const builtIns = [
       'gl_Position++',
       'gl_PointSize += gl_Position.x',
     ],
-    (statement) => body(`${statement};`),
+    (statement) => withBody(`${statement};`),
   ),
-  ...each(
-    'a constant of the language',
+  ...makeCases(
+    'a built-in constant',
     [
       'const int n = gl_MaxVertexAttribs;',
       'const float n = gl_DepthRange.near;',
       'float n[gl_MaxVaryingVectors];',
     ],
-    (text) => above(text),
+    (text) => withTop(text),
   ),
-  ...each(
-    'an image',
+  ...makeCases(
+    'a sampler',
     [
       'texture2D(image, p.xy)',
       'texture2D(image, p)',
@@ -106,10 +106,10 @@ export const builtIns = [
       'texture2DRect(image, p.xy)',
       'texture3D(image, p)',
     ],
-    (expression) => body(`vec4 x = ${expression};`, 'uniform sampler2D image;'),
+    (expression) => withBody(`vec4 x = ${expression};`, 'uniform sampler2D image;'),
   ),
-  ...each(
-    'what belongs to fragments',
+  ...makeCases(
+    'a built-in of fragment shaders',
     [
       'gl_FragCoord.x',
       'gl_FrontFacing',
@@ -120,6 +120,6 @@ export const builtIns = [
       'dFdx(p.x)',
       'fwidth(p.x)',
     ],
-    (name) => body(`float x = float(${name});`),
+    (name) => withBody(`float x = float(${name});`),
   ),
 ]

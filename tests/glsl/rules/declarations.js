@@ -1,8 +1,8 @@
 // Structures, functions and blocks of uniforms.
-import { above, each } from './sources.js'
+import { makeCases, withTop } from './sources.js'
 
 export const declarations = [
-  ...each(
+  ...makeCases(
     'a structure',
     [
       'struct S { float x; };',
@@ -66,9 +66,9 @@ export const declarations = [
       'struct S { float x; } f() { return S(1.0); }',
       'void f(struct S { float x; } s) {}',
     ],
-    (text) => above(text),
+    (text) => withTop(text),
   ),
-  ...each(
+  ...makeCases(
     'a function',
     [
       'void f();',
@@ -218,9 +218,9 @@ export const declarations = [
       'void (f)() {}',
       'float f { return 1.0; }',
     ],
-    (text) => above(text),
+    (text) => withTop(text),
   ),
-  ...each(
+  ...makeCases(
     'a block of uniforms',
     [
       'uniform B { float x; };',
@@ -343,6 +343,6 @@ export const declarations = [
       'layout(location = 0) in highp float x;',
       'in highp layout(location = 0) float x;',
     ],
-    (text) => above(text),
+    (text) => withTop(text),
   ),
 ]

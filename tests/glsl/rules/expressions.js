@@ -1,8 +1,8 @@
 // Constructors, operators, indices and calls.
-import { body, each } from './sources.js'
+import { makeCases, withBody } from './sources.js'
 
 export const expressions = [
-  ...each(
+  ...makeCases(
     'a constructor',
     [
       'mat2(p.xy, p)',
@@ -84,9 +84,10 @@ export const expressions = [
       'mat4x3(mat2(1.0))',
       'mat2x3(mat2(1.0), p.xy)',
     ],
-    (made) => body(`${made};`, 'struct S { float x; }; struct T { S s; int i; }; void f() {}'),
+    (expression) =>
+      withBody(`${expression};`, 'struct S { float x; }; struct T { S s; int i; }; void f() {}'),
   ),
-  ...each(
+  ...makeCases(
     'an expression',
     [
       'p + 1.0',
@@ -351,7 +352,7 @@ export const expressions = [
       'p[c3]',
     ],
     (expression) =>
-      body(
+      withBody(
         `float x = p.x; int i = 1; bool b = x > 0.0; S s = S(1.0); mat3 m = mat3(1.0); float a[3]; a[0] = a[1] = a[2] = x; ${expression};`,
         'struct S { float x; }; const float c = 1.0; const int c0 = 0, c3 = 3; uniform vec3 u; void f() {} float g(float x) { return x; } void h(inout float x) {}',
       ),

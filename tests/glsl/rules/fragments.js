@@ -1,9 +1,9 @@
 // Statements in fragment shaders.
-import { body, each } from './sources.js'
+import { makeCases, withBody } from './sources.js'
 
 /** Maps the title of a case → statements of a fragment shader. */
 export const rulesOfFragments = Object.fromEntries(
-  each(
+  makeCases(
     'a fragment',
     [
       'gl_FragColor = vec4(1.0);',
@@ -32,6 +32,6 @@ export const rulesOfFragments = Object.fromEntries(
       'gl_PointSize = 1.0;',
       'int i = gl_VertexID;',
     ],
-    (statement) => body(statement),
+    (statement) => withBody(statement),
   ),
 )

@@ -1,9 +1,9 @@
-// Declarations above functions.
-import { above, each } from './sources.js'
+// Declarations outside of functions.
+import { makeCases, withTop } from './sources.js'
 
 export const globals = [
-  ...each(
-    'above functions',
+  ...makeCases(
+    'a global declaration',
     [
       'float a',
       'float a;',
@@ -312,6 +312,6 @@ export const globals = [
       'uint a = 1u;',
       'float f() { return 1.0; };',
     ],
-    (text) => above(text),
+    (text) => withTop(text),
   ),
 ]

@@ -1,9 +1,9 @@
-// Numbers, of floats and of integers.
-import { body, each } from './sources.js'
+// Literals of floats and of integers.
+import { makeCases, withBody } from './sources.js'
 
 export const literals = [
-  ...each(
-    'a number',
+  ...makeCases(
+    'a float literal',
     [
       '1.',
       '.5',
@@ -41,10 +41,10 @@ export const literals = [
       '+1.0',
       '1.0e5e5',
     ],
-    (number) => body(`float x = ${number};`),
+    (number) => withBody(`float x = ${number};`),
   ),
-  ...each(
-    'a whole number',
+  ...makeCases(
+    'an integer literal',
     [
       '0',
       '1',
@@ -79,6 +79,6 @@ export const literals = [
       '040000000000',
       '00',
     ],
-    (number) => body(`int x = int(${number});`),
+    (number) => withBody(`int x = int(${number});`),
   ),
 ]

@@ -1,7 +1,7 @@
-// Reserved, long and other names.
-import { above, body, each, lines } from './sources.js'
+// Names: reserved, long and others.
+import { makeCases, withBody, withLines, withTop } from './sources.js'
 
-/** Names that GLSL reserves, and some that it does not; see `words` of versions.js. */
+/** Names that GLSL reserves, and some that it does not. `words` of versions.js has others. */
 export const reserved = `
   asm packed hvec2 hvec3 hvec4 dvec2 dvec3 dvec4 fvec2 fvec3 fvec4 sampler1D sampler1DShadow sampler2DRect sampler3DRect
   sampler2DRectShadow coherent restrict readonly writeonly resource atomic_uint noperspective patch sample subroutine common
@@ -17,19 +17,19 @@ export const reserved = `
   .trim()
   .split(/\s+/)
 
-/** Returns source with a global, a function, a parameter, a field, a structure or a macro of that name. */
-export const declaring = {
-  local: (word) => body(`float ${word} = p.x; ${word} += 1.0;`),
-  global: (word) => above(`float ${word};`),
-  parameter: (word) => above(`float f(float ${word}) { return ${word}; }`),
-  field: (word) => above(`struct S { float ${word}; };`),
-  structure: (word) => above(`struct ${word} { float x; };`),
-  function: (word) => above(`float ${word}(float x, int y, float z) { return x; }`),
-  macro: (word) => lines(`#define ${word} 1.0`),
+/** Each returns source that declares something with the given name. */
+export const declarers = {
+  local: (word) => withBody(`float ${word} = p.x; ${word} += 1.0;`),
+  global: (word) => withTop(`float ${word};`),
+  parameter: (word) => withTop(`float f(float ${word}) { return ${word}; }`),
+  field: (word) => withTop(`struct S { float ${word}; };`),
+  structure: (word) => withTop(`struct ${word} { float x; };`),
+  function: (word) => withTop(`float ${word}(float x, int y, float z) { return x; }`),
+  macro: (word) => withLines(`#define ${word} 1.0`),
 }
 
-export const longNames = each(
-  'a name of so many letters',
+export const longNames = makeCases(
+  'a name with this many letters',
   [100, 256, 257, 1000, 1024, 1025],
-  (count) => above(`float ${'a'.repeat(count)};`),
+  (count) => withTop(`float ${'a'.repeat(count)};`),
 )

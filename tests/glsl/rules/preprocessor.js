@@ -1,9 +1,9 @@
 // Macros, directives and comments.
-import { above, body, each, lines } from './sources.js'
+import { makeCases, withBody, withLines, withTop } from './sources.js'
 
 export const preprocessor = [
-  ...each(
-    'a macro again',
+  ...makeCases(
+    'a macro definition',
     [
       ['#define A 1', '#define A 1'],
       ['#define A 1', '#define A 2'],
@@ -60,10 +60,10 @@ export const preprocessor = [
       ['#define int float'],
       ['#define vec3 vec3'],
     ],
-    (text) => lines(...text),
+    (text) => withLines(...text),
   ),
-  ...each(
-    'a macro called',
+  ...makeCases(
+    'a macro call',
     [
       ['A(1.0)', '#define A(x) x'],
       ['A', '#define A(x) x'],
@@ -85,10 +85,10 @@ export const preprocessor = [
       ['float(A)', '#define A (B)\n#define B 2'],
       ['A ## 1', '#define A 1.0'],
     ],
-    ([expression, text]) => body(`float x = ${expression};`, text),
+    ([expression, text]) => withBody(`float x = ${expression};`, text),
   ),
-  ...each(
-    'a condition',
+  ...makeCases(
+    'an #if condition',
     [
       'A',
       '!A',
@@ -172,10 +172,10 @@ export const preprocessor = [
       'E == 1',
     ],
     (condition) =>
-      lines('#define B 3', '#define F(x) x', '#define E', `#if ${condition}`, '#endif'),
+      withLines('#define B 3', '#define F(x) x', '#define E', `#if ${condition}`, '#endif'),
   ),
-  ...each(
-    'a block',
+  ...makeCases(
+    'directives',
     [
       ['#ifdef A', '#endif'],
       ['#ifndef A', '#endif'],
@@ -266,9 +266,9 @@ export const preprocessor = [
       ['#line 1u'],
       ['#line 1;'],
     ],
-    (text) => lines(...text),
+    (text) => withLines(...text),
   ),
-  ...each(
+  ...makeCases(
     'an extension',
     [
       'all : warn',
@@ -304,20 +304,20 @@ export const preprocessor = [
       'own : require',
       'own- : warn',
     ],
-    (text) => lines(`#extension ${text}`),
+    (text) => withLines(`#extension ${text}`),
   ),
-  ...each(
-    'an extension after words',
+  ...makeCases(
+    'an extension after a declaration',
     ['GL_OES_standard_derivatives : enable', 'all : warn', 'GL_OWN_nothing : warn'],
-    (text) => above(`float a;\n#extension ${text}`),
+    (text) => withTop(`float a;\n#extension ${text}`),
   ),
-  ...each('an extension within a block', ['GL_OES_standard_derivatives : enable'], (text) =>
-    lines('#ifdef GL_ES', `#extension ${text}`, '#endif'),
+  ...makeCases('an extension within a block', ['GL_OES_standard_derivatives : enable'], (text) =>
+    withLines('#ifdef GL_ES', `#extension ${text}`, '#endif'),
   ),
-  ...each('a version that comes late', ['#version 100', '#version 300 es'], (text) =>
-    lines('float a;', text),
+  ...makeCases('a #version after a declaration', ['#version 100', '#version 300 es'], (text) =>
+    withLines('float a;', text),
   ),
-  ...each(
+  ...makeCases(
     'characters',
     [
       'float a = 1.0; // \\\nfloat a;',
@@ -349,6 +349,6 @@ export const preprocessor = [
       '/* é */',
       'float a; @',
     ],
-    (text) => above(text),
+    (text) => withTop(text),
   ),
 ]

@@ -1,5 +1,5 @@
-// Qualifiers in all orders, and uses of each type.
-import { above, body, each } from './sources.js'
+// Qualifiers in all orders, and each type in all places.
+import { makeCases, withBody, withTop } from './sources.js'
 
 const qualifiers =
   'const uniform attribute varying in out inout invariant flat smooth centroid highp layout(location=0)'.split(
@@ -12,33 +12,37 @@ const triples = qualifiers.flatMap((first, i) =>
   ),
 )
 
-/** Qualifiers before types, in every order. */
-export const orders = [
-  ...each('of a global', [...qualifiers, ...pairs, ...triples], (words) =>
-    above(`${words} float a${words.includes('const') ? ' = 1.0' : ''};`),
+/** Qualifiers before types, in many orders. */
+export const qualifierOrders = [
+  ...makeCases('qualifiers of a global', [...qualifiers, ...pairs, ...triples], (words) =>
+    withTop(`${words} float a${words.includes('const') ? ' = 1.0' : ''};`),
   ),
-  ...each('of a parameter', [...qualifiers, ...pairs], (words) =>
-    above(`void f(${words} float a) {}`),
+  ...makeCases('qualifiers of a parameter', [...qualifiers, ...pairs], (words) =>
+    withTop(`void f(${words} float a) {}`),
   ),
-  ...each('of a local', [...qualifiers, ...pairs], (words) =>
-    body(`${words} float a${words.includes('const') ? ' = 1.0' : ''};`),
+  ...makeCases('qualifiers of a local', [...qualifiers, ...pairs], (words) =>
+    withBody(`${words} float a${words.includes('const') ? ' = 1.0' : ''};`),
   ),
-  ...each('of a field', qualifiers, (words) => above(`struct S { ${words} float a; };`)),
-  ...each('of a function', [...qualifiers, ...pairs], (words) =>
-    above(`${words} float f() { return 1.0; }`),
+  ...makeCases('qualifiers of a field', qualifiers, (words) =>
+    withTop(`struct S { ${words} float a; };`),
   ),
-  ...each('of a structure', qualifiers, (words) => above(`${words} struct S { float x; } s;`)),
+  ...makeCases('qualifiers of a function', [...qualifiers, ...pairs], (words) =>
+    withTop(`${words} float f() { return 1.0; }`),
+  ),
+  ...makeCases('qualifiers of a structure', qualifiers, (words) =>
+    withTop(`${words} struct S { float x; } s;`),
+  ),
 ]
 
 const types =
   'void bool int float vec2 ivec3 bvec4 mat2 mat3 sampler2D S uint uvec2 mat2x3 mat4x2 samplerCube T'.split(
     ' ',
   )
-const some = 'struct S { float x; }; struct T { float x[2]; };'
+const structures = 'struct S { float x; }; struct T { float x[2]; };'
 
 /** Each type in each place where a type may be. */
-export const uses = types.flatMap((type) =>
-  each(
+export const typeUses = types.flatMap((type) =>
+  makeCases(
     `a ${type}`,
     [
       'X a;',
@@ -99,6 +103,6 @@ export const uses = types.flatMap((type) =>
       'void f() { X a; any(a); }',
       'void f() { X a; switch (a) { default: break; } }',
     ],
-    (text) => above(`${some} ${text.replaceAll('X', type)}`),
+    (text) => withTop(`${structures} ${text.replaceAll('X', type)}`),
   ),
 )

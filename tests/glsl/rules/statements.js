@@ -1,8 +1,8 @@
 // Statements in functions.
-import { body, each } from './sources.js'
+import { makeCases, withBody } from './sources.js'
 
 export const statements = [
-  ...each(
+  ...makeCases(
     'a statement',
     [
       ';',
@@ -277,12 +277,12 @@ export const statements = [
       '{ float sin = 1.0; } sin(1.0);',
     ],
     (statement) =>
-      body(
+      withBody(
         `float x = p.x; int i = 1; bool b = x > 0.0; S s = S(1.0); float a[3]; a[0] = a[1] = a[2] = x; ${statement}`,
         'struct S { float x; }; const float c = 1.0, n = 2.0; const int c2 = 2; uniform vec3 u; uniform sampler2D image; void f() {} float g(float x) { return x; }',
       ),
   ),
-  ...each(
+  ...makeCases(
     'a switch',
     [
       'switch (i) { }',
@@ -368,7 +368,7 @@ export const statements = [
       'for (int j = 0; j < 3; j++) { switch (j) { case 0: continue; default: break; } }',
     ],
     (statement) =>
-      body(
+      withBody(
         `float x = p.x; int i = 1; bool b = x > 0.0; ${statement}`,
         'struct S { int x; }; const int c2 = 2; const ivec2 v = ivec2(7, 8); const S t = S(9); int f() { return 1; }' +
           (statement.includes('w[') ? 'const int w[2] = int[2](3, 4);' : ''),

@@ -1,24 +1,26 @@
 // Interprets calls: of functions in the source, built-in functions and constructors.
 import { builtIns } from '../built-ins.js'
 import { Expressions } from './expressions.js'
-import { convert, fresh, layoutOf, matrixType, numbersOf, vary, write } from './values.js'
+import { anyVaries, convert, layoutOf, matrixType, newValue, numbersOf, write } from './values.js'
 
-/** `f(void)` has no parameters. */
+/** Returns whether a parameter has a name; the `void` of `f(void)` does not. */
 const isNamed = ({ identifier }) => identifier
 
 export class Calls extends Expressions {
   value_function_call({ identifier, args }) {
-    const given = args.filter(({ type, token }) => type !== 'literal' && token !== 'void')
-    if (identifier.type === 'postfix') return fresh('int', [this.lengthOf(identifier)])
+    const operandNodes = args.filter(({ type, token }) => type !== 'literal' && token !== 'void')
+    if (identifier.type === 'postfix') return newValue('int', [this.lengthOf(identifier)])
     const word =
       identifier.specifier?.identifier ?? identifier.identifier ?? identifier.specifier.token
-    const own = this.functions.filter(({ prototype }) => prototype.header.name.identifier === word)
-    const operands = given.map((node) => this.value(node))
+    const candidates = this.functions.filter(
+      ({ prototype }) => prototype.header.name.identifier === word,
+    )
+    const operands = operandNodes.map((node) => this.value(node))
     const types = operands.map(({ type }) => type)
-    const fits = ({ prototype }) =>
-      `${(prototype.parameters ?? []).filter(isNamed).map((each) => this.typeOf(each))}` ===
+    const accepts = ({ prototype }) =>
+      `${(prototype.parameters ?? []).filter(isNamed).map((parameter) => this.typeOf(parameter))}` ===
       `${types}`
-    const f = own.find(fits)
+    const f = candidates.find(accepts)
     if (f) return this.enter(f, operands)
     if (builtIns[word] || word === 'transpose' || word === 'modf')
       return this.builtIn(word, operands)
@@ -32,21 +34,21 @@ export class Calls extends Expressions {
     const parameters = (prototype.parameters ?? []).filter(isNamed)
     const outer = this.scopes
     this.scopes = [outer[0], new Map()]
-    parameters.forEach((each, i) =>
+    parameters.forEach((parameter, i) =>
       this.declare(
-        each.identifier.identifier,
-        this.typeOf(each),
+        parameter.identifier.identifier,
+        this.typeOf(parameter),
         numbersOf(operands[i]),
-        vary(operands[i]),
+        anyVaries(operands[i]),
       ),
     )
-    const held = this.scopes
+    const calleeScopes = this.scopes
     const end = this.sequence(body.statements)
-    this.scopes = held
-    parameters.forEach((each, i) => {
-      if ((each.qualifier ?? []).some(({ token }) => /out/.test(token))) {
-        const value = this.find(each.identifier.identifier)
-        write(operands[i], numbersOf(value), vary(value))
+    this.scopes = calleeScopes
+    parameters.forEach((parameter, i) => {
+      if ((parameter.qualifier ?? []).some(({ token }) => /out/.test(token))) {
+        const value = this.find(parameter.identifier.identifier)
+        write(operands[i], numbersOf(value), anyVaries(value))
       }
     })
     this.scopes = outer
@@ -55,18 +57,18 @@ export class Calls extends Expressions {
   builtIn(name, operands) {
     const lists = operands.map(numbersOf)
     const types = operands.map(({ type }) => type)
-    const isVarying = vary(...operands)
+    const isVarying = anyVaries(...operands)
     if (name === 'transpose') {
       const { columns, rows } = layoutOf(types[0])
-      const turned = Array.from(
+      const transposed = Array.from(
         lists[0],
         (_, i) => lists[0][(i % columns) * rows + Math.floor(i / columns)],
       )
-      return fresh(matrixType(rows, columns), turned, isVarying)
+      return newValue(matrixType(rows, columns), transposed, isVarying)
     }
     if (name === 'modf') {
       write(operands[1], lists[0].map(Math.trunc), isVarying)
-      return fresh(
+      return newValue(
         types[0],
         lists[0].map((x) => x - Math.trunc(x)),
         isVarying,
@@ -77,14 +79,14 @@ export class Calls extends Expressions {
       types[
         lists.findIndex(({ length }) => length === Math.max(...lists.map((list) => list.length)))
       ]
-    return fresh(type ? type(...types) : widest, run(...lists), isVarying)
+    return newValue(type ? type(...types) : widest, run(...lists), isVarying)
   }
   construct(named, operands) {
     const all = operands.flatMap(numbersOf)
     const type = named.endsWith('[]') ? named.replace('[]', `[${operands.length}]`) : named
     const layout = layoutOf(type)
-    const isVarying = vary(...operands)
-    if (!layout) return fresh(type, all, isVarying)
+    const isVarying = anyVaries(...operands)
+    if (!layout) return newValue(type, all, isVarying)
     const { kind, columns, rows } = layout
     const size = columns * rows
     const from = layoutOf(operands[0].type)
@@ -99,7 +101,7 @@ export class Calls extends Expressions {
       }
       return all[isAlone && all.length === 1 ? 0 : i]
     }
-    return fresh(
+    return newValue(
       type,
       Array.from({ length: size }, (_, i) => convert[kind](number(i))),
       isVarying,

@@ -1,5 +1,5 @@
-// Types and names: the number of components of a type, and the components that a name selects.
-import { fail, fresh, layoutOf, numbersOf } from './values.js'
+// Looks up types and variables: the number of components of a type, and the value of a name.
+import { fail, layoutOf, newValue, numbersOf } from './values.js'
 
 export class Names {
   constructor(program) {
@@ -23,20 +23,20 @@ export class Names {
     const word = specifier.specifier ?? specifier
     const named = word.type === 'struct' ? this.structure(word) : (word.token ?? word.identifier)
     return [specifier.quantifier, quantifier].reduce(
-      (type, lengths) => this.lengthened(type, lengths),
+      (type, lengthNodes) => this.withLengths(type, lengthNodes),
       named,
     )
   }
-  lengthened(type, lengths) {
-    const text = ({ expression }) => (expression ? numbersOf(this.value(expression))[0] : '')
-    return (lengths ?? []).reduce((name, each) => `${name}[${text(each)}]`, type)
+  withLengths(type, lengthNodes) {
+    const lengthText = ({ expression }) => (expression ? numbersOf(this.value(expression))[0] : '')
+    return (lengthNodes ?? []).reduce((name, length) => `${name}[${lengthText(length)}]`, type)
   }
 
   structure({ typeName, declarations }) {
     const fields = declarations.flatMap(({ declaration }) =>
       declaration.declarations.map(({ identifier, quantifier }) => ({
         name: identifier.identifier,
-        type: this.lengthened(this.typeOf(declaration.specified_type), quantifier),
+        type: this.withLengths(this.typeOf(declaration.specified_type), quantifier),
       })),
     )
     this.structures[typeName.identifier] = fields
@@ -47,7 +47,7 @@ export class Names {
 
   declare(name, type, numbers, isVarying = false) {
     const start = numbers ?? Array(this.sizeOf(type)).fill(0)
-    this.scopes.at(-1).set(name, fresh(type, [...start], isVarying))
+    this.scopes.at(-1).set(name, newValue(type, [...start], isVarying))
   }
 
   find(name) {
@@ -56,7 +56,7 @@ export class Names {
     return fail(`${name} is not declared`)
   }
 
-  within(work) {
+  inNewScope(work) {
     this.scopes.push(new Map())
     const result = work()
     this.scopes.pop()

@@ -1,6 +1,6 @@
 // Interprets statements; each returns how it ends, or `undefined` if the next one follows.
 import { Calls } from './calls.js'
-import { fail, numbersOf, vary } from './values.js'
+import { anyVaries, fail, numbersOf } from './values.js'
 
 class Return {
   constructor(value) {
@@ -11,7 +11,10 @@ const [Break, Continue] = [Symbol('break'), Symbol('continue')]
 
 export class Statements extends Calls {
   statement(node) {
-    return (this[node.type] ?? fail(`no ${node.type} is known`)).call(this, node)
+    return (this[node.type] ?? fail(`a statement of type ${node.type} is not supported`)).call(
+      this,
+      node,
+    )
   }
   sequence(nodes) {
     for (const node of nodes) {
@@ -21,7 +24,7 @@ export class Statements extends Calls {
     return undefined
   }
   compound_statement({ statements }) {
-    return this.within(() => this.sequence(statements))
+    return this.inNewScope(() => this.sequence(statements))
   }
   declaration_statement({ declaration }) {
     return this.statement(declaration)
@@ -32,19 +35,24 @@ export class Statements extends Calls {
     const base = this.typeOf(specified_type)
     for (const { identifier, quantifier, initializer } of declarations) {
       const value = initializer && this.value(initializer)
-      const type = value?.type ?? this.lengthened(base, quantifier)
-      this.declare(identifier.identifier, type, value && numbersOf(value), value && vary(value))
+      const type = value?.type ?? this.withLengths(base, quantifier)
+      this.declare(
+        identifier.identifier,
+        type,
+        value && numbersOf(value),
+        value && anyVaries(value),
+      )
     }
   }
   expression_statement({ expression }) {
     if (expression) this.value(expression)
   }
   if_statement({ condition, body, else: otherwise }) {
-    const chosen = this.test(condition) ? body : [otherwise].flat().at(-1)
-    return chosen ? this.within(() => this.statement(chosen)) : undefined
+    const branch = this.test(condition) ? body : [otherwise].flat().at(-1)
+    return branch ? this.inNewScope(() => this.statement(branch)) : undefined
   }
   for_statement({ init, condition, operation, body }) {
-    return this.within(() => {
+    return this.inNewScope(() => {
       if (init) init.type === 'declarator_list' ? this.statement(init) : this.value(init)
       return this.loop(condition, body, operation)
     })
@@ -57,7 +65,7 @@ export class Statements extends Calls {
   }
   loop(condition, body, step, isLate = false) {
     for (let isFirst = true; (isFirst && isLate) || this.test(condition); isFirst = false) {
-      const end = this.within(() => this.statement(body))
+      const end = this.inNewScope(() => this.statement(body))
       if (end === Break) return undefined
       if (end instanceof Return) return end
       if (step) this.value(step)
@@ -65,13 +73,13 @@ export class Statements extends Calls {
     return undefined
   }
   switch_statement({ expression, cases }) {
-    const [by] = numbersOf(this.value(expression))
-    const isMeant = ({ type, test }) =>
-      type === 'switch_case' && numbersOf(this.value(test))[0] === by
-    const found = cases.findIndex(isMeant)
-    const first = found >= 0 ? found : cases.findIndex(({ type }) => type === 'default_case')
+    const [value] = numbersOf(this.value(expression))
+    const isMatching = ({ type, test }) =>
+      type === 'switch_case' && numbersOf(this.value(test))[0] === value
+    const matching = cases.findIndex(isMatching)
+    const first = matching >= 0 ? matching : cases.findIndex(({ type }) => type === 'default_case')
     if (first < 0) return undefined
-    const end = this.within(() =>
+    const end = this.inNewScope(() =>
       this.sequence(cases.slice(first).flatMap(({ statements }) => statements)),
     )
     return end === Break ? undefined : end

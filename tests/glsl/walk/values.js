@@ -1,12 +1,12 @@
-// Values: numbers with their types, and the results of operators on them.
+// Values, which are numbers with a type, and the results of operators on them.
 
 export const fail = (message) => {
-  throw new SyntaxError(`the walk: ${message}`)
+  throw new SyntaxError(`the interpreter: ${message}`)
 }
 
 const layouts = new Map()
 
-/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. Memoized, since long loops ask for it often. */
+/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. Memoized, since long loops need it often. */
 export function layoutOf(type) {
   if (!layouts.has(type)) layouts.set(type, readLayout(type))
   return layouts.get(type)
@@ -51,36 +51,36 @@ export const comparisons = {
   '>=': (x, y) => x >= y,
 }
 
-/** Numbers of a variable or of their own: those of `of` at the indices `at`. */
-export const part = (type, of, at) => ({ type, of, at })
-export const numbersOf = ({ of, at }) =>
-  at.length === 1 ? [of[at[0]]] : at.map((place) => of[place])
+/** Makes a value whose numbers are those of `storage` at `indices`. `storage` can be that of a variable. */
+export const valueIn = (type, storage, indices) => ({ type, storage, indices })
+export const numbersOf = ({ storage, indices }) =>
+  indices.length === 1 ? [storage[indices[0]]] : indices.map((index) => storage[index])
 
-/** Values that depend on the arguments vary; all others are known to a shader's compiler, and rounded to float32. */
-export function vary(...values) {
-  for (const { of } of values) if (of[varies]) return true
+/** Returns whether one of the values depends on the arguments. All others are constants, which a shader compiler rounds to float32. */
+export function anyVaries(...values) {
+  for (const { storage } of values) if (storage[varies]) return true
   return false
 }
 const varies = Symbol('varies')
 
-/** The indices of all numbers of a value, by their number. Memoized like layouts; nothing writes to them. */
+/** Maps the size of a value → the indices of all its numbers. Shared by all values, since nothing writes to them. */
 const allIndices = Array.from({ length: 17 }, (_, size) =>
   Array.from({ length: size }, (_, i) => i),
 )
 const indicesOf = (numbers) => allIndices[numbers.length] ?? [...numbers.keys()]
 
-export function fresh(type, numbers, isVarying) {
-  const of = isVarying || layoutOf(type)?.kind !== 'float' ? numbers : numbers.map(Math.fround)
-  of[varies] = !!isVarying
-  return part(type, of, indicesOf(of))
+export function newValue(type, numbers, isVarying) {
+  const storage = isVarying || layoutOf(type)?.kind !== 'float' ? numbers : numbers.map(Math.fround)
+  storage[varies] = !!isVarying
+  return valueIn(type, storage, indicesOf(storage))
 }
-export function write({ of, at }, numbers, isVarying) {
-  at.forEach((place, i) => (of[place] = numbers[i]))
-  if (isVarying) of[varies] = true
-  else if (at.length === of.length) of[varies] = false
+export function write({ storage, indices }, numbers, isVarying) {
+  indices.forEach((index, i) => (storage[index] = numbers[i]))
+  if (isVarying) storage[varies] = true
+  else if (indices.length === storage.length) storage[varies] = false
 }
 
-/** A vector to the left of a matrix is a row, one to its right a column. */
+/** Multiplies matrices and vectors. A vector to the left of a matrix is a row, one to its right a column. */
 export function multiply(a, x, b, y, isVarying) {
   const [rows, inner] = a.columns > 1 ? [a.rows, a.columns] : [1, a.rows]
   const columns = b.columns > 1 ? b.columns : 1
@@ -92,7 +92,7 @@ export function multiply(a, x, b, y, isVarying) {
     return sum
   })
   const size = Math.max(columns, rows)
-  return fresh(
+  return newValue(
     columns > 1 && rows > 1 ? matrixType(columns, rows) : `vec${size}`,
     numbers,
     isVarying,

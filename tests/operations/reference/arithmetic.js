@@ -3,16 +3,16 @@ import {
   awayFromZero,
   binary,
   byComponent,
-  close,
   integersUpTo,
   makeOperandsMeet,
   pick,
+  smallNumber,
   span,
   ternary,
 } from './row.js'
 import { power } from './tolerances.js'
 
-const both = (name, f, domains, more) => ({
+const binaryRow = (name, f, domains, more) => ({
   name,
   shapes: binary,
   domains,
@@ -25,28 +25,28 @@ const divisor = awayFromZero(0.25, 3)
 
 /** Operations with any number of operands, applied from left to right. */
 const chainRow = (name, f, domains, more) => ({
-  ...both(name, (first, ...others) => others.reduce(f, first), domains, more),
+  ...binaryRow(name, (first, ...others) => others.reduce(f, first), domains, more),
   shapes: [...binary, [1, 1, 1], [2, 1, 2], [3, 3, 3, 3], [1, 4, 1, 4]],
 })
 
 const sum = (a, b) => a + b
 const product = (a, b) => a * b
-const ties = { kinks: 'where operands are equal', adjust: makeOperandsMeet }
+const tieOptions = { kinks: 'where operands are equal', adjust: makeOperandsMeet }
 
 const mod = (x, y) => x - y * Math.floor(x / y)
 
-/** Brings x close to a multiple of y, but not closer than 1e-4, so that float32 is on the right side. */
+/** For `adjust`: brings some x close to a multiple of y, but not closer than 1e-4, so that float32 is on the right side. */
 function nearMultiples([xs, ys], random) {
   const moved = xs.map((x, i) => {
     const y = ys[i % ys.length]
     const nearest = y * Math.round(x / y)
-    return random() < 0.2 || Math.abs(x - nearest) < 1e-4 ? nearest + close(random) : x
+    return random() < 0.2 || Math.abs(x - nearest) < 1e-4 ? nearest + smallNumber(random) : x
   })
   return [moved, ys]
 }
 
-/** x to constant integer exponents, four at a time. */
-const wholePowers = [-16, -12, -8, -4, 0, 4, 8, 12, 16].map((first) => {
+/** Rows of x to constant integer exponents, four at a time. */
+const integerPowers = [-16, -12, -8, -4, 0, 4, 8, 12, 16].map((first) => {
   const exponents = first === 16 ? [16, 2, -1, -3] : [0, 1, 2, 3].map((i) => first + i)
   return {
     name: 'pow',
@@ -91,7 +91,7 @@ const constantBase = {
   reference: ([y]) => [2, 0.3, 1].map((base) => base ** y),
 }
 
-const vectorOfWholePowers = {
+const integerPowersByComponent = {
   name: 'pow',
   note: 'constant exponents by component -3, 2',
   shapes: [[2]],
@@ -105,15 +105,15 @@ const arithmeticRows = [
   chainRow('sub', (a, b) => a - b, [anything]),
   chainRow('mult', product, [anything]),
   chainRow('div', (a, b) => a / b, [anything, divisor]),
-  both('pow', (x, y) => x ** y, [span(0.05, 4), span(-3, 3, { at: [0, 1, 2] })], {
+  binaryRow('pow', (x, y) => x ** y, [span(0.05, 4), span(-3, 3, { at: [0, 1, 2] })], {
     tolerance: power,
   }),
-  ...wholePowers,
+  ...integerPowers,
   ...otherPowers,
   constantBase,
-  vectorOfWholePowers,
-  // The min distance from the origin, where all angles meet, is 0.05.
-  both('atan', Math.atan2, [anything], {
+  integerPowersByComponent,
+  // Points are at least 0.05 from the origin, where all angles meet.
+  binaryRow('atan', Math.atan2, [anything], {
     kinks: 'where the angle jumps from π to -π',
     adjust: ([ys, xs]) => [
       ys,
@@ -123,13 +123,13 @@ const arithmeticRows = [
       }),
     ],
   }),
-  both('mod', mod, [span(-6, 6), divisor], {
+  binaryRow('mod', mod, [span(-6, 6), divisor], {
     kinks: 'at multiples of the divisor',
     adjust: nearMultiples,
     shapes: binary.filter(([x, y]) => x >= y),
   }),
-  chainRow('min', (a, b) => (b < a ? b : a), [anything], ties),
-  chainRow('max', (a, b) => (b > a ? b : a), [anything], ties),
+  chainRow('min', (a, b) => (b < a ? b : a), [anything], tieOptions),
+  chainRow('max', (a, b) => (b > a ? b : a), [anything], tieOptions),
 ]
 
 const clamp = (x, low, high) => (high < (x > low ? x : low) ? high : x > low ? x : low)
@@ -140,36 +140,42 @@ function smoothstep(low, high, x) {
   return t * t * (3 - 2 * t)
 }
 
-/** Bounds at least 0.3 apart, in either order; x is sometimes at or close to one of them. */
-function apart([lows, highs, xs], random) {
+/** For `adjust`: makes the bounds at least 0.3 apart, in either order, and moves some x to or close to one of them. */
+function separateBounds([lows, highs, xs], random) {
   const size = Math.max(lows.length, highs.length)
   const bounds = Array.from({ length: size }, (_, i) => [lows, highs].map((b) => b[i % b.length]))
-  const wide = bounds.every(([low, high]) => Math.abs(high - low) >= 0.3)
-  const far = wide ? highs : highs.map((_, i) => Math.max(...lows) + 0.3 + 0.1 * i)
+  const areSeparate = bounds.every(([low, high]) => Math.abs(high - low) >= 0.3)
+  const highsAbove = areSeparate ? highs : highs.map((_, i) => Math.max(...lows) + 0.3 + 0.1 * i)
   const nearBound = (x, i) => {
-    const bound = pick([lows, far], random)
-    return random() < 0.2 ? bound[i % bound.length] + close(random) : x
+    const bound = pick([lows, highsAbove], random)
+    return random() < 0.2 ? bound[i % bound.length] + smallNumber(random) : x
   }
-  const swapped = lows.length === far.length && random() < 0.25
-  return [...(swapped ? [far, lows] : [lows, far]), xs.map(nearBound)]
+  const swapped = lows.length === highsAbove.length && random() < 0.25
+  return [...(swapped ? [highsAbove, lows] : [lows, highsAbove]), xs.map(nearBound)]
 }
 
-const all = (name, f, domains, more) => ({ ...both(name, f, domains, more), shapes: ternary })
+const ternaryRow = (name, f, domains, more) => ({
+  ...binaryRow(name, f, domains, more),
+  shapes: ternary,
+})
 
 const piecewise = [
-  all('clamp', clamp, [anything], {
+  ternaryRow('clamp', clamp, [anything], {
     kinks: 'at the bounds, and where they are equal',
     adjust: makeOperandsMeet,
   }),
-  all('mix', mix, [anything, anything, span(-0.5, 1.5, { at: integersUpTo(1) })]),
-  { ...both('step', (edge, x) => (x < edge ? 0 : 1), [anything], ties), kinks: 'at the edge' },
-  all('smoothstep', smoothstep, [span(-2, 0), span(0, 2), anything], {
+  ternaryRow('mix', mix, [anything, anything, span(-0.5, 1.5, { at: integersUpTo(1) })]),
+  {
+    ...binaryRow('step', (edge, x) => (x < edge ? 0 : 1), [anything], tieOptions),
+    kinks: 'at the edge',
+  },
+  ternaryRow('smoothstep', smoothstep, [span(-2, 0), span(0, 2), anything], {
     kinks: 'at the bounds, where the slope bends',
-    adjust: apart,
+    adjust: separateBounds,
   }),
 ]
 
-/** The same operation by another name in glsl-autodiff. */
+/** Makes a row for an operation by another name, which glsl-autodiff has. */
 const alias = (name, original, shapes) => ({
   ...[...arithmeticRows, ...piecewise].find((row) => row.name === original),
   name,

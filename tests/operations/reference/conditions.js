@@ -2,8 +2,8 @@
 import { binary, makeOperandsMeet, span } from './row.js'
 
 const number = span(-2, 2, { at: [0, 1] })
-const truth = (condition) => (condition ? 1 : 0)
-const truths = (shapes) => {
+const toNumber = (condition) => (condition ? 1 : 0)
+const conditionShape = (shapes) => {
   const size = Math.max(...shapes)
   return size === 1 ? 'bool' : `bvec${size}`
 }
@@ -11,27 +11,27 @@ const truths = (shapes) => {
 const comparison = (name, holds) => ({
   name,
   shapes: binary,
-  result: truths,
+  result: conditionShape,
   domains: [number],
   adjust: makeOperandsMeet,
-  kinks: 'where both are equal',
+  kinks: 'where the operands are equal',
   reference: (a, b) =>
     Array.from({ length: Math.max(a.length, b.length) }, (_, i) =>
-      truth(holds(a[i % a.length], b[i % b.length])),
+      toNumber(holds(a[i % a.length], b[i % b.length])),
     ),
 })
 
-/** Logic of the conditions that the operands are above zero. */
+/** Makes a row for a logical operation, on the conditions that the operands are above zero. */
 const logic = (name, counts, holds) => ({
   name,
   note: 'of conditions, operands above 0',
   shapes: counts.flatMap((count) => [1, 3].map((size) => Array(count).fill(size))),
-  result: truths,
+  result: conditionShape,
   domains: [number],
   kinks: 'at 0',
   build: ({ call }, ...operands) => call(...operands.map((operand) => operand.gt(0))),
   reference: (...operands) =>
-    operands[0].map((_, i) => truth(holds(...operands.map((operand) => operand[i] > 0)))),
+    operands[0].map((_, i) => toNumber(holds(...operands.map((operand) => operand[i] > 0)))),
 })
 
 const choice = (name, shapes) => ({
@@ -43,8 +43,8 @@ const choice = (name, shapes) => ({
   build: ({ call }, condition, yes, no) => call(condition.gt(0), yes, no),
   reference: (condition, yes, no) =>
     Array.from({ length: Math.max(condition.length, yes.length, no.length) }, (_, i) => {
-      const taken = condition[i % condition.length] > 0 ? yes : no
-      return taken[i % taken.length]
+      const selected = condition[i % condition.length] > 0 ? yes : no
+      return selected[i % selected.length]
     }),
 })
 
@@ -55,9 +55,9 @@ export const conditions = [
   comparison('ge', (a, b) => a >= b),
   comparison('eq', (a, b) => a === b),
   comparison('ne', (a, b) => a !== b),
-  logic('and', [2, 3], (...given) => given.every(Boolean)),
-  logic('or', [2, 3], (...given) => given.some(Boolean)),
-  logic('not', [1], (given) => !given),
+  logic('and', [2, 3], (...values) => values.every(Boolean)),
+  logic('or', [2, 3], (...values) => values.some(Boolean)),
+  logic('not', [1], (value) => !value),
   choice('ifElse', [
     [1, 1, 1],
     [1, 3, 3],

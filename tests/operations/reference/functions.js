@@ -4,7 +4,7 @@ import { sine } from './tolerances.js'
 
 const { sin, cos } = Math
 
-/** Writes a function of floats in both languages. */
+/** Writes a function of floats in GLSL and WGSL. */
 function writeSource(name, names, body) {
   const parameters = (text) => names.map(text).join(', ')
   return {
@@ -91,7 +91,7 @@ export const functions = [
   ),
   row(
     [1],
-    'its second derivative',
+    'another function as derivative, differentiated twice',
     ({ glsl, call }, x) => glsl.derivative(call(wave(glsl))(x.mult(x)), x),
     ([x]) => [6 * x * cos(3 * x * x)],
     { tolerance: sine },

@@ -63,12 +63,12 @@ function inverse(m) {
 const condition = (m) => [norm(m) * norm(inverse(m))]
 
 /** For `adjust`: increases the diagonal of a matrix that is close to singular. */
-const regular = ([m]) => {
+const makeRegular = ([m]) => {
   const isClose = Math.abs(determinant(m)) < 0.2
   return [isClose ? m.map((x, i) => x + (i % (sizeOf(m) + 1) ? 0 : 3)) : m]
 }
 
-/** Rodrigues' formula, with a normalized axis. */
+/** Computes a rotation by Rodrigues' formula, with a normalized axis. */
 function rotation(axis, angle) {
   const [x, y, z] = axis.map((value) => value / norm(axis))
   const [c, s] = [Math.cos(angle), Math.sin(angle)]
@@ -131,7 +131,7 @@ const byEntries = [
   reference,
 }))
 
-/** Operations on a single matrix. */
+/** Makes a row for an operation on a single matrix. */
 const ofMatrix = (name, reference, more) => ({
   name,
   note: 'of a matrix',
@@ -142,8 +142,8 @@ const ofMatrix = (name, reference, more) => ({
   ...more,
 })
 
-/** m.column(i) and m.row(i) for every i. */
-const parts = (name, reference) =>
+/** Makes rows for m.column(i) or m.row(i), for every i. */
+const columnOrRow = (name, reference) =>
   sizes.flatMap((size) =>
     indices(size).map((i) => ({
       name,
@@ -156,7 +156,7 @@ const parts = (name, reference) =>
     })),
   )
 
-const join = (...parts) => parts.flat()
+const join = (...lists) => lists.flat()
 
 const constructors = sizes.flatMap((size) => {
   const name = matrix(size)
@@ -180,7 +180,7 @@ const constructors = sizes.flatMap((size) => {
   ]
 })
 
-const turns = [
+const rotations = [
   ['rotateX', [1, 0, 0]],
   ['rotateY', [0, 1, 0]],
   ['rotateZ', [0, 0, 1]],
@@ -198,7 +198,7 @@ export const matrices = [
   ...products,
   {
     name: 'mult',
-    note: 'two matrices and a vector in a row',
+    note: 'two matrices and a vector, in one call',
     shapes: [['mat3', 'mat3', 3]],
     result: () => 3,
     domains: [entry],
@@ -218,12 +218,12 @@ export const matrices = [
   ofMatrix('transpose', transpose),
   ofMatrix('determinant', (m) => [determinant(m)], { result: () => 1 }),
   ofMatrix('inverse', inverse, {
-    adjust: regular,
+    adjust: makeRegular,
     sensitivity: { value: condition, derivative: condition, because: 'the condition ‖m‖ ‖m⁻¹‖' },
   }),
-  ...parts('column', columnOf),
-  ...parts('row', rowOf),
-  ...turns,
+  ...columnOrRow('column', columnOf),
+  ...columnOrRow('row', rowOf),
+  ...rotations,
   {
     name: 'rotate',
     shapes: [[3, 1]],

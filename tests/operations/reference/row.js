@@ -1,29 +1,30 @@
 // Helpers for the rows of the reference: domains to sample, and operations by component.
 
-/** Returns numbers from -0.1 to 0.1, mostly much smaller. */
-export const close = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * random())
+/** Returns a number of either sign whose magnitude is from 10⁻⁴ to 0.1, distributed evenly on a logarithmic scale. */
+export const smallNumber = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * random())
 
 export const pick = (list, random) => list[Math.floor(list.length * random())]
 
 /**
- * Makes a domain: a function that draws numbers from `from` to `to` with a source of random numbers. One in twelve is one of `at`, two in
- * ten are close to one of `near`, which are kinks or the ends of the domain.
+ * Makes a domain: a function that draws a number between `from` and `to` from a random source. One in twelve numbers is one of `at`, two in
+ * ten are close to one of `near`, which are kinks or ends of the domain.
  */
 export const span =
   (from, to, { at = [], near = at } = {}) =>
   (random) => {
     const chance = random()
     if (at.length && chance < 0.08) return pick(at, random)
-    const nearby = near.length && chance < 0.3 ? pick(near, random) + close(random) : NaN
+    const nearby = near.length && chance < 0.3 ? pick(near, random) + smallNumber(random) : NaN
     return nearby >= from && nearby <= to ? nearby : from + (to - from) * random()
   }
 
-/** Numbers of either sign, at least `min` and at most `max` from zero. */
+/** Makes a domain of numbers of either sign, at least `min` and at most `max` from zero. */
 export const awayFromZero = (min, max) => (random) =>
   (random() < 0.5 ? -1 : 1) * (min + (max - min) * random())
 
-/** Integers and halves, from -`max` to `max`. */
+/** Returns the integers from -`max` to `max`. */
 export const integersUpTo = (max) => Array.from({ length: 2 * max + 1 }, (_, i) => i - max)
+/** Returns these integers plus 0.5. */
 export const halves = (max) => integersUpTo(max).map((n) => n + 0.5)
 
 /** For `adjust`: brings some components of the other operands close to, or exactly to, those of the first. */
@@ -32,7 +33,7 @@ export const makeOperandsMeet = (operands, random) =>
     operand.map((x, c) => {
       const chance = k === 0 ? 1 : random()
       if (chance > 0.3) return x
-      return operands[0][c % operands[0].length] + (chance < 0.07 ? 0 : close(random))
+      return operands[0][c % operands[0].length] + (chance < 0.07 ? 0 : smallNumber(random))
     }),
   )
 
@@ -40,10 +41,10 @@ export const makeOperandsMeet = (operands, random) =>
 export const byComponent =
   (f) =>
   (...operands) => {
-    const widestOne = operands.reduce((longest, operand) =>
+    const longestOperand = operands.reduce((longest, operand) =>
       operand.length > longest.length ? operand : longest,
     )
-    return widestOne.map((_, i) => f(...operands.map((x) => x[x.length === 1 ? 0 : i])))
+    return longestOperand.map((_, i) => f(...operands.map((x) => x[x.length === 1 ? 0 : i])))
   }
 
 /** Returns the shape of a result by component. */

@@ -29,9 +29,9 @@ function roundHalfToEven(x) {
 }
 
 const integers = { at: integersUpTo(4) }
-/** The error is relative to 1 - x². */
-const toOne = (x) => 1 / Math.max(1e-7, 1 - x * x)
-const nearPole = byComponent((x) => 1 / Math.abs(Math.cos(x)))
+/** The factor by which 1 - x² amplifies errors near 1 and -1. */
+const amplificationNearOne = (x) => 1 / Math.max(1e-7, 1 - x * x)
+const amplificationNearPole = byComponent((x) => 1 / Math.abs(Math.cos(x)))
 
 export const scalars = [
   scalar('neg', (x) => -x, span(-5, 5, { at: [0] })),
@@ -46,17 +46,21 @@ export const scalars = [
     (random) => Math.PI * Math.floor(3 * random() - 1) + span(-1.37, 1.37, { at: [0] })(random),
     {
       tolerance: sine,
-      sensitivity: { value: nearPole, derivative: nearPole, because: '1 / cos x' },
+      sensitivity: {
+        value: amplificationNearPole,
+        derivative: amplificationNearPole,
+        because: '1 / cos x',
+      },
     },
   ),
   scalar('asin', Math.asin, span(-1, 1, { at: [-1, 0, 1] }), {
     kinks: 'at -1 and 1',
-    sensitivity: { derivative: byComponent(toOne), because: '1 / (1 - x²)' },
+    sensitivity: { derivative: byComponent(amplificationNearOne), because: '1 / (1 - x²)' },
   }),
   scalar('acos', Math.acos, span(-1, 1, { at: [-1, 0, 1] }), {
     kinks: 'at -1 and 1',
     tolerance: arcCosine,
-    sensitivity: { derivative: byComponent(toOne), because: '1 / (1 - x²)' },
+    sensitivity: { derivative: byComponent(amplificationNearOne), because: '1 / (1 - x²)' },
   }),
   scalar('atan', Math.atan, span(-20, 20, { at: [0] })),
   scalar('sinh', Math.sinh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
@@ -79,7 +83,7 @@ export const scalars = [
   }),
   scalar('atanh', Math.atanh, span(-0.9999, 0.9999, { at: [0], near: [-1, 0, 1] }), {
     tolerance: exponential,
-    sensitivity: { derivative: byComponent(toOne), because: '1 / (1 - x²)' },
+    sensitivity: { derivative: byComponent(amplificationNearOne), because: '1 / (1 - x²)' },
   }),
   scalar('exp', Math.exp, span(-6, 5, { at: [0] }), { tolerance: exponential }),
   scalar('exp2', (x) => 2 ** x, span(-7, 7, { at: [0, 3] }), { tolerance: exponential }),

@@ -10,31 +10,31 @@ const unit = (v) => (length(v) === 0 ? v : times(v, 1 / length(v)))
 const coordinate = span(-2, 2, { at: [0] })
 const sizes = [2, 3, 4]
 const pairs = sizes.map((size) => [size, size])
-const first = ([shape]) => shape
-const number = () => 1
+const firstShape = ([shape]) => shape
+const scalarShape = () => 1
 
 /** For `adjust`: sometimes makes all operands equal or the first one zero, and often makes the first one short. */
-const short = (operands, random) => {
+const shortenFirst = (operands, random) => {
   const chance = random()
   if (chance < 0.04) return operands.map(() => operands[0])
   const factor = chance < 0.08 ? 0 : chance < 0.3 ? 10 ** (-3 * random()) : 1
   return operands.map((operand, k) => (k === 0 ? times(operand, factor) : operand))
 }
 
-/** For `adjust`: makes the length almost, but not exactly 1, like that of normals in a shader. */
+/** Makes the length of a vector almost, but not exactly 1, like that of normals in a shader. */
 const nearlyUnit = (random) => (v) =>
   times(length(v) < 0.1 ? v.map(() => 1) : unit(v), 0.8 + 0.4 * random())
 
-/** The operands of reflect and refract: an incident vector, a normal and possibly more. */
-const light = ([incident, normal, ...others], random) => [
+/** For `adjust`: makes the incident vector and the normal of reflect and refract nearly unit vectors. */
+const adjustLight = ([incident, normal, ...others], random) => [
   ...[incident, normal].map(nearlyUnit(random)),
   ...others,
 ]
 
-const underRoot = (incident, normal, eta) => 1 - eta * eta * (1 - dot(normal, incident) ** 2)
+const radicand = (incident, normal, eta) => 1 - eta * eta * (1 - dot(normal, incident) ** 2)
 
 function refract(incident, normal, [eta]) {
-  const k = underRoot(incident, normal, eta)
+  const k = radicand(incident, normal, eta)
   if (k < 0) return incident.map(() => 0)
   const along = eta * dot(normal, incident) + Math.sqrt(k)
   return minus(times(incident, eta), times(normal, along))
@@ -51,7 +51,7 @@ const constructorRow = (name, shapes, note, reference, more) => ({
   ...more,
 })
 
-const join = (...parts) => parts.flat()
+const join = (...operands) => operands.flat()
 
 /** Methods named by their letters; tests/core/operations.test.js tests all of them. */
 const swizzles = {
@@ -80,26 +80,26 @@ export const vectors = [
   {
     name: 'dot',
     shapes: pairs,
-    result: number,
+    result: scalarShape,
     domains: [coordinate],
     reference: (a, b) => [dot(a, b)],
   },
   {
     name: 'length',
     shapes: sizes.map((size) => [size]),
-    result: number,
+    result: scalarShape,
     domains: [coordinate],
-    adjust: short,
+    adjust: shortenFirst,
     kinks: 'at 0',
     reference: (v) => [length(v)],
   },
   ...['dist', 'distance'].map((name) => ({
     name,
     shapes: pairs,
-    result: number,
+    result: scalarShape,
     domains: [coordinate],
-    adjust: short,
-    kinks: 'where both are the same point',
+    adjust: shortenFirst,
+    kinks: 'where the points are equal',
     reference: (a, b) => [length(minus(a, b))],
   })),
   {
@@ -112,7 +112,7 @@ export const vectors = [
     name: 'normalize',
     shapes: sizes.map((size) => [size]),
     domains: [coordinate],
-    adjust: short,
+    adjust: shortenFirst,
     kinks: 'at 0',
     // The derivatives of a short vector are large, and those along it are small differences of these.
     sensitivity: {
@@ -125,22 +125,22 @@ export const vectors = [
     name: 'reflect',
     shapes: pairs,
     domains: [coordinate],
-    adjust: light,
+    adjust: adjustLight,
     reference: (incident, normal) => minus(incident, times(normal, 2 * dot(normal, incident))),
   },
   {
     name: 'refract',
     shapes: sizes.map((size) => [size, size, 1]),
-    result: first,
+    result: firstShape,
     domains: [coordinate, coordinate, span(0.4, 1.7)],
-    adjust: light,
+    adjust: adjustLight,
     kinks: 'where total reflection begins',
-    // The root of a number close to zero.
+    // The root of a number close to zero amplifies errors.
     sensitivity: {
       derivative: (incident, normal, [eta]) => [
-        1 / Math.max(1e-7, Math.min(1, Math.abs(underRoot(incident, normal, eta)))),
+        1 / Math.max(1e-7, Math.min(1, Math.abs(radicand(incident, normal, eta)))),
       ],
-      because: '1 / what is under the root',
+      because: '1 / radicand',
     },
     reference: refract,
   },

@@ -61,13 +61,13 @@ export const sketches = {
       return [0, sum * 0.2, 0]
     })`,
     twin: ({ glsl, position: { x }, millis }) => {
-      const of = (i) =>
+      const waveOf = (i) =>
         x
           .mult(3 * i)
           .add(millis.div(1000))
           .sin()
           .div(i)
-      return glsl.vec3(0, of(1).add(of(3)).mult(0.2), 0)
+      return glsl.vec3(0, waveOf(1).add(waveOf(3)).mult(0.2), 0)
     },
   },
   'a loop whose end depends on the vertex': {
@@ -76,7 +76,7 @@ export const sketches = {
       while (position.x > n) n++
       return position * n
     })`,
-    says: /A loop cannot depend on a condition that differs by vertex/,
+    error: /A loop cannot depend on a condition that differs by vertex/,
   },
   'a switch that depends on the vertex': {
     setup: `wave = createWarp(({ position }) => {
@@ -85,7 +85,7 @@ export const sketches = {
         default: return position * 0.1
       }
     })`,
-    says: /A switch cannot depend on a condition that differs by vertex/,
+    error: /A switch cannot depend on a condition that differs by vertex/,
   },
   'a mode of the sketch': {
     top: `const mode = 'twist'`,

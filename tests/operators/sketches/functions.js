@@ -38,7 +38,8 @@ export const sketches = {
     setup: `wave = createWarp(({ position: { x, y, z } }) => [0, 0, noise(x * 2, y * 2, z * 2)])`,
     twin: ({ glsl, position }) =>
       glsl.vec3(0, 0, position.mult(2).fbm({ octaves: 4 }).mult(0.5).add(0.5)),
-    notes: /^noise: p5's noise\(\) works on numbers; for expressions it becomes warpjet's glsl.fbm/,
+    warning:
+      /^noise: p5's noise\(\) works on numbers; for expressions it becomes warpjet's glsl.fbm/,
   },
   'dist and mag': {
     setup: `wave = createWarp(({ position: { x, y, z } }) => [0, 0, dist(x, y, 0.2, 0.1) * 0.5 - mag(x, z) * 0.2])`,
@@ -68,7 +69,7 @@ export const sketches = {
       v.mult(0.2)
       return v
     })`,
-    notes: /^v\.mult\(0\.2\) has no effect: .* v = v\.mult\(2\)/,
+    warning: /^v\.mult\(0\.2\) has no effect: .* v = v\.mult\(2\)/,
   },
   'a p5 vector whose components are assigned': {
     setup: `wave = createWarp(({ position }) => {
@@ -102,7 +103,7 @@ export const sketches = {
   },
   'an unknown p5 function': {
     setup: `wave = createWarp(({ position }) => [randomGaussian(position.x, 1) * 0.1, 0, 0])`,
-    says: /p5's randomGaussian works on numbers, not on expressions of a warp/,
+    error: /p5's randomGaussian works on numbers, not on expressions of a warp/,
   },
   'the functions of Math': {
     setup: `wave = createWarp(({ position: { x, y } }) => [

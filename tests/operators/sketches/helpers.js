@@ -61,8 +61,8 @@ export const sketches = {
       return [0, 0, heights.reduce((a, b) => a + b)]
     })`,
     twin: ({ glsl, position: { x } }) => {
-      const at = (c, h) => x.sub(c).mult(x.sub(c)).mult(-8).exp().mult(h)
-      return glsl.vec3(0, 0, at(-0.5, 0.3).add(at(0.5, 0.2)))
+      const bumpAt = (c, h) => x.sub(c).mult(x.sub(c)).mult(-8).exp().mult(h)
+      return glsl.vec3(0, 0, bumpAt(-0.5, 0.3).add(bumpAt(0.5, 0.2)))
     },
   },
   'a vector class of the sketch': {
@@ -93,14 +93,14 @@ export const sketches = {
     setup: `wave = createWarp(({ position }) => [octaves(position.y * 3, 3) * 0.4, 0, 0])`,
     twin: ({ glsl, position: { y } }) => {
       const a = y.mult(3)
-      const of = (x, n) =>
+      const octaves = (x, n) =>
         n
           ? x
               .sin()
               .div(n)
-              .add(glsl.mult(of(x.mult(2), n - 1), 0.5))
+              .add(glsl.mult(octaves(x.mult(2), n - 1), 0.5))
           : 0
-      return glsl.vec3(of(a, 3).mult(0.4), 0, 0)
+      return glsl.vec3(octaves(a, 3).mult(0.4), 0, 0)
     },
   },
   'a function that takes a function': {

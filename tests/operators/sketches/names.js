@@ -12,7 +12,8 @@ export const sketches = {
       return createWarp(({ position }) => [0, sin(position.x * 5) * height, 0])
     }`,
     setup: `wave = makeWave(0.3)`,
-    says: /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope: \{ height \} \}/,
+    error:
+      /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope: \{ height \} \}/,
   },
   'a parameter named height, with the option scope': {
     top: `function makeWave(height) {
@@ -32,7 +33,8 @@ export const sketches = {
   'a local variable of setup': {
     setup: `const amount = random([0.3, 0.3])
     wave = createWarp(({ position }) => [0, position.x * amount, 0])`,
-    says: /cannot access "amount" of the enclosing scope; make it global, or add the option \{ scope: \{ amount \} \}/,
+    error:
+      /cannot access "amount" of the enclosing scope; make it global, or add the option \{ scope: \{ amount \} \}/,
   },
   'a global variable': {
     top: `const amount = 0.3`,
@@ -42,7 +44,7 @@ export const sketches = {
   'a top-level arrow function with a parameter named length': {
     top: `const makeWave = (length) => createWarp(({ position }) => position * length)`,
     setup: `wave = makeWave(0.4)`,
-    says: /cannot access "length" .* scope: \{ length \}/,
+    error: /cannot access "length" .* scope: \{ length \}/,
   },
   'a global variable, and a local one with the same name in another function': {
     top: `const size = 0.25
@@ -52,7 +54,7 @@ export const sketches = {
   },
   'the variable of an enclosing loop': {
     setup: `for (let i = 1; i < 3; i++) wave = createWarp(({ position }) => position * (i / 10))`,
-    says: /cannot access "i" .* scope: \{ i \}/,
+    error: /cannot access "i" .* scope: \{ i \}/,
   },
   'a class that creates its warp': {
     top: `class Blob {
@@ -62,7 +64,8 @@ export const sketches = {
       }
     }`,
     setup: `wave = new Blob(0.3).warp`,
-    says: /cannot access "this" of the enclosing object; write amount in place of this.amount, and add the option \{ scope: \{ amount: this.amount \} \}/,
+    error:
+      /cannot access "this" of the enclosing object; write amount in place of this.amount, and add the option \{ scope: \{ amount: this.amount \} \}/,
   },
   'a class that creates its warp, with the option scope': {
     top: `class Blob {

@@ -38,20 +38,20 @@ export const sketches = {
   mouseX: {
     setup: `wave = createWarp(({ position }) => [position.y * (0.3 + mouseX / 1000), 0, 0])`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(y.mult(0.3), 0, 0),
-    notes:
+    warning:
       /reads mouseX once, .* write uniforms.mouseX in its place, with the option \{ uniforms: \{ mouseX: \(\) => mouseX \} \}/,
   },
   frameCount: {
     setup: `wave = createWarp(({ position }) => [position.y * (0.3 + frameCount / 1000), 0, 0])`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(y.mult(0.3), 0, 0),
-    notes: /reads frameCount once, .* uniforms: \{ frameCount: \(\) => frameCount \}/,
+    warning: /reads frameCount once, .* uniforms: \{ frameCount: \(\) => frameCount \}/,
   },
   'a level that the sketch changes': {
     top: `let level = 0.3
     function mouseMoved() { level = map(mouseX, 0, width, 0, 0.5) }`,
     setup: `wave = createWarp(({ position }) => [position.y * level, 0, 0])`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(y.mult(0.3), 0, 0),
-    notes:
+    warning:
       /reads level once, .* write uniforms.level in its place, with the option \{ uniforms: \{ level: \(\) => level \} \}/,
   },
   'a level passed as a uniform, as the message advises': {
@@ -67,7 +67,7 @@ export const sketches = {
     twin: ({ position }) => position.mult(0.3),
   },
   'instance mode': {
-    whole: `new p5((p) => {
+    source: `new p5((p) => {
       let wave
       p.setup = () => {
         p.createCanvas(100, 100, p.WEBGL)
@@ -80,7 +80,7 @@ export const sketches = {
       glsl.vec3(y.mult(4).add(millis.div(1000)).sin().mult(0.2), x.mult(0.2), 0),
   },
   'instance mode, with a named sketch function and helpers': {
-    whole: `const sketch = (p) => {
+    source: `const sketch = (p) => {
       let wave
       const bump = (x) => p.cos(x * 5) * 0.2
       function both(x, y) { return bump(x) + bump(y) }
@@ -96,7 +96,7 @@ export const sketches = {
       glsl.vec3(0, 0, x.mult(5).cos().mult(0.2).add(y.mult(5).cos().mult(0.2))),
   },
   'instance mode, with a variable of the sketch': {
-    whole: `new p5((p) => {
+    source: `new p5((p) => {
       let wave
       let amount = 0.2
       p.setup = () => {
@@ -105,6 +105,6 @@ export const sketches = {
       }
       ${draw}
     })`,
-    says: /cannot access "amount" of the enclosing scope; .* scope: \{ amount \}/,
+    error: /cannot access "amount" of the enclosing scope; .* scope: \{ amount \}/,
   },
 }

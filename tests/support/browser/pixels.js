@@ -88,3 +88,24 @@ export function beyondEdges(image, other, tolerance) {
       if (isBeyond(x, y, 0) || isBeyond(x, y, 1) || isBeyond(x, y, 2)) count++
   return count
 }
+
+/** Returns the pixels of either image that the other one shows nowhere within a pixel, with `tolerance` in each channel. */
+export const beyondPixel = (a, b, tolerance) =>
+  missingPixels(a, b, tolerance) + missingPixels(b, a, tolerance)
+
+function missingPixels(a, b, tolerance) {
+  const { width, height } = a
+  const isLike = (i, x, y) => {
+    if (x < 0 || y < 0 || x >= width || y >= height) return false
+    const j = 4 * (y * width + x)
+    return [0, 1, 2, 3].every((k) => Math.abs(a.data[i + k] - b.data[j + k]) <= tolerance)
+  }
+  const steps = [0, -1, 1]
+  let count = 0
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++) {
+      const i = 4 * (y * width + x)
+      if (!steps.some((dy) => steps.some((dx) => isLike(i, x + dx, y + dy)))) count++
+    }
+  return count
+}

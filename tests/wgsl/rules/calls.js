@@ -1,5 +1,5 @@
 // Calls of built-in functions.
-/** Each function with some arguments, most of them wrong. */
+/** The functions, by their number of arguments. Each is called with several arguments, most of them wrong. */
 const functions =
   `abs acos acosh asin asinh atan atanh ceil cos cosh countLeadingZeros countOneBits countTrailingZeros degrees exp
   exp2 firstLeadingBit firstTrailingBit floor fract frexp inverseSqrt length log log2 modf normalize quantizeToF16 radians
@@ -16,7 +16,7 @@ const triples =
   `clamp extractBits faceForward fma mix refract select smoothstep vec3 vec4 mat3x3 array`.split(
     ' ',
   )
-const few = [
+const someOperands = [
   '0.5',
   '1',
   '2i',
@@ -30,9 +30,13 @@ const few = [
   'mat3x3f()',
 ]
 export const calls = [
-  ...functions.flatMap((name) => ['', ...few].map((given) => `${name}(${given})`)),
-  ...pairs.flatMap((name) => few.flatMap((a) => few.map((b) => `${name}(${a}, ${b})`))),
+  ...functions.flatMap((name) => ['', ...someOperands].map((operand) => `${name}(${operand})`)),
+  ...pairs.flatMap((name) =>
+    someOperands.flatMap((a) => someOperands.map((b) => `${name}(${a}, ${b})`)),
+  ),
   ...triples.flatMap((name) =>
-    few.flatMap((a) => ['0.5', '1', 'p', 'true', '2u'].map((b) => `${name}(${a}, ${a}, ${b})`)),
+    someOperands.flatMap((a) =>
+      ['0.5', '1', 'p', 'true', '2u'].map((b) => `${name}(${a}, ${a}, ${b})`),
+    ),
   ),
 ]

@@ -1,4 +1,4 @@
-// Declarations above the function.
+// Declarations outside of functions.
 export const globals = [
   'const x = 1;',
   'const x: f32 = 1;',

@@ -1,5 +1,5 @@
-// Operators with one operand or two, of each pair of types.
-import { body } from './sources.js'
+// Unary operators with operands of each type, and binary operators with operands of each pair of types.
+import { withBody } from './sources.js'
 
 /** One operand of each type. */
 const operands = [
@@ -26,18 +26,18 @@ const operands = [
   'a',
 ]
 const binary = ['+', '*', '%', '<', '==', '&', '^', '<<', '&&']
-const declared = 'struct S { x: f32 }'
+const structure = 'struct S { x: f32 }'
 export const operators = binary.flatMap((symbol) =>
   operands.flatMap((left) =>
     operands.map((right) => [
       `operator: ${left} ${symbol} ${right}`,
-      body(`var s: S; var a: array<f32, 3>; _ = (${left}) ${symbol} (${right});`, declared),
+      withBody(`var s: S; var a: array<f32, 3>; _ = (${left}) ${symbol} (${right});`, structure),
     ]),
   ),
 )
 export const unary = ['-', '!', '~', '&', '*'].flatMap((symbol) =>
   operands.map((operand) => [
     `operator: ${symbol}${operand}`,
-    body(`var s: S; var a: array<f32, 3>; _ = ${symbol}(${operand});`, declared),
+    withBody(`var s: S; var a: array<f32, 3>; _ = ${symbol}(${operand});`, structure),
   ]),
 )

@@ -4,17 +4,17 @@ import type { ExactWarp } from './exact-warp.js'
 
 export interface ExactNodeMaterial {
   settings: Settings
-  /** Distinguishes the program from that of a material without, whose nodes may be the same. */
+  /** Distinguishes the program from that of a material without exact normals, whose nodes may be the same. */
   key: string
-  /** Maps the code of a positionNode with textures → the warp that it is, or the message why it cannot be one. */
+  /** Maps the code of a positionNode with textures → its warp, or the message that says why it cannot be read as a warp. */
   warps: Map<string, ExactWarp | string>
-  /** The messages that the console has. */
+  /** The messages that were printed. */
   warned: Set<string>
 }
 
 const materials = new WeakMap<object, ExactNodeMaterial>()
 
-/** Returns what a material with `exactNormals` needs; `undefined` for others, and without a positionNode. */
+/** Returns the data of a material with `exactNormals`; `undefined` for other materials, and for those without a positionNode. */
 export const exactOf = (material: { positionNode: unknown }): ExactNodeMaterial | undefined =>
   material.positionNode ? materials.get(material) : undefined
 

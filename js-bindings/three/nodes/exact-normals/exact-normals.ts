@@ -1,4 +1,4 @@
-// `exactNormals` for materials of nodes.
+// `exactNormals` for node materials.
 import type { Material } from 'three'
 import type { NodeMaterial } from 'three/webgpu'
 import { normalsKinds, type NormalsOption } from '../../../compile/hosts.js'
@@ -10,8 +10,8 @@ import { addExact } from './exact-node-materials.js'
 
 export interface ExactNormalsOptions {
   /**
-   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'`
-   * chooses `'pixel'` for a position that contains noise or bends strongly, unless that takes too many operations per pixel.
+   * The stage that computes normals: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * `'pixel'` for a position that contains noise or bends strongly, unless that takes too many operations per pixel.
    * @default 'auto'
    */
   normals?: NormalsOption
@@ -20,14 +20,14 @@ export interface ExactNormalsOptions {
 const place = new Place('exactNormals')
 const optionsKind = object({ normals: normalsKinds.normals } satisfies KindsOf<ExactNormalsOptions>)
 
-/** The settings of the warp that a positionNode is. */
+/** Returns settings for the warp that is read from a positionNode. */
 export const settingsWith = (normals: NormalsOption): Settings => ({
   method: place.method,
   space: 'local',
   isAfterInstances: true,
   uniforms: undefined,
   normals,
-  // The noise is that of the node, whose code we leave as it is.
+  // Noise comes from the node, whose code we leave as it is.
   fadeNoise: false,
   isShared: true,
   surfaceVariation: undefined,
@@ -35,11 +35,11 @@ export const settingsWith = (normals: NormalsOption): Settings => ({
 
 /**
  * Makes the normals, tangents and velocities of a material follow its `positionNode`: `exactNormals(material)`. We read the position from
- * the shader code that three.js writes for it, on WebGPU and on WebGL 2, and differentiate that. The material's `normalNode` and normal
- * maps stay on top.
+ * the shader code that three.js writes for the node, on WebGPU and on WebGL 2, and differentiate it. The material's `normalNode` and
+ * normal maps are applied to the new normals.
  *
- * Returns the material. Throws a `WarpError` unless it has a `positionNode`. If the position cannot be differentiated, such as one that
- * depends on `vertexIndex`, the console says why once the material is drawn, and its normals stay as they are.
+ * Returns the material. Throws a `WarpError` unless it has a `positionNode`. If the position cannot be differentiated, for example because
+ * it depends on `vertexIndex`, the console says why once the material is drawn, and its normals stay as they are.
  */
 export function exactNormals<Kind extends Material>(
   material: Kind,
@@ -51,14 +51,9 @@ export function exactNormals<Kind extends Material>(
   if (!isNodeMaterial)
     throw place
       .part('the material')
-      .expected(
-        'a material of nodes, such as a MeshStandardNodeMaterial',
-        describeOfThree(material),
-      )
+      .expected('a node material, such as a MeshStandardNodeMaterial,', describeOfThree(material))
   if (!positionNode)
-    throw place
-      .part('the material')
-      .expected('one whose positionNode is set', 'one without', 'set positionNode before')
+    throw place.expected('a material with a positionNode', 'one without', 'set positionNode before')
   if (vertexNode)
     throw place.error(
       'expected a material that moves its vertices by positionNode, got one with a vertexNode, which replaces the position.',

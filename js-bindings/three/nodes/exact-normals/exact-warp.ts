@@ -1,4 +1,4 @@
-// The warp that a positionNode is, read from its code: compiled for normals, tangents, velocities and pixels like any other warp.
+// The warp that is read from the code of a positionNode. It is compiled for normals, tangents, velocities and pixels like any other warp.
 import type { Texture } from 'three'
 import {
   type Expression,
@@ -6,7 +6,7 @@ import {
   type OffsetFunction,
   type Target,
 } from '../../../compile/hosts.js'
-import { asOwn } from '../../../errors/operators.js'
+import { markLibraryFunction } from '../../../errors/operators.js'
 import { glslOffset, readPositionWithOthers, wgslOffset } from '../../../glsl-source/offset.js'
 import type { Settings } from '../../settings.js'
 import { ThreeWarp, type Stage } from '../../three-warp.js'
@@ -16,14 +16,14 @@ import { functionName, maxIterations, sizeOfEffects, type PositionSource } from 
 
 /** Returns the offset function of a positionNode. */
 export function offsetOf({ language, text }: PositionSource): OffsetFunction {
-  const read = (language === 'wgsl' ? wgslOffset : glslOffset)(text, {
+  const readOffset = (language === 'wgsl' ? wgslOffset : glslOffset)(text, {
     function: functionName,
     returns: 'position',
     maxIterations,
   })
   // The other inputs, such as millis, would be taken for uniforms of the source that have their names.
-  return asOwn(({ glsl, position, normal, uv, uniforms }) =>
-    read({ glsl, position, normal, uv, uniforms } as never),
+  return markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
+    readOffset({ glsl, position, normal, uv, uniforms } as never),
   )
 }
 
@@ -32,11 +32,11 @@ const elementName = /^(\w+?)(?:\.value)?\[(\d+)u?\]$/
 
 const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 
-/** Returns the offset function of a positionNode, and a function that returns the numbers of its effects once that is called. */
+/** Returns the offset function of a positionNode, and a function that returns the numbers of its effects once the offset function was called. */
 function offsetWithEffectsOf({ language, effects }: PositionSource, text: string) {
   const read = readPositionWithOthers(language, text, { function: functionName, maxIterations })
   let numbers: readonly Expression[] = []
-  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, uniforms }) => {
+  const offset: OffsetFunction = markLibraryFunction(({ glsl, position, normal, uv, uniforms }) => {
     const { offset, others } = read({ glsl, position, normal, uv, uniforms } as never)
     numbers = others.slice(0, sizeOfEffects(effects))
     return offset
@@ -45,16 +45,16 @@ function offsetWithEffectsOf({ language, effects }: PositionSource, text: string
 }
 
 export class ExactWarp extends ThreeWarp {
-  /** Three.js draws the back of a triangle that it mirrors, as it does without us. */
+  /** Always false: where the position mirrors triangles, three.js draws their backs, as it does without exact normals. */
   override get mirrors() {
     return false
   }
 
   override readonly isMirroredNow = () => false
-  /** The names of elements in the source that are not identifiers. */
+  /** The names by which the source reads elements of arrays; they are not identifiers. */
   private readonly elements: readonly string[]
 
-  /** With `text`, that of the source with effects, the shader code computes these, too. */
+  /** `text` is the `textWithEffects` of the source. If it is passed, the shader code computes the effects, too. */
   constructor(source: PositionSource, settings: Settings, text?: string) {
     const types = new Map([...source.values].map(([name, { type }]) => [name, type]))
     const images = Object.fromEntries(
@@ -106,7 +106,7 @@ export class ExactWarp extends ThreeWarp {
 const declared =
   /(?:^|\n)(?:fn|const|(?:const )?(?:(?:high|medium|low)p )?(?:void|float|u?int|bool|[iub]?vec[234]|mat[234]))\s+(\w+)\s*[(:=[]/g
 
-/** Renames what a warp declares, since a warp beside it in the same shader may declare the same. */
+/** Renames the functions and constants that the code declares, since another warp in the same shader may declare the same names. */
 function renameDeclared(text: HostText): HostText {
   const names = [...text.declarations.matchAll(declared)].map(([, name]) => name!)
   if (names.length === 0) return text
@@ -115,7 +115,7 @@ function renameDeclared(text: HostText): HostText {
   return { ...text, code: rename(text.code), declarations: rename(text.declarations) }
 }
 
-/** Uniform arrays pad their elements to four numbers. */
+/** Returns the node of an element, with the type of the array's elements: uniform arrays pad them to four numbers. */
 function elementOf(list: AnyNode, index: number, type: string): AnyNode {
   const element = list.element(index)
   return /^vec4$/.test(type) ? tsl.vec4(element) : element

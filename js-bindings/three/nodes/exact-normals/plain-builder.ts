@@ -1,4 +1,4 @@
-// A builder of three.js without a renderer, for nodes whose code no shader needs: on the CPU, or in any host.
+// A node builder of three.js without a renderer, to read nodes for the CPU and for other hosts.
 import { BufferAttribute, BufferGeometry, Mesh } from 'three'
 import { GLSLNodeBuilder, MeshBasicNodeMaterial, PerspectiveCamera, Scene } from 'three/webgpu'
 import { WarpError } from '../../../errors/errors.js'
@@ -20,22 +20,22 @@ const renderer = {
 
 /** A geometry with the attributes that an offset function knows. */
 function geometryOfInputs(): BufferGeometry {
-  const made = new BufferGeometry()
+  const geometry = new BufferGeometry()
   for (const [name, size] of [
     ['position', 3],
     ['normal', 3],
     ['uv', 2],
   ] as const)
-    made.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size))
-  return made
+    geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size))
+  return geometry
 }
 
 /** Makes a builder that writes GLSL. `place` begins messages. */
 export function plainBuilder(place: string): ReadingBuilder {
   const material = new MeshBasicNodeMaterial()
   const object = new Mesh(geometryOfInputs(), material)
-  const made = new GLSLNodeBuilder(object, renderer as never) as unknown as ReadingBuilder
-  Object.assign(made, {
+  const builder = new GLSLNodeBuilder(object, renderer as never) as unknown as ReadingBuilder
+  Object.assign(builder, {
     material,
     scene: new Scene(),
     camera: new PerspectiveCamera(),
@@ -43,9 +43,9 @@ export function plainBuilder(place: string): ReadingBuilder {
     hasGeometryAttribute(name: string) {
       if (knownAttributes.has(name)) return true
       throw new WarpError(
-        `${place}: the function reads the attribute "${name}", which an offset has not; expected a function of position, normalLocal, uv(), time, uniform() and texture().`,
+        `${place}: the function reads the attribute "${name}", which an offset function does not have; expected a function of position, normalLocal, uv(), time, uniform() and texture().`,
       )
     },
   })
-  return made
+  return builder
 }

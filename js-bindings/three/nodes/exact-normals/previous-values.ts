@@ -1,4 +1,4 @@
-// The values of uniform nodes in the frame before, for velocities.
+// The values of uniform nodes in the previous frame, for velocities.
 import type { Object3D } from 'three'
 import { tsl, type AnyNode, type Frame } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
@@ -11,13 +11,13 @@ interface UniformNode extends AnyNode {
   value: unknown
 }
 
-const isCopied = (value: unknown): value is Exclude<Value, number> =>
+const isCloneable = (value: unknown): value is Exclude<Value, number> =>
   typeof (value as { clone?: unknown } | null)?.clone === 'function'
 
-const copyOf = (value: Value): Value => (isCopied(value) ? value.clone() : value)
+const copyOf = (value: Value): Value => (isCloneable(value) ? value.clone() : value)
 
-/** Maps a uniform node → the node of its value in the frame before. */
-const known = new WeakMap<AnyNode, AnyNode>()
+/** Maps a uniform node → the node of its value in the previous frame. */
+const previousNodes = new WeakMap<AnyNode, AnyNode>()
 
 /** Returns the nodes, with uniforms replaced by their previous values. Other nodes count as constant in time. */
 export const previousValues = (now: NodesByName): NodesByName =>
@@ -25,11 +25,11 @@ export const previousValues = (now: NodesByName): NodesByName =>
 
 function previousOf(node: AnyNode): AnyNode {
   const { isUniformNode, isBufferNode, value } = node as UniformNode
-  const isNumbers = typeof value === 'number' || isCopied(value)
-  if (!isUniformNode || isBufferNode || !isNumbers) return node
-  let made = known.get(node)
-  if (!made) known.set(node, (made = makePrevious(node as UniformNode)))
-  return made
+  const canRecord = typeof value === 'number' || isCloneable(value)
+  if (!isUniformNode || isBufferNode || !canRecord) return node
+  let previous = previousNodes.get(node)
+  if (!previous) previousNodes.set(node, (previous = makePrevious(node as UniformNode)))
+  return previous
 }
 
 interface Recorded {

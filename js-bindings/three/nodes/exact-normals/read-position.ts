@@ -1,4 +1,4 @@
-// Reads a positionNode as source: a function of the vertex in GLSL or WGSL, whatever three.js writes for the node.
+// Reads a positionNode as source: as a function of the vertex in the GLSL or WGSL that three.js writes for the node.
 import type { Texture } from 'three'
 import { WarpError } from '../../../errors/errors.js'
 import type { SourceLanguage } from '../../../glsl-source/options.js'
@@ -11,14 +11,14 @@ import {
   type ReadingBuilder,
 } from './reading-builder.js'
 
-/** The vertex that the position is a function of: as three.js has posed it, or as the geometry has it. */
+/** The vertex from which the position is computed: as three.js has posed it, as it is in the geometry, or both. */
 export type Base = 'posed' | 'geometry' | 'both'
 
 export interface PositionSource {
   language: SourceLanguage
-  /** A function `name` that returns the new position. */
+  /** Source of a function that returns the new position. */
   text: string
-  /** A function that also returns the numbers of `effects`, behind the position in a mat4; `undefined` if there are none, or too many. */
+  /** Source of a function that returns a mat4 of the position and the numbers of `effects`; `undefined` if there are no effects, or too many. */
   textWithEffects: string | undefined
   /** The functions in both texts that it calls. Three.js writes them in another order when it first builds a node. */
   functions: readonly string[]
@@ -47,10 +47,10 @@ export const maxIterations = 256
 
 /** Makes a builder for the same object and renderer as another. */
 export function siblingOf(builder: Builder): ReadingBuilder {
-  const given = builder as ReadingBuilder & Record<string, unknown>
-  const made = given.renderer.backend.createNodeBuilder!(
-    given.object,
-    given.renderer,
+  const original = builder as ReadingBuilder & Record<string, unknown>
+  const sibling = original.renderer.backend.createNodeBuilder!(
+    original.object,
+    original.renderer,
   ) as ReadingBuilder
   const names = [
     'scene',
@@ -61,9 +61,9 @@ export function siblingOf(builder: Builder): ReadingBuilder {
     'fogNode',
     'clippingContext',
   ]
-  Object.assign(made, Object.fromEntries(names.map((name) => [name, given[name]])))
-  made.context = { ...given.context }
-  return made
+  Object.assign(sibling, Object.fromEntries(names.map((name) => [name, original[name]])))
+  sibling.context = { ...original.context }
+  return sibling
 }
 
 /** Returns the number of components of effects; `undefined` if a function cannot return them. */
@@ -144,7 +144,7 @@ interface Parts {
 
 type Value = NodeReading['values'] extends ReadonlyMap<string, infer One> ? One : never
 
-/** The declarations of a language for what the function reads. */
+/** Writers of the declarations in one language: of the function, and of the values that it reads. */
 interface Syntax {
   inputs: readonly string[]
   declareValue: (name: string, value: Value, type: Parts['type']) => string
@@ -155,10 +155,10 @@ interface Syntax {
 
 const glsl: Syntax = {
   inputs: ['in vec3 position;', 'in vec3 normal;', 'in vec2 uv;'],
-  declareValue: (name, { array, type: own }, type) =>
+  declareValue: (name, { array, type: valueType }, type) =>
     array
       ? `uniform ${type(array.elementType)} ${name}[${array.count}];`
-      : `uniform ${type(own)} ${name};`,
+      : `uniform ${type(valueType)} ${name};`,
   declareTexture: (name) => `uniform sampler2D ${name};`,
   declareVarying: (name, type) => `${type} ${name};`,
   head: (returned) => `${returned} ${functionName}()`,
@@ -166,8 +166,8 @@ const glsl: Syntax = {
 
 const wgsl: Syntax = {
   inputs: [],
-  declareValue(name, { array, type: own }, type) {
-    if (!array) return `var<uniform> ${name} : ${type(own)};`
+  declareValue(name, { array, type: valueType }, type) {
+    if (!array) return `var<uniform> ${name} : ${type(valueType)};`
     const { elementType, count, isStorage } = array
     const list = `array<${type(elementType)}${isStorage ? '' : `, ${count}`}>`
     const space = isStorage ? 'storage, read' : 'uniform'
@@ -193,14 +193,14 @@ function writeSource(
   ].join('\n')
 }
 
-/** The statements by which three.js takes the vertex over from the geometry. */
-const takeOver = /\b(?:position|normal)(?:Local|Previous) = (?:position|normal);/g
+/** Matches the statements by which three.js copies the vertex from the geometry. */
+const copyFromGeometry = /\b(?:position|normal)(?:Local|Previous) = (?:position|normal);/g
 
 function baseOf({ code, result, functions }: Parts): Base {
   const text = [
-    code.replace(takeOver, ''),
+    code.replace(copyFromGeometry, ''),
     result,
-    ...functions.map((each) => each.replace(takeOver, '')),
+    ...functions.map((each) => each.replace(copyFromGeometry, '')),
   ].join('\n')
   const readsPosed = /(?<!\.)\b(?:position|normal)Local\b/.test(text)
   const readsGeometry = /(?<!\.)\b(?:position|normal)\b/.test(text)
@@ -212,8 +212,8 @@ const isUpdated = ({ isUniformGroup, updateType, updateBeforeType, updateAfterTy
   !isUniformGroup &&
   [updateType, updateBeforeType, updateAfterType].some((each) => each && each !== 'none')
 
-/** The variable of three.js that we assign ourselves. */
-const isOwn = ({ name }: Target) => name === 'positionLocal'
+/** Tests for the variable of three.js that we assign ourselves. */
+const isAssignedByUs = ({ name }: Target) => name === 'positionLocal'
 
 type Target = ReadNode & {
   isVaryingNode?: boolean
@@ -227,7 +227,7 @@ function assignedBy(node: ReadNode): Target | undefined {
   if (!node.isAssignNode) return undefined
   let target = node.targetNode as Target | undefined
   while (target && !target.isVaryingNode && !target.isPropertyNode) target = target.node as Target
-  if (!target || isOwn(target)) return undefined
+  if (!target || isAssignedByUs(target)) return undefined
   return target.isVaryingNode || target.varying || target.name ? target : undefined
 }
 
@@ -243,7 +243,7 @@ function effectsOf({ builder, variables }: NodeReading, nodes: readonly ReadNode
   })
 }
 
-/** The size of a mat4 without the position. */
+/** The number of components of a mat4 that the position leaves free. */
 const maxSize = 13
 
 /** Returns code whose result is a mat4 of the position and the components of effects. */

@@ -1,7 +1,7 @@
 /**
- * A builder of three.js that writes the code of one node without the rest of a shader. It is made by the backend, so that its code is that
- * of the shader. What the code reads from outside, such as uniforms and attributes of instances, has names of ours in it, and we keep the node
- * behind each name: with that the real shader passes the value.
+ * A node builder of three.js that writes the code of one node without the rest of a shader. The backend makes it, so that it writes the
+ * same code as in the shader. We name the values that the code reads from outside, such as uniforms and attributes of instances, and record
+ * the node of each name: the real shader passes that node's value.
  */
 import type { Texture } from 'three'
 import { WarpError } from '../../../errors/errors.js'
@@ -83,7 +83,7 @@ export class NodeReading {
   /** Textures by name. */
   readonly textures = new Map<string, { value: Texture }>()
   readonly builder: ReadingBuilder
-  /** Maps nodes → the variables of the source that they are. */
+  /** Maps nodes → their variables in the source. */
   readonly variables = new Map<unknown, unknown>()
   private readonly names = new Map<unknown, string>()
   private readonly patched: ReadNode[] = []
@@ -129,7 +129,7 @@ export class NodeReading {
     return name
   }
 
-  /** The methods of the builder by which nodes read what is outside. */
+  /** Returns replacements for the methods of the builder by which nodes read values from outside. */
   private methods(builder: ReadingBuilder) {
     const { addNode, getPropertyName, getVaryingFromNode, getVarFromNode } = builder
     const record =
@@ -174,11 +174,11 @@ export class NodeReading {
       getInstanceIndex: () =>
         this.nameFor('instanceIndex', () => ({ type: 'uint', node: tsl.instanceIndex })),
       getVertexIndex: () => {
-        throw this.differs('vertexIndex')
+        throw this.perVertexError('vertexIndex')
       },
       getDrawIndex: () => this.nameFor('drawIndex', () => ({ type: 'uint', node: tsl.drawIndex })),
       generateTexture: (_: Texture, name: string, uv: string, depth?: string, offset?: string) =>
-        this.atLevelZero('0', depth, offset) && sample(name, uv),
+        this.checkTextureRead('0', depth, offset) && sample(name, uv),
       generateTextureLevel: (
         _: Texture,
         name: string,
@@ -186,7 +186,7 @@ export class NodeReading {
         level: string,
         depth?: string,
         offset?: string,
-      ) => this.atLevelZero(level, depth, offset) && sample(name, uv),
+      ) => this.checkTextureRead(level, depth, offset) && sample(name, uv),
       addNode: (node: ReadNode) => {
         if (node.isStorageArrayElementNode || node.isArrayBufferElementNode) this.patchElement(node)
         addNode.call(builder, node)
@@ -194,8 +194,12 @@ export class NodeReading {
     }
   }
 
-  /** Throws if a texture is read in another way than ours. */
-  private atLevelZero(level: string, depth: string | undefined, offset: string | undefined): true {
+  /** Throws if a texture is read in a way that `sample` does not support. */
+  private checkTextureRead(
+    level: string,
+    depth: string | undefined,
+    offset: string | undefined,
+  ): true {
     const isZero = /^(?:\w+\(\s*)?0(?:\.0*)?[uif]?\s*\)?$/.test(level.trim())
     const found = !isZero ? 'a mip level' : depth ? 'a layer' : offset ? 'an offset' : undefined
     if (found)
@@ -205,8 +209,8 @@ export class NodeReading {
     return true
   }
 
-  /** The error about something that differs by vertex, so that it has no derivative by the position. */
-  private differs(what: string): WarpError {
+  /** Returns the error about a value that differs by vertex and therefore has no derivative with respect to the position. */
+  private perVertexError(what: string): WarpError {
     return new WarpError(
       `${this.place}: the position depends on ${what}, which differs from vertex to vertex in a way that has no derivative; expected a function of position, normal, uv, uniforms and what is constant in an instance.`,
     )
@@ -214,14 +218,14 @@ export class NodeReading {
 
   private attribute(name: string, type: string): string {
     const { geometry } = this.builder
-    const given = geometry.getAttribute(name) as ReadNode['value']
-    if (!isInstanced(given)) throw this.differs(`the attribute "${name}"`)
+    const attribute = geometry.getAttribute(name) as ReadNode['value']
+    if (!isInstanced(attribute)) throw this.perVertexError(`the attribute "${name}"`)
     return this.nameFor(`attribute ${name}`, () => ({ type, node: tsl.attribute(name, type) }))
   }
 
   private bufferAttribute(node: ReadNode, type: string): string {
     if (!node.instanced && !isInstanced(node.value) && !isInstanced(node.attribute))
-      throw this.differs('an attribute made by a node')
+      throw this.perVertexError('an attribute made by a node')
     return this.nameFor(node, () => ({ type, node }))
   }
 
@@ -235,8 +239,8 @@ export class NodeReading {
   }
 
   /**
-   * Makes an element of a buffer one value from outside, where its index is. One whose index a loop counts stays an element of the
-   * array. The methods of the node come back after reading.
+   * Makes the code read an element of a buffer as one value from outside if its index comes from outside, too. If a loop counts the
+   * index, the element stays an element of the array. `read` restores the methods of the node.
    */
   private patchElement(node: ReadNode) {
     if (this.patched.includes(node)) return
@@ -253,7 +257,7 @@ export class NodeReading {
     }
   }
 
-  /** Tests whether an expression reads only what is outside. */
+  /** Tests whether an expression reads only values from outside. */
   private isOuter(expression: string): boolean {
     const words = expression.match(/\b[a-z_]\w*/gi) ?? []
     return words.every(
@@ -262,5 +266,6 @@ export class NodeReading {
   }
 }
 
-const isInstanced = (given: ReadNode['value']) =>
-  given?.isInstancedBufferAttribute === true || given?.data?.isInstancedInterleavedBuffer === true
+const isInstanced = (attribute: ReadNode['value']) =>
+  attribute?.isInstancedBufferAttribute === true ||
+  attribute?.data?.isInstancedInterleavedBuffer === true

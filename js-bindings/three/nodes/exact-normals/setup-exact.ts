@@ -23,8 +23,8 @@ const method = 'exactNormals'
 
 /**
  * Adds a material's `positionNode` to the vertex that is being built, as three.js does: after morph targets, bones, the displacement
- * map and the matrices of instances. A node that we cannot read moves the vertex without us, and the console says why. Beside a `warp`,
- * normals stay at vertices.
+ * map and the matrices of instances. If we cannot read the node, it moves the vertex as without `exactNormals`, and the console says why.
+ * If the object also has a `warp`, normals are computed at vertices.
  */
 export function displaceExactly(
   exact: ExactNodeMaterial,
@@ -56,24 +56,24 @@ function moveExactly(
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)
-  if (warp.varies) vary(builder)
+  if (warp.varies) ensureVariation(builder)
   for (const node of source.updated) {
     builder.addNode(node)
     builder.addSequentialNode(node)
   }
-  const now = warp.outerNodes(source)
-  // The normals that a shader reads are those of the warp beside it.
+  const current = warp.outerNodes(source)
+  // If the object has another warp, the shader reads the normals of that warp.
   const vertexNormals = other ? undefined : vertexNormalsFor(builder, material)
   // Overwrites the normals that `vertexNormalsFor` has set.
   const pixel = pixelNormalsFor(warp, builder, material, {
-    outer: now,
+    outer: current,
     obstacle: other && 'the mesh has a warp, too',
   })
   const vertex = pixel ? undefined : vertexNormals
   const space = source.base === 'geometry' ? geometrySpace() : local(tsl.positionPrevious)
   const { effects } = source
   const hasEffects = warp.otherNames.length > 0
-  // The original assigns variables that other nodes read.
+  // The original node also assigns variables that other nodes read, so the shader must evaluate it.
   const position =
     effects.length > 0 && !hasEffects
       ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
@@ -81,7 +81,7 @@ function moveExactly(
   moveVertex(warp, builder, space, {
     pixel,
     vertex,
-    outer: { now, before: previousValues(now) },
+    outer: { now: current, before: previousValues(current) },
     position,
     others: hasEffects ? effects.map(({ node, variable }) => ({ node, size: variable!.size })) : [],
   })
@@ -90,46 +90,46 @@ function moveExactly(
 }
 
 /**
- * Maps the option `normals` and the code of a position without textures → the warp that it is, or the message why it cannot be one. Materials
- * with the same displacement share its warp, since making it takes several milliseconds.
+ * Maps the option `normals` and the code of a position without textures → its warp, or the message that says why it cannot be read as a
+ * warp. Materials with the same displacement share its warp, since making it takes several milliseconds.
  */
 const sharedWarps = new Map<string, ExactWarp | string>()
 const maxShared = 32
 
-const numbers = new WeakMap<object, number>()
-let count = 0
+const ids = new WeakMap<object, number>()
+let nextId = 0
 
-/** Returns a number of its own for each object. */
-function numberOf(object: object): number {
-  if (!numbers.has(object)) numbers.set(object, count++)
-  return numbers.get(object)!
+/** Returns a unique number for each object. */
+function idOf(object: object): number {
+  if (!ids.has(object)) ids.set(object, nextId++)
+  return ids.get(object)!
 }
 
 /** Returns the warp of a source, with its effects if the shader code can compute them, too. */
 function warpFor(exact: ExactNodeMaterial, source: PositionSource, { geometry }: Builder) {
   const { textWithEffects: text, effects } = source
   if (text && sizeOfEffects(effects)! <= roomForOthers(geometry)) {
-    const warp = knownWarp(exact, source, text)
-    // Effects may read what has no derivative.
+    const warp = cachedWarp(exact, source, text)
+    // Otherwise the effects may read values without a derivative, so we try without effects.
     if (typeof warp !== 'string') return warp
   }
-  const warp = knownWarp(exact, source)
+  const warp = cachedWarp(exact, source)
   if (typeof warp === 'string') throw new WarpError(warp)
   return warp
 }
 
-function knownWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
+function cachedWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
   const { functions, textures } = source
   const others = functions.reduce(
     (text, each) => text.replace(each, ''),
     withEffects ?? source.text,
   )
-  // The warp reads the nodes of its textures, which equal texts may not share.
+  // The warp reads the nodes of its textures, which may differ between sources with the same text.
   const key = [
     exact.settings.normals,
     ...[...functions].sort(),
     others,
-    ...Array.from(textures.values(), numberOf),
+    ...Array.from(textures.values(), idOf),
   ].join('\n')
   const warps = textures.size > 0 ? exact.warps : sharedWarps
   let warp = warps.get(key)
@@ -138,6 +138,7 @@ function knownWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects
   return warp
 }
 
+/** Returns the warp of a source, or the message that says why it cannot be one. */
 function compile({ settings }: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
   try {
     return new ExactWarp(source, settings, withEffects)
@@ -147,7 +148,10 @@ function compile({ settings }: ExactNodeMaterial, source: PositionSource, withEf
   }
 }
 
-/** Throws for a position that depends on two vertices between which bones, morph targets or instances are. */
+/**
+ * If bones, morph targets, instances or a warp move the vertex first: throws for a position that reads the vertex both before and after
+ * that, or whose normals need the gradients of the moved normal or uv.
+ */
 function checkBase(
   { object, geometry, material }: Builder,
   base: string,
@@ -168,8 +172,8 @@ function checkBase(
     )
 }
 
-/** Adds how normal and uv vary over the geometry, if it is not known yet. */
-function vary({ geometry }: Builder) {
+/** Adds the gradients of normal and uv to the geometry, if it does not have them yet. */
+function ensureVariation({ geometry }: Builder) {
   if (!geometry.hasAttribute(variationAttribute('normalXGradient')))
     addVariation(geometry, surfaceVariation)
 }

@@ -1,9 +1,9 @@
-// `tslOffset`: an offset function from a function of TSL, for every host and for the CPU.
+// `tslOffset`: makes an offset function from a function in TSL, for every host and for the CPU.
 import type { Texture } from 'three'
 import type { Node } from 'three/webgpu'
 import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
 import { WarpError, describe } from '../../../errors/errors.js'
-import { asOwn } from '../../../errors/operators.js'
+import { markLibraryFunction } from '../../../errors/operators.js'
 import { glslOffset } from '../../../glsl-source/offset.js'
 import { callback, oneOf } from '../../../options/kinds.js'
 import { Place } from '../../../options/place.js'
@@ -16,7 +16,7 @@ import type { OuterValue, ReadNode } from './reading-builder.js'
 
 export interface TslOffsetOptions {
   /**
-   * Meaning of the function's result: `'offset'` is added to the position, `'position'` is the new position, as of a `positionNode`.
+   * Meaning of the function's result: `'offset'` is added to the position, `'position'` is the new position, as for a `positionNode`.
    * @default 'offset'
    */
   returns?: 'offset' | 'position'
@@ -26,7 +26,7 @@ export interface TslOffsetOptions {
 export interface TslOffset {
   (inputs: Pick<WarpInputs, 'glsl' | 'position'>): Vec3
   /**
-   * Maps the name of a uniform node, or `uniform0`, `uniform1` … → its present value, for the option `uniforms`:
+   * Maps the name of a uniform node, or `uniform0`, `uniform1` … → its current value, for the option `uniforms`:
    * `warp(mesh, wave, { uniforms: wave.uniforms })`.
    */
   readonly uniforms: Readonly<Record<string, () => number | readonly number[]>>
@@ -38,11 +38,12 @@ const optionsKind = object({
 } satisfies KindsOf<TslOffsetOptions>)
 
 /**
- * Makes an offset function of a function of TSL: `tslOffset((position) => vec3(0, sin(position.x.add(time)), 0))`. Its argument is the
- * position, a node; it may also read `normalLocal`, `uv()`, `time`, uniforms and textures. The offset function can be warped with any host,
- * evaluated on the CPU, bounded and so on. `time` is the input `millis` in seconds; other uniforms are those of `uniforms` of the result.
+ * Makes an offset function from a function in TSL: `tslOffset((position) => vec3(0, sin(position.x.add(time)), 0))`. The argument of that
+ * function is the position, a node; it may also read `normalLocal`, `uv()`, `time`, uniforms and textures. The offset function works with
+ * any host, and on the CPU for evaluation, bounds and so on. `time` is the input `millis` in seconds; the result's `uniforms` has the other
+ * uniforms.
  *
- * Throws a `WarpError` if the function depends on what an offset has not, such as `instanceIndex` or the camera.
+ * Throws a `WarpError` if the function reads something that offset functions do not have, such as `instanceIndex` or the camera.
  */
 export function tslOffset(
   work: (position: Node<'vec3'>) => Node,
@@ -54,23 +55,23 @@ export function tslOffset(
   if (!(result as { isNode?: boolean } | undefined)?.isNode)
     throw place.part('the function').expected('a node that is a vec3', describe(result))
   const source = readPosition(place.method, plainBuilder(place.method), result)
-  const known = new Uniforms()
+  const uniformsOfNodes = new Uniforms()
   const bindings = [
-    ...[...source.values].flatMap(([name, value]) => known.bind(name, value)),
-    ...[...source.textures].map(([name, node]) => known.bindTexture(name, node)),
+    ...[...source.values].flatMap(([name, value]) => uniformsOfNodes.bind(name, value)),
+    ...[...source.textures].map(([name, node]) => uniformsOfNodes.bindTexture(name, node)),
   ]
-  const stranger = source.updated.find((node) => !known.has(node))
-  if (stranger) throw notKnown(stranger)
+  const unknownNode = source.updated.find((node) => !uniformsOfNodes.has(node))
+  if (unknownNode) throw unknownValueError(unknownNode)
   const read = glslOffset(source.text, { function: functionName, returns, maxIterations })
-  const offset = asOwn((inputs: WarpInputs) => {
+  const offset = markLibraryFunction((inputs: WarpInputs) => {
     const { glsl, position, normal, uv } = inputs
     const uniforms = Object.fromEntries(bindings.map(([name, bind]) => [name, bind(inputs)]))
     return read({ glsl, position, normal, uv, uniforms } as never)
   })
-  return Object.assign(offset as unknown as TslOffset, { uniforms: known.values })
+  return Object.assign(offset as unknown as TslOffset, { uniforms: uniformsOfNodes.values })
 }
 
-/** Returns what a name of the source is in an offset function. */
+/** A name in the source, and a function that returns its value when the offset function is called. */
 type Binding = [name: string, bind: (inputs: WarpInputs) => unknown]
 
 interface UniformNode extends ReadNode {
@@ -87,31 +88,31 @@ class Uniforms {
   readonly values: Record<string, () => number | readonly number[]> = {}
   private readonly nodes = new Set<unknown>([tsl.time])
 
-  /** Tests whether the present value of a node is known without a renderer. */
+  /** Tests whether the current value of a node is known without a renderer. */
   has(node: ReadNode): boolean {
     return this.nodes.has(node)
   }
 
-  bind(name: string, { node: given, array }: OuterValue): Binding[] {
-    if ((given as unknown) === tsl.time)
+  bind(name: string, { node: outer, array }: OuterValue): Binding[] {
+    if ((outer as unknown) === tsl.time)
       return [[name, ({ millis }) => (millis as unknown as { div(x: number): unknown }).div(1000)]]
     if (array) {
-      const list = given as ElementNode['node']
-      if (!list.array) throw notKnown(list)
+      const list = outer as ElementNode['node']
+      if (!list.array) throw unknownValueError(list)
       this.nodes.add(list)
       return list.array.map((_, i) =>
         this.uniform(`${name}[${i}]`, undefined, () => padToFour(numbersOf(list.array![i]))),
       )
     }
-    const element = given as ElementNode
+    const element = outer as ElementNode
     const { indexNode, node } = element
     const index = indexNode?.value
     if (node?.array && typeof index === 'number') {
       this.nodes.add(node)
       return [this.uniform(name, undefined, () => numbersOf(node.array![index]))]
     }
-    const uniform = given as UniformNode & { value?: unknown }
-    if (!('value' in uniform) || isUpdatedByThree(uniform)) throw notKnown(uniform)
+    const uniform = outer as UniformNode & { value?: unknown }
+    if (!('value' in uniform) || isUpdatedByThree(uniform)) throw unknownValueError(uniform)
     return [this.uniform(name, uniform.name, () => numbersOf(uniform.value))]
   }
 
@@ -125,10 +126,10 @@ class Uniforms {
     nodeName: string | null | undefined,
     read: () => number | readonly number[],
   ): Binding {
-    const isFree = nodeName && /^[a-z]\w*$/i.test(nodeName) && !(nodeName in this.values)
+    const isUsableName = nodeName && /^[a-z]\w*$/i.test(nodeName) && !(nodeName in this.values)
     let number = Object.keys(this.values).length
     while (`uniform${number}` in this.values) number++
-    const label = isFree ? nodeName : `uniform${number}`
+    const label = isUsableName ? nodeName : `uniform${number}`
     this.values[label] = read
     return [name, ({ uniforms }) => uniformOf(uniforms, label)]
   }
@@ -141,13 +142,13 @@ function uniformOf(uniforms: object, label: string): unknown {
   )
 }
 
-/** The numbers of a number, a vector, a colour or a matrix of three.js. */
+/** Returns the numbers of a value: of a number, or of a vector, colour or matrix of three.js. */
 function numbersOf(value: unknown): number | readonly number[] {
   if (typeof value === 'boolean') return Number(value)
   return three.values!.toNumbers(value) as number | readonly number[]
 }
 
-/** Three.js pads the elements of an array of uniforms to four numbers. */
+/** Pads to four numbers, as three.js does for the elements of an array of uniforms. */
 const padToFour = (value: number | readonly number[]) => {
   const numbers = [value].flat()
   return numbers.length < 4 ? [...numbers, 0, 0, 0].slice(0, 4) : numbers
@@ -156,7 +157,7 @@ const padToFour = (value: number | readonly number[]) => {
 const isUpdatedByThree = ({ updateType }: ReadNode) =>
   updateType !== undefined && updateType !== 'none'
 
-function notKnown(node: ReadNode): WarpError {
+function unknownValueError(node: ReadNode): WarpError {
   const { type } = node as unknown as { type: string }
   return place.error(
     `the function reads ${/^[AEIO]/.test(type) ? 'an' : 'a'} ${type} that three.js computes as it draws; expected a function of position, normalLocal, uv(), time, uniform() and texture().`,

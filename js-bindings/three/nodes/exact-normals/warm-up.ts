@@ -13,7 +13,7 @@ import { ExactWarp, offsetOf } from './exact-warp.js'
 import { plainBuilder } from './plain-builder.js'
 import { functionName, maxIterations, readPosition } from './read-position.js'
 
-/** Yields positions, each of which needs a few functions more than the one before: operations, a variable, a loop, hashes, noise. */
+/** Yields positions, each of which needs a few functions more than the previous one: operations, a variable, a loop, hashes, noise. */
 function* samplePositions(): Generator<AnyNode, void> {
   const {
     Fn,
@@ -56,7 +56,7 @@ fn ${functionName}(position : vec3<f32>) -> vec3<f32> {
 }`,
 ]
 
-/** Makes the warps of the samples, in steps that are short because each is new in little. */
+/** Makes the warps of the samples, in short steps: each calls only a few functions that earlier steps have not called. */
 function* warmUp(): Generator<void, void> {
   const method = 'exactNormals'
   startFrontEnd()

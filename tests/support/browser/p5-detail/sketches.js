@@ -63,16 +63,18 @@ function copyOf(canvas) {
 }
 
 /**
- * Starts a sketch with a canvas of its own. `draw(p, i)` draws picture i. Without passes, the CPU divides all shapes.
+ * Starts a sketch with a canvas of its own. `draw(p, i)` draws picture i. Without passes, the CPU divides all shapes; a sharp picture has
+ * no antialiasing.
  * Returns { p, picture(i), read(draw), begin(i), remove() }.
  */
-export async function startSketch({ setup = () => {}, draw, hasPasses = true }) {
-  let number
+export async function startSketch({ setup = () => {}, draw, hasPasses = true, isSharp }) {
+  let numbers
   const p = await new Promise((resolve) => {
     new p5((p) => {
       p.setup = async () => {
         p.pixelDensity(1)
         await p.createCanvas(size, size, p.WEBGPU)
+        if (isSharp) await p.setAttributes('antialias', false)
         const { device } = p._renderer
         watch(device)
         if (!hasPasses) device.createComputePipelineAsync = () => Promise.reject(new Error('none'))
@@ -80,10 +82,10 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true }) 
         setup(p)
       }
       p.draw = () => {
-        if (number === undefined) return resolve(p)
+        if (!numbers) return resolve(p)
         p.background(0)
         p.push()
-        draw(p, number)
+        draw(p, numbers.shift())
         p.pop()
       }
     })
@@ -105,11 +107,11 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true }) 
   }
   return {
     p,
-    /** Draws picture i → { image, draws }. */
-    async picture(i = 0) {
-      number = i
+    /** Draws picture i, or several by one call of `redraw`, of which the last is seen → { image, draws }. */
+    async picture(i = 0, ...others) {
+      numbers = [i, ...others]
       draws.length = 0
-      await p.redraw()
+      await p.redraw(numbers.length)
       return { image: copyOf(p.canvas), draws: [...draws] }
     },
     /** Reads a divided shape → { indices, places }. */
@@ -121,9 +123,9 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true }) 
       return { indices, places: await read(buffer, Float32Array, offset, 12 * vertices) }
     },
     /** Draws until compute passes divide all shapes. */
-    async begin(i = 0) {
+    async begin(...given) {
       for (let k = 0; k < 1000; k++) {
-        const { draws } = await this.picture(i)
+        const { draws } = await this.picture(...given)
         if (draws.length && draws.every(({ numbers }) => numbers)) return
         await wait(10)
       }

@@ -2,6 +2,7 @@
 import * as THREE from 'three'
 import { camera, countBeyond, covered, sceneOf, warpBy } from './pictures.js'
 
+export { around } from './around.js'
 export { holes } from './holes.js'
 export { comparePoses } from './posed.js'
 export { rays } from './rays.js'
@@ -240,4 +241,15 @@ export async function countKept({ draw, triangles }, { kind, space }) {
   const found = triangles()
   warped.dispose()
   return { own, found }
+}
+
+/** Draws a group of objects that keep their vertices, for the messages about them. */
+export async function warnOfGroup({ draw }, { kinds }) {
+  const { scene, mesh } = sceneOf('box')
+  const group = new THREE.Group().add(...kinds.map((kind) => keeping[kind](mesh.geometry)))
+  scene.clear().add(group)
+  const warped = warpBy(group, 'twist', 1)
+  await draw(scene, camera())
+  await draw(scene, camera())
+  warped.dispose()
 }

@@ -80,21 +80,13 @@ export async function holes({ draw, triangles }, { frames = 300, broken, toleran
   const { scene } = sceneOf('box')
   scene.clear()
   const breaking = broken === 'division' ? breakDivisions() : undefined
-  const bounds = new THREE.Sphere(new THREE.Vector3(), 1)
   const warps = Object.values(shapes).map((shape, i) => {
     const geometry = shape()
     if (i === 0 && broken === 'mesh') breakMesh(geometry, view)
     const { mesh } = sceneOf(geometry)
     mesh.position.z = 1.1 * (i - 1)
     scene.add(mesh)
-    const warped = warpBy(mesh, 'noise', tolerance, {
-      uniforms: { amount: 0.08 },
-      normals: 'vertex',
-    })
-    // three.js sorts by these bounds, also those that it doesn't cull. They would be computed in each frame.
-    Object.defineProperty(mesh, 'boundingSphere', { value: bounds, configurable: true })
-    mesh.frustumCulled = false
-    return warped
+    return warpBy(mesh, 'noise', tolerance, { uniforms: { amount: 0.08 }, normals: 'vertex' })
   })
   const found = { holes: 0, framesWithHoles: 0, least: Infinity }
   const divisions = new Set()

@@ -2,6 +2,7 @@
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { countHoles as countOpen } from '../../holes.js'
+import { beyondPixel } from '../../pixels.js'
 
 export const size = 256
 
@@ -88,25 +89,10 @@ export function sceneOf(geometry, { hasShadow = false, light = 'sun', material }
 export const warpBy = (mesh, name, detail, others) =>
   warp(mesh, offsets[name], { uniforms: uniformsOf(name), detail, ...others })
 
-/** Counts the pixels of `a` whose color is that of no pixel of `b` at most one pixel away. */
-function beyondPixel(a, b, tolerance = 24) {
-  let count = 0
-  const isNear = (i, x, y) => {
-    if (x < 0 || y < 0 || x >= size || y >= size) return false
-    const j = 4 * (y * size + x)
-    return [0, 1, 2, 3].every((k) => Math.abs(a[i + k] - b[j + k]) <= tolerance)
-  }
-  for (let y = 0; y < size; y++)
-    for (let x = 0; x < size; x++) {
-      const i = 4 * (y * size + x)
-      const steps = [0, -1, 1]
-      if (!steps.some((dy) => steps.some((dx) => isNear(i, x + dx, y + dy)))) count++
-    }
-  return count
-}
+const imageOf = (data) => ({ width: size, height: size, data })
 
 /** Counts pixels of either picture that the other one shows nowhere within a pixel. */
-export const countBeyond = (a, b) => beyondPixel(a, b) + beyondPixel(b, a)
+export const countBeyond = (a, b, tolerance = 24) => beyondPixel(imageOf(a), imageOf(b), tolerance)
 
 export const covered = (picture) => {
   let count = 0

@@ -1,0 +1,38 @@
+// Chooses the triangles that views may show, by their warped corners, so that the warp is evaluated
+// at no samples of the others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "detail/base_mesh.hpp"
+#include "detail/triangle_on_screen.hpp"
+
+namespace warpjet {
+
+class VisibleTriangles {
+ public:
+  // Forgets all triangles, since the mesh or its surface has changed.
+  void clear() { triangles_.clear(); }
+
+  // Adds the triangles that a view may show: those that it would show if they were flat, and their
+  // neighbors. The first numbers of `warped` are the positions of the vertices. Returns the samples
+  // of the added triangles, but for vertices and those that triangles had before.
+  const std::vector<std::uint32_t>& add(const BaseMesh& base, std::span<const float> warped,
+                                        std::span<const ScreenView> views);
+
+  // All that were added.
+  std::span<const std::uint32_t> triangles() const { return triangles_; }
+
+ private:
+  void markCorners(const BaseMesh& base, std::span<const float> warped, const ScreenView& view);
+  void addTriangle(const BaseMesh& base, std::uint32_t triangle);
+
+  std::vector<std::uint32_t> triangles_, samples_;
+  std::vector<bool> isAdded_, hasSamples_;  // by triangle, and by side
+  std::vector<bool> isMarked_;              // by place of vertices
+  std::vector<glm::vec4> clip_;             // by vertex
+};
+
+}  // namespace warpjet

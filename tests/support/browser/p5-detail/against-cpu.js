@@ -1,0 +1,163 @@
+// Compares pictures and meshes by compute passes with those that the CPU divides, and with dense shapes.
+import { beyondEdges, differingPixels } from '../pixels.js'
+import { countOpenSides } from '../three/detail/sides.js'
+import { buffers, errors, startSketch, wait } from './sketches.js'
+import { around, sketch, turn } from './warped-shapes.js'
+
+const triangles = async ({ read }, { draws }) =>
+  Promise.all(draws.map(async (draw) => (await read(draw)).indices.length / 3))
+
+/** Counts the vertices of one mesh that are not at the same place in another one with the same indices. */
+const countMoved = (a, b) => a.filter((x, i) => Math.abs(x - b[i]) > 1e-6).length
+
+/** Counts the vertices of one mesh that another one lacks. */
+function countStrays(a, b) {
+  const keysOf = (places) =>
+    Array.from({ length: places.length / 3 }, (_, i) => places.subarray(3 * i, 3 * i + 3).join())
+  const known = new Set(keysOf(b))
+  return keysOf(a).filter((key) => !known.has(key)).length
+}
+
+const sum = (numbers) => numbers.reduce((a, b) => a + b, 0)
+
+/** Draws with passes and by the CPU → what differs in each draw of each picture. */
+export async function divide({ frames = 6, hasPlaces, ...given }) {
+  const options = { ...given, ...(hasPlaces && { places: around }) }
+  const byPasses = await startSketch(sketch(options))
+  const byCpu = await startSketch(sketch({ ...options, hasPasses: false }))
+  await byPasses.begin()
+  await byCpu.picture()
+  const found = []
+  for (let i = 0; i < frames; i++) {
+    // There may be too little room at first.
+    for (let k = 0; k < 3; k++) {
+      await byPasses.picture(i)
+      await wait(30)
+    }
+    const picture = await byPasses.picture(i)
+    const expected = await byCpu.picture(i)
+    if (picture.draws.length !== expected.draws.length)
+      throw new Error(`${picture.draws.length} draws, ${expected.draws.length} by the CPU`)
+    for (const [k, draw] of picture.draws.entries()) {
+      const [ours, right] = [await byPasses.read(draw), await byCpu.read(expected.draws[k])]
+      const isEqual = `${ours.indices}` === `${right.indices}`
+      found.push({
+        isIndirect: !!draw.numbers && !expected.draws[k].numbers,
+        triangles: ours.indices.length / 3,
+        expected: right.indices.length / 3,
+        vertices: right.places.length / 3,
+        strays: isEqual
+          ? countMoved(ours.places, right.places)
+          : countStrays(ours.places, right.places),
+        isEqual,
+        openSides: countOpenSides(ours.indices, ours.places),
+      })
+    }
+    found.at(-1).beyond = beyondEdges(picture.image, expected.image, 24)
+  }
+  byPasses.remove()
+  byCpu.remove()
+  return { found, errors: errors.splice(0) }
+}
+
+/** Pixels at which a coarse shape by passes, and without detail, differs from a dense one. */
+export async function resemble({ name, coarse, dense }) {
+  const [coarseShape, denseShape] = [coarse, dense].map(
+    ([call, ...numbers]) =>
+      (p) =>
+        p[call](...numbers),
+  )
+  const at = { places: [(p) => turn(p, 0)] }
+  const byPasses = await startSketch(sketch({ ...at, name, shape: coarseShape }))
+  await byPasses.begin()
+  const { image } = await byPasses.picture()
+  const pictureOf = async (shape) => {
+    const one = await startSketch(sketch({ ...at, name, shape, detail: false }))
+    const { image } = await one.picture()
+    one.remove()
+    return image
+  }
+  const [without, expected] = [await pictureOf(coarseShape), await pictureOf(denseShape)]
+  byPasses.remove()
+  return {
+    before: differingPixels(without, expected, 24),
+    after: differingPixels(image, expected, 24),
+    errors: errors.splice(0),
+  }
+}
+
+/** Comes close to a shape that was small, so that its buffers have to grow. */
+export async function approach() {
+  const places = [(p, i) => p.scale(i ? 1.4 : 0.1)]
+  const byPasses = await startSketch(sketch({ shape: 'ball', name: 'noise', places }))
+  const byCpu = await startSketch(
+    sketch({ shape: 'ball', name: 'noise', places, hasPasses: false }),
+  )
+  await byPasses.begin()
+  const far = await byPasses.picture(0)
+  const before = sum(await triangles(byPasses, far))
+  const held = buffers.size
+  const beyond = []
+  let near
+  const expected = await byCpu.picture(1)
+  const heldByCpu = buffers.size - held
+  for (let k = 0; k < 6; k++) {
+    near = await byPasses.picture(1)
+    beyond.push(beyondEdges(near.image, expected.image, 24))
+    await wait(10)
+  }
+  const result = {
+    ...{ before, beyond },
+    after: sum(await triangles(byPasses, near)),
+    isSame: near.draws[0].index === far.draws[0].index,
+    left: buffers.size - held - heldByCpu,
+    errors: errors.splice(0),
+  }
+  byPasses.remove()
+  byCpu.remove()
+  return result
+}
+
+/** Waves that become shorter, so that the shape has to be cut anew. */
+export async function refine() {
+  const places = [(p) => p.rotateX(-0.4)]
+  const byPasses = await startSketch(sketch({ shape: 'box', name: 'waves', places }))
+  const byCpu = await startSketch(sketch({ shape: 'box', name: 'waves', places, hasPasses: false }))
+  await byPasses.begin()
+  await byCpu.picture(0)
+  const first = await byPasses.picture(1)
+  const expected = await byCpu.picture(1)
+  await byPasses.begin(1)
+  const later = await byPasses.picture(1)
+  const result = {
+    triangles: sum(await triangles(byPasses, later)),
+    beyond: [first, later].map(({ image }) => beyondEdges(image, expected.image, 24)),
+    errors: errors.splice(0),
+  }
+  byPasses.remove()
+  byCpu.remove()
+  return result
+}
+
+/** Draws three pictures by one call of `redraw`, in which a shape grows, and by three calls → how the last pictures differ. */
+export async function redrawOften({ hasPasses }) {
+  const places = [(p, i) => p.scale([0.1, 0.7, 1.4][i])]
+  const start = () => startSketch(sketch({ shape: 'ball', name: 'noise', places, hasPasses }))
+  const [byOneCall, byThree] = [await start(), await start()]
+  if (hasPasses) {
+    // Passes take over within a call.
+    await byOneCall.begin(0, 1, 2)
+    await byThree.begin()
+  }
+  const differing = []
+  for (let i = 0; i < 4; i++) {
+    const { image } = await byOneCall.picture(0, 1, 2)
+    for (const k of [0, 1]) await byThree.picture(k)
+    const expected = await byThree.picture(2)
+    differing.push(differingPixels(image, expected.image, 0))
+    await wait(10)
+  }
+  byOneCall.remove()
+  byThree.remove()
+  return { differing, errors: errors.splice(0) }
+}

@@ -1,0 +1,59 @@
+// Pictures from all sides of a box that compute passes divide.
+import { beyondPixel, litPixels } from '../pixels.js'
+import { paintSquares, swell } from '../swollen-box.js'
+import { errors, startSketch, wait } from './sketches.js'
+
+/** Draws a box from all places → pictures. */
+async function picturesOf(places, shape, detail = false) {
+  let warp, squares
+  const one = await startSketch({
+    isSharp: true,
+    setup(p) {
+      warp = p.createWarp(swell, { detail })
+      squares = p.createImage(240, 240)
+      squares.loadPixels()
+      squares.pixels.set(paintSquares())
+      squares.updatePixels()
+    },
+    draw(p, i) {
+      p.perspective(1, 1, 10, 1000)
+      p.camera(...places[i], 0, 0, 0, 0, 1, 0)
+      p.noStroke()
+      p.texture(squares)
+      warp()
+      shape(p)
+    },
+  })
+  if (detail) await one.begin()
+  const pictures = []
+  for (const i of places.keys()) {
+    // There may be too little room at first.
+    for (let k = 0; detail && k < 3; k++) {
+      await one.picture(i)
+      await wait(10)
+    }
+    const { image, draws } = await one.picture(i)
+    if (detail && !draws[0]?.numbers) throw new Error('the CPU divided it')
+    pictures.push(image)
+  }
+  one.remove()
+  return pictures
+}
+
+/** Draws a box with detail and without against a dense one → numbers of pixels, for `checkPictures`. */
+export async function compareAround({ places }) {
+  const box = (p) => p.box(120)
+  const dense = await picturesOf(places, (p) => p.warpBox(120, 120, 120, 100))
+  const beyond = async (detail) => {
+    const pictures = await picturesOf(places, box, detail)
+    // All channels of colors are 0 or 255.
+    return pictures.map((picture, i) => beyondPixel(picture, dense[i], 128))
+  }
+  return {
+    covered: dense.map((picture) => litPixels(picture).length),
+    divided: await beyond(1),
+    rough: await beyond(6),
+    coarse: await beyond(),
+    errors: errors.splice(0),
+  }
+}

@@ -1,0 +1,93 @@
+// Shapes that compute passes divide or leave to the CPU, and the buffers that they hold.
+import { differingPixels } from '../pixels.js'
+import { buffers, errors, startSketch, wait } from './sketches.js'
+import { around, boxOf, sketch } from './warped-shapes.js'
+
+const kinds = {
+  box: {},
+  strokes: {
+    look(p, i) {
+      if (i) p.stroke(0, 0, 200)
+    },
+  },
+  instances: { shape: (p, i) => p.model(boxOf(p), i + 1) },
+  curved: { shape: 'ball', detail: { tolerance: 1, curved: true } },
+  'an edge of no face': {
+    setup: (p) => boxOf(p).edges.push([0, 7]),
+    shape: (p) => p.model(boxOf(p)),
+  },
+  'a shape that changes': {
+    shape(p) {
+      const shape = boxOf(p)
+      shape.vertices[0].x = -0.6 - Math.random() / 10
+      shape.dirtyFlags.vertices = true
+      p.model(shape)
+    },
+  },
+}
+
+const areIndirect = ({ draws }) => draws.map(({ numbers }) => !!numbers)
+
+/** Draws picture 0 until passes have begun, then the pictures 1 and 0 → whether passes drew the shapes in these. */
+export async function leave({ kind }) {
+  const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
+  await one.begin()
+  const pictures = []
+  for (const i of [0, 1, 0]) pictures.push(await one.picture(i))
+  one.remove()
+  return {
+    areIndirect: pictures.map(areIndirect),
+    differing: differingPixels(pictures[0].image, pictures[2].image, 0),
+    errors: errors.splice(0),
+  }
+}
+
+/** Draws pictures for longer than passes need to begin with a box of another canvas → whether they do with other shapes. */
+export async function begin({ kind }) {
+  const box = await startSketch(sketch({ shape: 'box', name: 'twist' }))
+  const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
+  let found
+  for (let later = 0; later < 40 && !found?.every(Boolean);) {
+    if (areIndirect(await box.picture()).every(Boolean)) later++
+    found = areIndirect(await one.picture())
+    await wait(10)
+  }
+  one.remove()
+  box.remove()
+  return { found, errors: errors.splice(0) }
+}
+
+/** Frees a shape and changes it → the buffers that are held. */
+export async function life() {
+  let shape
+  const before = buffers.size
+  const one = await startSketch(
+    sketch({ name: 'twist', places: around, shape: (p) => p.model((shape = boxOf(p))) }),
+  )
+  const held = async () => {
+    await wait(20)
+    return buffers.size - before
+  }
+  await one.begin()
+  const counts = { held: await held() }
+  // In the middle of a picture, after it was drawn.
+  const { draw } = one.p
+  one.p.draw = () => {
+    draw()
+    one.p.freeGeometry(shape)
+  }
+  const { image } = await one.picture()
+  counts.freed = await held()
+  one.p.draw = draw
+  counts.differing = differingPixels(image, (await one.picture()).image, 24)
+  await one.begin()
+  counts.again = await held()
+  shape.vertices.forEach((vertex) => vertex.mult(0.9))
+  shape.dirtyFlags.vertices = true
+  const changed = await one.picture()
+  counts.areIndirect = areIndirect(changed)
+  await one.begin()
+  counts.changed = await held()
+  one.remove()
+  return { counts, errors: errors.splice(0) }
+}

@@ -1,0 +1,156 @@
+// Shapes with detail, and sketches that draw them.
+import { size } from './sketches.js'
+
+const offsets = {
+  twist({ glsl, position }) {
+    const angle = position.y().mult(1.8)
+    const [c, s] = [angle.cos(), angle.sin()]
+    const [x, y, z] = [position.x(), position.y(), position.z()]
+    return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
+  },
+  flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30)),
+  // It bends more on one side, or a uniform division would do, which only the CPU chooses.
+  bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.03).exp().mult(10), 0),
+  noise: ({ normal, position, uniforms }) =>
+    normal.mult(
+      position.mult(2).add(uniforms.shift).simplex().mult(uniforms.height, position.y().add(1)),
+    ),
+  swelling: ({ normal, position, uniforms }) =>
+    normal.mult(position.y().mult(0.05).add(uniforms.shift).sin().mult(uniforms.height)),
+  waves: ({ glsl, position, uniforms }) =>
+    glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0),
+}
+
+/** Uniforms of each call, by the number of the picture. */
+const uniforms = {
+  noise: (i) => ({ shift: i / 10, height: 0.15 }),
+  // A normal in the world has the length 1/60 below a scale of 60.
+  swelling: (i) => ({ shift: i / 10, height: 900 }),
+  waves: (i) => ({ waves: i ? 60 : 4 }),
+}
+
+const shapes = {
+  box: (p) => p.box(120),
+  plane: (p) => p.plane(170, 170, 1, 1),
+  ball(p) {
+    p.scale(60)
+    p.model(ballOf(p))
+  },
+}
+
+const balls = new WeakMap()
+
+/** An octahedron that is divided three times, of radius 1. Spheres of p5 have a seam, whose sides differ by rounding. */
+function ballOf(p) {
+  if (balls.has(p)) return balls.get(p)
+  const places = [0, 1, 2].flatMap((axis) =>
+    [1, -1].map((sign) => [0, 1, 2].map((i) => (i === axis ? sign : 0))),
+  )
+  let faces = [0, 1].flatMap((x) =>
+    [2, 3].flatMap((y) => [4, 5].map((z) => ((x + y + z) % 2 ? [x, z, y] : [x, y, z]))),
+  )
+  const middles = new Map()
+  const middleOf = (a, b) => {
+    const key = `${Math.min(a, b)} ${Math.max(a, b)}`
+    if (!middles.has(key)) {
+      const sum = places[a].map((x, i) => x + places[b][i])
+      middles.set(key, places.push(sum.map((x) => x / Math.hypot(...sum))) - 1)
+    }
+    return middles.get(key)
+  }
+  for (let k = 0; k < 3; k++)
+    faces = faces.flatMap(([a, b, c]) => {
+      const [d, e, f] = [middleOf(a, b), middleOf(b, c), middleOf(c, a)]
+      return [
+        [a, d, f],
+        [d, b, e],
+        [f, e, c],
+        [d, e, f],
+      ]
+    })
+  const ball = new p5.Geometry(1, 1, function () {
+    this.gid = 'ball'
+    this.vertices = places.map((place) => p.createVector(...place))
+    this.vertexNormals = places.map((place) => p.createVector(...place))
+    this.uvs = places.flatMap(() => [0, 0])
+    this.faces = faces
+  })
+  balls.set(p, ball)
+  return ball
+}
+
+const boxes = new WeakMap()
+
+/** A p5.Geometry of the sketch. */
+export function boxOf(p) {
+  if (!boxes.has(p))
+    boxes.set(
+      p,
+      p.buildGeometry(() => p.box(1)),
+    )
+  return boxes.get(p)
+}
+
+/** Draws a shape with detail; `places` moves it, by the number of the picture. */
+export function sketch({
+  shape,
+  name,
+  space,
+  detail = 1,
+  look,
+  places = [turn],
+  isInside,
+  ...others
+}) {
+  let warp, framebuffer
+  return {
+    ...others,
+    setup(p) {
+      const given = uniforms[name]?.(0)
+      warp = p.createWarp(offsets[name], {
+        ...{ space, detail, normals: 'pixel' },
+        ...(given && { uniforms: given }),
+      })
+      if (isInside) framebuffer = p.createFramebuffer()
+      others.setup?.(p)
+    },
+    draw(p, i) {
+      framebuffer?.begin()
+      if (framebuffer) p.background(0, 0, 100)
+      p.noStroke()
+      p.lights()
+      p.fill(255, 127, 80)
+      look?.(p, i)
+      warp(uniforms[name]?.(i))
+      for (const place of places) {
+        p.push()
+        place(p, i)
+        const draw = typeof shape === 'function' ? shape : shapes[shape]
+        draw(p, i)
+        p.pop()
+      }
+      if (!framebuffer) return
+      framebuffer.end()
+      p.resetShader()
+      p.noLights()
+      p.image(framebuffer, -size / 2, -size / 2)
+    },
+  }
+}
+
+export function turn(p, i) {
+  p.rotateX(-0.4 + i / 3)
+  p.rotateY(0.5 + i / 2)
+  p.scale(0.8 + ((i * 0.382) % 1) / 2)
+}
+
+/** Several places in a picture, near and far. */
+export const around = [
+  [0, 60, 0, 1],
+  [60, 40, -100, 1.2],
+  [0, -50, 50, 0.8],
+].map(([x, y, z, size]) => (p, i) => {
+  p.translate(x, y, z)
+  p.rotateY(0.4 + i / 5)
+  p.scale(size)
+})
