@@ -282,6 +282,13 @@ for (const backend of ['webgl', 'webgpu'])
       assert.deepEqual(await stagesOf('pixel'), ['pixel', 'pixel'])
       assert.deepEqual(takeMessages(), [])
     })
+
+    test('the vectors that Babylon.js passes for vertex colors count', async () => {
+      const stagesOf = (why) =>
+        opened.page.evaluate((given) => fallBack(...given), [backend, 'auto', why])
+      assert.deepEqual(await stagesOf('7 varyings'), ['pixel', 'pixel'])
+      assert.deepEqual(await stagesOf('colors and 7 varyings'), ['pixel', 'vertex'])
+    })
   })
 
 for (const backend of ['webgl', 'webgl without uniform buffers', 'webgpu'])

@@ -208,6 +208,18 @@ describe('helper functions:', () => {
     )
   })
 
+  test('a class constructed without expressions stays itself, also from an object with a method', () => {
+    ;(0, eval)('globalThis.Sized = class { constructor({ size }) { this.half = size / 2 } }')
+    const offset = (0, eval)(`({ position }) => {
+      const sized = new Sized({ size: 4, grow() {} })
+      return position * (sized.constructor === Sized ? sized.half : 0)
+    }`)
+    assert.equal(
+      compileWarp(operators(offset)).code,
+      compileWarp(({ position }) => position.mult(2)).code,
+    )
+  })
+
   test('a helper of another library works with expressions, if it is in the scope', () => {
     assert.equal(
       compileWarp(operators(({ position }) => MathUtils.lerp(position, 2, 0.25) * 1, { MathUtils }))

@@ -167,6 +167,22 @@ function withLifted(mesh, lift) {
   return Object.create(mesh, { geometry: { value: geometry } })
 }
 
+test('a sphere around the corners of a box has room for the sines of a GPU', () => {
+  // WGSL, section 15.7.4: the absolute error of a sine from -pi to pi is at most 2^-11.
+  const reach = 3 * (1 + 2 ** -11)
+  const mesh = new THREE.Mesh(new THREE.BoxGeometry(2, 2, 2))
+  const warped = warp(mesh, ({ position }) =>
+    position
+      .mult(Math.PI / 2)
+      .sin()
+      .mult(3)
+      .sub(position),
+  )
+  assert.ok(mesh.boundingSphere.containsPoint(new THREE.Vector3(reach, reach, reach)))
+  assert.ok(mesh.boundingSphere.radius < 1.01 * Math.hypot(3, 3, 3))
+  warped.dispose()
+})
+
 test('bounds() contains the drawn object, and all parts of a group', () => {
   const [left, right] = [plane(), plane()]
   left.position.x = -3

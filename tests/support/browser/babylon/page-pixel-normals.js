@@ -220,7 +220,7 @@ function describe(mesh) {
 }
 
 /**
- * Returns the stage of a material's normals before and after it is compiled with few varyings (`why` is 'varyings') or with a shader that
+ * Returns the stage of a material's normals before and after it is compiled with few varyings (`why` names them) or with a shader that
  * lacks the line that we replace ('shader').
  */
 window.fallBack = async (backend, normals, why) => {
@@ -228,6 +228,8 @@ window.fallBack = async (backend, normals, why) => {
   const caps = scene.getEngine().getCaps()
   const { maxVaryingVectors } = caps
   if (why === 'varyings') caps.maxVaryingVectors = 6
+  // Babylon.js passes position and normal, and the warp 5 vectors; vertex colors are one more.
+  if (/7 varyings/.test(why)) caps.maxVaryingVectors = 7
   const material = new StandardMaterial('standard', scene)
   if (why === 'shader') {
     const store = backend === 'webgpu' ? ShaderStore.ShadersStoreWGSL : ShaderStore.ShadersStore
@@ -244,6 +246,8 @@ window.fallBack = async (backend, normals, why) => {
   target.activeCamera = scene.activeCamera
   for (const mesh of [shapes.sphere(scene), shapes.torus(scene)]) {
     mesh.material = material
+    if (why === 'colors and 7 varyings')
+      mesh.setVerticesData('color', new Float32Array(4 * mesh.getTotalVertices()).fill(1))
     target.renderList.push(mesh)
     await material.forceCompilationAsync(mesh)
   }
