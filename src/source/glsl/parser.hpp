@@ -76,7 +76,7 @@ class Parser {
   void findStage();
   void declareBuiltIns();
   VariableId declareBuiltIn(std::string_view name, Type type, Variable::Kind kind);
-  void declareGlobally(VariableId variable, ExpressionId start);
+  void declareGlobally(VariableId variable, ExpressionId initializer);
 
   // parse_blocks.cpp
   bool startsBlock() const;
