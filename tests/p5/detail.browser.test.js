@@ -28,7 +28,7 @@ const setup = Object.entries(offsets)
 const look =
   'background(220); noStroke(); lights(); fill(255, 127, 80); rotateX(-0.4); rotateY(0.5);'
 
-/** Maps a name → the warp, the code of the coarse shape, and that of the dense one. */
+/** Maps a name → [warp, code of the coarse shape, code of the dense one]. */
 const shapes = {
   'a box that is twisted': ['twist', 'box(120)', 'warpBox(120, 120, 120, 100)'],
   'a plane of two triangles that waves by uv': [
@@ -51,9 +51,9 @@ for (const host of hosts) {
       const expected = images[`${name}, dense`]
       const before = differingPixels(images[`${name}, coarse`], expected, 24)
       const after = differingPixels(images[`${name}, fine`], expected, 24)
-      assert.ok(before > 1000, `${name}: the coarse one differs at ${before} pixels`)
+      assert.ok(before > 1000, `${name}: the coarse shape differs at ${before} pixels`)
       // Pixels at edges and silhouettes may differ.
-      assert.ok(after < 250, `${name}: the fine one differs at ${after} pixels`)
+      assert.ok(after < 250, `${name}: the divided shape differs at ${after} pixels`)
     }
   })
 
@@ -110,7 +110,7 @@ for (const host of hosts) {
     // With a tolerance of one pixel, most gaps of a broken edge would be narrower than a pixel.
     const broken = await watchHoles(host, { frames: 40, isBroken: true, tolerance: 6 })
     t.diagnostic(`broken: ${JSON.stringify(broken)}`)
-    assert.ok(broken.framesWithHoles > 0, 'a broken edge is not seen')
+    assert.ok(broken.framesWithHoles > 0, 'a broken edge is not noticed')
   })
 
   test(`${host.name}: warns once about a shape that is not divided`, async () => {

@@ -36,7 +36,7 @@ async function withHosts(files) {
   return { context, requests }
 }
 
-/** Loads a model in a sketch with this script → the `result`, which is the number of vertices or a message, and what else happened. */
+/** Loads a model in a sketch with this script. Returns the `result`, which is the number of vertices or a message, and what else happened. */
 async function loadModel(context, src) {
   const { page, messages } = await runSketch(
     context,
@@ -224,7 +224,7 @@ describe('the order of scripts', () => {
 })
 
 describe('a page whose policy is script-src self', () => {
-  /** Makes calls that need WebAssembly on a page with such a policy → for each 'works' or its message. */
+  /** Makes calls that need WebAssembly on a page with such a policy. Returns 'works' or the message of each call. */
   async function loadWithPolicy(policy) {
     const html = `<!doctype html>
       <meta http-equiv="Content-Security-Policy" content="script-src 'self' ${policy}">

@@ -97,12 +97,12 @@ void Parser::declareBuiltIns() {
     declareBuiltIn("gl_FragData", type, Variable::Kind::Global);
   }
   if (named.contains("gl_DepthRange")) {
-    Structure made{.name = "gl_DepthRangeParameters"};
+    Structure structure{.name = "gl_DepthRangeParameters"};
     for (const std::string_view field : {"near", "far", "diff"})
-      made.add({field, floatType, made.size++});
+      structure.add({field, floatType, structure.size++});
     Type type;
     type.base = Base::Struct;
-    type.structure = tree_.types.add(made);
+    type.structure = tree_.types.add(structure);
     declareGlobally(declareBuiltIn("gl_DepthRange", type, Variable::Kind::Uniform), nothing);
   }
 }

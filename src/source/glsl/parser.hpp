@@ -55,7 +55,7 @@ class Parser {
   bool startsType(std::size_t ahead = 0) const;
   Type type();
   Type structure();
-  void fields(const Qualifiers& given, Structure& made);
+  void fields(const Qualifiers& given, Structure& structure);
   Type arrayOf(Type element);
   bool checkFree(const Token& name);
   VariableId addVariable(const Token& name, Type type, Variable::Kind kind);

@@ -6,7 +6,7 @@ import { breakEdge, countHoles } from './holes.js'
 const size = 128
 
 /**
- * Draws frames → { holes, framesWithHoles, least, indexUploads, broken }: the number of pixels in holes, the number of frames with holes, the
+ * Draws frames. Returns { holes, framesWithHoles, least, indexUploads, broken }: the number of pixels in holes, the number of frames with holes, the
  * smallest number of pixels that the shapes cover, how often indices were uploaded, and how many of these uploads had an edge that
  * `isBroken` breaks on purpose. The shapes are white, and everything behind and inside of them is magenta.
  */
