@@ -35,7 +35,7 @@ export interface DetailMeshOptions {
   readonly curved?: boolean
 }
 
-/** How a picture shows the mesh. */
+/** A picture that shows the mesh: its camera and its size. */
 export interface DetailView {
   /** Transforms warped positions into clip space: the product of the projection, view and model matrices, 16 numbers column by column. */
   readonly matrix: ArrayLike<number>

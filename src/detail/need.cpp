@@ -132,8 +132,8 @@ bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
     for (const ScreenView& view : views) {
       const TriangleOnScreen screen(view, samples);
       if (!screen.isVisible()) continue;
-      // Where the surface bends back and forth within a triangle, the triangle can be close to all
-      // samples although the bends ask for pieces.
+      // A triangle within which the surface bends back and forth can be close to all samples,
+      // although the bends ask for pieces.
       const float errorShare = screen.flatError() * criterion.beyondFlat / aim;
       const bool isFine = errorShare <= 1;
       if (isFine) {

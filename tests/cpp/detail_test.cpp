@@ -270,7 +270,7 @@ TEST(Detail, TrianglesThatFaceAwayNeedNoSamples) {
     EXPECT_TRUE(place[0] == 0 || shown.count(place));
     EXPECT_TRUE(shown.count(place) || added.count(place));
   }
-  // The same samples are needed again when the surface has moved.
+  // When the surface has moved, all of these samples are needed again.
   detail.forgetSamples();
   EXPECT_EQ(placesOf(detail, show(detail, front)), shown);
 }

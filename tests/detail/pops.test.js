@@ -42,7 +42,7 @@ function viewFrom(distance, angle) {
 }
 
 const frames = 25
-/** How many triangles of each division are measured, at equal intervals. */
+/** The number of triangles of each division that are measured, at equal intervals. */
 const measuredCount = 200
 
 const choose = ({ indices }) =>

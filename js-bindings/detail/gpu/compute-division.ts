@@ -15,7 +15,7 @@ import { DividedBuffers, type Room } from './divided-buffers.js'
 import type { PassName, Passes } from './passes.js'
 import { mapRead, usage, type GpuBuffer, type GpuDevice, type GpuEncoder } from './webgpu.js'
 
-/** How many numbers a view has in `DetailViews`, and in the struct `View`, which is padded. */
+/** The count of numbers of a view in `DetailViews`, and in the struct `View`, which is padded. */
 const [viewSize, paddedViewSize] = [19, 20]
 
 export class ComputeDivision {

@@ -8,7 +8,7 @@ import { CutWatch } from './cut-watch.js'
 import type { Passes } from './passes.js'
 import type { GpuDevice } from './webgpu.js'
 
-/** What a mesh depends on in a frame: see `DetailedMesh.update`. */
+/** The values on which a mesh depends in a frame: see `DetailedMesh.update`. */
 export interface ComputedFrame {
   readonly given: DrawValues
   readonly views: DetailViews

@@ -5,7 +5,7 @@ import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
 import { areEqual } from '../arrays.js'
 import type { DetailParts, ToSpace } from '../detailed-mesh.js'
 
-/** Evaluating an expensive noise at so many sides takes about half a millisecond. */
+/** An expensive noise takes about half a millisecond for 256 sides. */
 const sidesPerFrame = 256
 
 /** The two ends of a side, and the three samples between them. */

@@ -209,9 +209,9 @@ function blendOf(layout: VertexLayout) {
     const start = layout.isPlanar ? `${at}u * parameters.maxVertices` : `${at}u`
     const place = `${start} + ${layout.stepOf(attribute)}u * vertex`
     const numbers = Array.from({ length: size }, (_, i) => {
-      const weighted = (corner: string) =>
+      const weigh = (corner: string) =>
         `weights.${corner} * base[${at}u * parameters.vertices + ${size}u * ends.${corner} + ${i}u]`
-      return `var number${at + i} = ${['x', 'y', 'z'].map(weighted).join(' + ')};`
+      return `var number${at + i} = ${['x', 'y', 'z'].map(weigh).join(' + ')};`
     })
     const names = Array.from({ length: size }, (_, i) => `number${at + i}`)
     const squares = names.map((name) => `${name} * ${name}`).join(' + ')

@@ -10,7 +10,7 @@ export const tessellationTable = (): Promise<Uint32Array<ArrayBuffer>> =>
     throw error
   }))
 
-/** How long the page is blocked at a time, in milliseconds. A single tessellation can take longer. */
+/** The time for which the page is blocked at once, in milliseconds. A single tessellation can take longer. */
 const sliceLength = 4
 
 async function makeTable() {

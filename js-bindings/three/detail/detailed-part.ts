@@ -169,7 +169,7 @@ export class DetailedPart implements Divisible {
       ? undefined
       : computeDivision({ warp, object, mesh, base, toWorld: this.toWorld })
     this.divided = { mesh, drawn, pose, compute }
-    // As in three.js, buffers are made anew if a disposed geometry is drawn again.
+    // Buffers are made anew if a disposed geometry is drawn again, as in three.js.
     const onDispose = () => {
       drawn.dispose()
       compute?.dispose()

@@ -126,7 +126,7 @@ export async function groups({ draw }) {
   }
 }
 
-/** Counts triangles while camera, geometry and scene change, and what is left in the end. */
+/** Counts triangles while camera, geometry and scene change, and the geometries that are left in the end. */
 export async function countOverTime({ draw, triangles, geometries }) {
   const { scene, mesh } = sceneOf('box')
   const own = mesh.geometry
