@@ -29,7 +29,7 @@ function readOptions(args) {
   return { size, seconds, software: values.software, names: values.warp }
 }
 
-/** Compiles all warps → [{ name, shaders, characters, auto }]. */
+/** Compiles all warps. Returns [{ name, shaders, characters, auto }]. */
 async function compileAll(names) {
   const plainEntries = Object.entries(plainWarps).map(([name, source]) => [
     name,

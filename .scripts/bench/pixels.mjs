@@ -69,7 +69,9 @@ export async function measure() {
       auto: frames.auto,
     }
   }
-  console.log('A frame of p5, 600 × 600 pixels, a sphere of 240 pixels, medians:')
+  console.log(
+    'Median times of frames in p5: 600 × 600 pixels, a sphere with a radius of 240 pixels:',
+  )
   console.table(rows)
   await browser.close()
   await server.close()

@@ -83,7 +83,7 @@ const receivers = [
   },
   {
     head: 'ScalarMethods extends ComponentMethods<Scalar>',
-    description: 'Of numbers. A vector beside a number gives a vector.',
+    description: 'Of numbers. A vector and a number give a vector.',
     contains: ({ kinds, isOptional }) =>
       kinds[0] === 'number' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
     signaturesOf: (operation) =>
@@ -94,7 +94,7 @@ const receivers = [
   },
   {
     head: 'VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self>',
-    description: 'Of vectors. A number beside a vector counts for each component.',
+    description: 'Of vectors. A number is used for each component.',
     contains: ({ kinds, isOptional }) =>
       kinds[0] === 'vector' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
     signaturesOf: (operation) =>

@@ -1,8 +1,8 @@
 // Bumps along the normal of a ring. Left: lit as if the normal were constant around
-// each vertex. Right: addSurfaceVariation provides how the normal varies over the
-// surface, and the light is correct.
+// each vertex. Right: addSurfaceVariation adds the derivatives of the normal along
+// the surface to the mesh, so that the light is correct.
 // Needs p5 2: p5 1.11 has no vertex properties.
-let ring, rough, exact
+let ring, approximate, exact
 
 async function setup() {
   createCanvas(640, 480, WEBGL)
@@ -17,7 +17,7 @@ async function setup() {
     // buildGeometry does not normalize normals.
     return normal.normalize().mult(height)
   }
-  rough = createWarp(bumps, { surfaceVariation: false })
+  approximate = createWarp(bumps, { surfaceVariation: false })
   exact = createWarp(bumps)
 
   ring = buildGeometry(() => torus(92, 38, 160, 80))
@@ -32,7 +32,7 @@ function draw() {
   specularMaterial(160)
   shininess(40)
 
-  panel(-155, '#e9c46a', rough)
+  panel(-155, '#e9c46a', approximate)
   panel(155, '#43c6ac', exact)
 }
 

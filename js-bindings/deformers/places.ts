@@ -5,7 +5,7 @@ import type { Glsl, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
 interface Surface {
   position: Vec3
   normal: Vec3
-  /** 1 or -1, for an even or odd number of mirroring spaces between the vertex and the position. */
+  /** -1 if an odd number of the coordinate transforms from the vertex to the position mirror, otherwise 1; absent if there are none. */
   side?: Scalar | number
 }
 
@@ -22,7 +22,7 @@ export const surfaceOf = (inputs: WarpInputs): Surface =>
 
 /**
  * Returns the inputs with another position, and with the unit normal of the surface there. The normal is transformed by all warps
- * and spaces between the vertex and the position, and computed only if it is read.
+ * and coordinate transforms from the vertex to the position, and computed only if it is read.
  */
 export function inputsAt(
   inputs: WarpInputs,
@@ -39,7 +39,7 @@ export function inputsAt(
   })
 }
 
-/** Returns the outward unit normal at `place`. If the orientation of the whole offset is unknown, the orientation of its spaces is used. */
+/** Returns the outward unit normal at `place`. Where it is unknown whether the whole offset mirrors space, uses `side`. */
 function outwardNormal(glsl: Glsl, place: Vec3, { position, normal, side }: Surface): Vec3 {
   const offset = place.sub(position)
   const warpedNormal = glsl.adjustNormal(offset, normal, position)

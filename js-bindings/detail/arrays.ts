@@ -1,7 +1,7 @@
 // Arrays of numbers.
 import type { Vertices } from '../core/inputs/vertices.js'
 
-/** The length of the diagonal of a box around positions. */
+/** Returns the length of the diagonal of the bounding box. */
 export function diagonalOf(positions: ArrayLike<number>): number {
   const min = [Infinity, Infinity, Infinity]
   const max = [-Infinity, -Infinity, -Infinity]
@@ -12,7 +12,7 @@ export function diagonalOf(positions: ArrayLike<number>): number {
   return Math.hypot(...max.map((high, i) => high - min[i]!))
 }
 
-/** Copies into the array if it has the right length, or else into a new one. */
+/** Copies into `to` if that is an array of the right length, otherwise into a new one. Returns the copy. */
 export function copyInto(to: ArrayLike<number> | undefined, from: Float32Array): Float32Array {
   if (!(to instanceof Float32Array) || to.length !== from.length) return from.slice()
   to.set(from)
@@ -22,28 +22,33 @@ export function copyInto(to: ArrayLike<number> | undefined, from: Float32Array):
 export const areEqual = (a: readonly number[], b: readonly number[]) =>
   a.length === b.length && a.every((x, i) => x === b[i])
 
-/** Copies the vertices of these numbers, in order, into arrays that are as long. */
-export function gather(from: Vertices, numbers: Uint32Array, to: Vertices) {
+/** Copies the vertices with these indices, in order, to the start of arrays that are as long as those of `from`. */
+export function gather(from: Vertices, vertexIndices: Uint32Array, to: Vertices) {
   const vertices = from.positions.length / 3
   for (const name in to) {
     const [source, target] = [from, to].map((each) => each[name as 'positions'] as Float32Array)
-    copyVertices(source!, numbers, target!, Math.trunc(target!.length / vertices))
+    copyVertices(source!, vertexIndices, target!, Math.trunc(target!.length / vertices))
   }
 }
 
-function copyVertices(from: Float32Array, numbers: Uint32Array, to: Float32Array, size: number) {
+function copyVertices(
+  from: Float32Array,
+  vertexIndices: Uint32Array,
+  to: Float32Array,
+  size: number,
+) {
   let at = 0
-  for (let i = 0; i < numbers.length; i++) {
-    const first = size * numbers[i]!
+  for (let i = 0; i < vertexIndices.length; i++) {
+    const first = size * vertexIndices[i]!
     for (let k = 0; k < size; k++) to[at++] = from[first + k]!
   }
 }
 
-/** Copies positions, in order, to the vertices of these numbers. */
-export function scatter(from: Float32Array, numbers: Uint32Array, to: Float32Array) {
+/** Copies positions, in order, to the vertices with these indices. */
+export function scatter(from: Float32Array, vertexIndices: Uint32Array, to: Float32Array) {
   let at = 0
-  for (let i = 0; i < numbers.length; i++) {
-    const first = 3 * numbers[i]!
+  for (let i = 0; i < vertexIndices.length; i++) {
+    const first = 3 * vertexIndices[i]!
     for (let k = 0; k < 3; k++) to[first + k] = from[at++]!
   }
 }

@@ -35,15 +35,15 @@ export interface DetailMeshOptions {
   readonly curved?: boolean
 }
 
-/** A picture in which the mesh is seen. */
+/** A picture that shows the mesh: its camera and its size. */
 export interface DetailView {
-  /** From warped positions to clip space: the product of projection, view and model matrix, 16 numbers column by column. */
+  /** Transforms warped positions into clip space: the product of the projection, view and model matrices, 16 numbers column by column. */
   readonly matrix: ArrayLike<number>
   /** The size of the viewport in pixels of the canvas. */
   readonly width: number
   readonly height: number
   /**
-   * The sides of triangles that are drawn. Those that show only their other side are not divided.
+   * The sides of triangles that are drawn. Triangles that show only the other side are not divided.
    * @default 'both'
    */
   readonly side?: 'front' | 'back' | 'both'
@@ -63,7 +63,7 @@ export interface DetailUpdate {
 /** A mesh that is divided as finely as its warped surface needs it on the screen, without cracks. Its vertices are not warped. */
 export interface DividedMesh {
   /**
-   * Divides the mesh for the views of a frame. Returns `true` if the arrays changed: small changes of the view leave them as they are.
+   * Divides the mesh for the views of a frame. Returns `true` if the arrays changed: small changes of the view leave the arrays as they are.
    * Throws a `WarpError` for wrong views, and if a uniform is missing.
    */
   update(views: DetailView | readonly DetailView[], options?: DetailUpdate): boolean
@@ -74,9 +74,9 @@ export interface DividedMesh {
   readonly uvs?: Float32Array
   readonly colors?: Float32Array
   readonly tangents?: Float32Array
-  /** 3 indices per triangle. Triangles stay in the order of those that they are parts of. */
+  /** 3 indices per triangle. Triangles stay in the order of the given triangles that they are parts of. */
   readonly indices: Uint32Array
-  /** Frees its memory. An update afterwards starts anew. */
+  /** Frees the memory of the mesh. A later update starts anew. */
   dispose(): void
 }
 
@@ -122,26 +122,26 @@ export function createDetail(
     if (host.reads(input as 'uv') && !given[name as 'uvs']) throw missingInput(place, input, name)
   if (isCurved && !given.normals)
     throw place.part('normals').expected('3 numbers per vertex, which a curved mesh needs,', 'none')
-  const divided = new DetailedMesh(host, { positions, attributes, indices, isCurved })
+  const detailed = new DetailedMesh(host, { positions, attributes, indices, isCurved })
   const numbers: number[] = []
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {
       const { uniforms = {}, tolerance } = updateOptions.read(options, updatePlace)
       const all = (Array.isArray(views) ? views : [views]) as readonly DetailView[]
       numbers.length = 0
-      for (const view of all) addNumbers(numbers, view)
-      return divided.update(uniforms, numbers, tolerance)
+      for (const view of all) appendNumbers(numbers, view)
+      return detailed.update(uniforms, numbers, tolerance)
     },
     get positions() {
-      return divided.values(-1)
+      return detailed.values(-1)
     },
     get indices() {
-      return divided.indices()
+      return detailed.indices()
     },
-    dispose: () => divided.dispose(),
+    dispose: () => detailed.dispose(),
   }
   names.forEach((name, i) =>
-    Object.defineProperty(result, name, { get: () => divided.values(i), enumerable: true }),
+    Object.defineProperty(result, name, { get: () => detailed.values(i), enumerable: true }),
   )
   return result
 }
@@ -193,8 +193,8 @@ const viewOptions = object({
 
 const viewKind = record<DetailView>('a view such as { matrix, width, height }')
 
-/** Adds the numbers of a view: see `DetailViews`. */
-function addNumbers(all: DetailViews, given: DetailView) {
+/** Appends the numbers of a view: see `DetailViews`. */
+function appendNumbers(all: DetailViews, given: DetailView) {
   const view = viewKind.read(given, updatePlace.argument(1))
   const { matrix, width, height, side } = viewOptions.read(view, updatePlace)
   const numbers = readNumbers(updatePlace.option('matrix'), matrix, 16, {

@@ -7,7 +7,7 @@ import { details, type Detail, type DetailModule } from '../wasm/detail.js'
 import { areEqual, copyInto, diagonalOf, gather, scatter } from './arrays.js'
 
 export interface DetailAttribute {
-  /** The array that it is for the warp; missing if the warp doesn't read it. */
+  /** The input array of the warp that this attribute is; missing if it is none. */
   readonly input?: Exclude<keyof Vertices, 'positions'> | undefined
   /** Numbers per vertex. */
   readonly size: number
@@ -22,15 +22,15 @@ export interface DetailBase {
   readonly attributes: readonly DetailAttribute[]
   /** 3 per triangle. */
   readonly indices: ArrayLike<number>
-  /** The numbers of triangles at which groups begin, in ascending order. */
+  /** The indices of the triangles at which groups begin, in ascending order. */
   readonly groups?: readonly number[]
-  /** `true` continues the surface between vertices by curved triangles, if an attribute is of unit vectors. */
+  /** `true` makes the surface between vertices of curved triangles, if an attribute has unit vectors. */
   readonly isCurved?: boolean
 }
 
 /**
- * The views of a mesh, with 19 numbers each: a matrix by columns from warped positions to clip space, half of the viewport's width and
- * height in pixels, and 1 if triangles that face away are not drawn, -1 if triangles that face the eye are not drawn, or 0 if all are.
+ * The views of a mesh, with 19 numbers each: a matrix by columns that transforms warped positions to clip space, half of the viewport's
+ * width and height in pixels, and 1 if triangles that face away are not drawn, -1 if triangles that face the eye are not drawn, or 0 if all are.
  */
 export type DetailViews = number[]
 
@@ -45,22 +45,22 @@ export interface DetailParts {
   readonly topology: Uint32Array
   /** The numbers of pieces, by edge. */
   readonly pieces: Uint32Array
-  /** `true` if vertices between others are not blends of them. */
+  /** `true` if the surface between vertices is curved, so that new vertices are not linear blends. */
   readonly isCurved: boolean
   readonly samples: Vertices
-  /** The numbers of an attribute at the vertices. Its place is as for `DetailedMesh.values`. */
+  /** Returns the values of an attribute at the vertices. `i` is its index, as for `DetailedMesh.values`. */
   readonly attribute: (i: number, size: number) => Float32Array
 }
 
-/** A mesh in the wasm, which is freed with the `DetailedMesh` that owns it. */
-interface Held {
+/** A mesh in wasm memory, which is freed with the `DetailedMesh` that owns it. */
+interface WasmMesh {
   readonly bound: DetailModule
   readonly detail: Detail
 }
 
-const registry = new FinalizationRegistry<Held>(free)
+const registry = new FinalizationRegistry<WasmMesh>(free)
 
-function free({ bound, detail }: Held) {
+function free({ bound, detail }: WasmMesh) {
   if (!bound.isBroken) detail.delete()
 }
 
@@ -73,22 +73,23 @@ const maxPasses = 4
 /** The phases of a warp without waves and noises. */
 const noPhases: SurfacePhases = { sizes: [], steps: [], size: 0, evaluate: () => undefined }
 
-/** Warps with fewer operations take less time for all samples than it takes to choose some. */
+/** For warps with fewer operations, evaluating all samples takes less time than choosing some. */
 const minOperations = 300
 
-/** All samples are warped if a frame lacks more than this share of them. */
+/** All samples are warped if more than this share of them is missing in a frame. */
 const maxShare = 0.75
 
 export class DetailedMesh {
-  private held: Held | undefined
+  private wasmMesh: WasmMesh | undefined
   private samples: Vertices = { positions: new Float32Array() }
   private inSpace = new Float32Array()
-  /** The samples in the space of the offset, and the values for which the vertices are warped now. */
+  /** The samples in the space of the offset. */
   private placed = this.samples
+  /** The values of the draw call for which samples are warped now. */
   private given: DrawValues = {}
-  /** The number of samples, of the first ones, that are warped whether views show them or not. */
+  /** Samples below this index are warped whether views show them or not. */
   private warpedFirst = 0
-  /** Some of the samples, one after another, that are warped beside those. */
+  /** The other samples that are warped, one after another. */
   private chosen: Vertices = { positions: new Float32Array() }
   private warped = new Float32Array()
   private phases = new Float32Array()
@@ -96,9 +97,9 @@ export class DetailedMesh {
   private state: readonly number[] | undefined
   private views: readonly number[] = []
   private posed: DetailBase | undefined
-  /** Changes with the arrays. */
+  /** Changes when the arrays change. */
   version = 0
-  /** Changes when the mesh is cut, or moved. */
+  /** Changes when the base is cut or moved. */
   baseVersion = 0
   private readonly maxLength: number
 
@@ -110,7 +111,7 @@ export class DetailedMesh {
   }
 
   /**
-   * Divides the mesh for a frame. `given` are the values of the draw call. `place` are numbers that `toSpace` depends on.
+   * Divides the mesh for a frame. `given` are the values of the draw call, and `place` the numbers that `toSpace` depends on.
    * Returns `true` if the arrays changed.
    */
   update(
@@ -120,8 +121,8 @@ export class DetailedMesh {
     toSpace?: ToSpace,
     place: readonly number[] = [],
   ): boolean {
-    if (!this.held || this.held.bound.isBroken) this.start()
-    const { detail } = this.held!
+    if (!this.wasmMesh || this.wasmMesh.bound.isBroken) this.start()
+    const { detail } = this.wasmMesh!
     const now = this.warp.withUniformsNow(given)
     const state = this.stateOf(now, place)
     const seen = [...views, tolerance]
@@ -141,14 +142,14 @@ export class DetailedMesh {
     return isChanged
   }
 
-  /** The numbers that the warped samples depend on. */
+  /** Returns the numbers that the warped samples depend on. */
   stateOf(given: DrawValues, place: readonly number[] = []): number[] {
     return [...this.warp.state(given), ...place]
   }
 
-  /** The base and its present division, for compute passes. Valid after an update, until the next call of any mesh. */
+  /** Returns the base and its present division, for compute passes. Call it after an update; the result is valid until the next call of any mesh. */
   parts(): DetailParts {
-    const { detail } = this.held!
+    const { detail } = this.wasmMesh!
     // Compute passes do not choose a uniform division.
     detail.divideBase()
     this.version++
@@ -172,47 +173,47 @@ export class DetailedMesh {
   /** Moves the vertices of the base for the frames from now on. The triangles stay as they are. */
   pose(posed: DetailBase) {
     this.posed = posed
-    if (!this.held || this.held.bound.isBroken) return
+    if (!this.wasmMesh || this.wasmMesh.bound.isBroken) return
     this.fill(posed)
-    this.held.detail.pose()
+    this.wasmMesh.detail.pose()
     this.readSamples()
     this.state = undefined
     this.baseVersion++
   }
 
-  /** The numbers of an attribute, by its place in the base; -1 is positions. A view, which is valid until the next call of any mesh. */
+  /** Returns the values of an attribute, by its index in the base; -1 is positions. The result is a view, which is valid until the next call of any mesh. */
   values(attribute: number): Float32Array {
-    return this.held?.detail.attribute(attribute + 1) ?? new Float32Array()
+    return this.wasmMesh?.detail.attribute(attribute + 1) ?? new Float32Array()
   }
 
-  /** A view like `values`. */
+  /** Returns a view, which is valid as long as that of `values`. */
   indices(): Uint32Array {
-    return this.held?.detail.indices() ?? new Uint32Array()
+    return this.wasmMesh?.detail.indices() ?? new Uint32Array()
   }
 
-  /** The triangle of the base that each one is a part of. */
+  /** Returns, for each triangle, the index of the triangle of the base that it is a part of. */
   origins(): ArrayLike<number> {
-    return this.held!.detail.origins()
+    return this.wasmMesh!.detail.origins()
   }
 
   /**
-   * The vertices along lines, each between two vertices of the base: for each line their number, then the vertices. A line that is no
+   * Returns the vertices along lines, each between two vertices of the base: for each line the number of its vertices, then the vertices. A line that is no
    * side of a triangle is one piece.
    */
   lines(ends: ArrayLike<number>): ArrayLike<number> {
-    return this.held!.detail.lines(ends)
+    return this.wasmMesh!.detail.lines(ends)
   }
 
-  /** The numbers of triangles at which the groups begin now. */
+  /** Returns the indices of the divided triangles at which groups begin. */
   groups(): Uint32Array {
-    return this.held!.detail.groups()
+    return this.wasmMesh!.detail.groups()
   }
 
   dispose() {
-    if (!this.held) return
+    if (!this.wasmMesh) return
     registry.unregister(this)
-    free(this.held)
-    this.held = undefined
+    free(this.wasmMesh)
+    this.wasmMesh = undefined
   }
 
   private start() {
@@ -224,8 +225,8 @@ export class DetailedMesh {
     const [vertices, triangles] = [positions.length / 3, indices.length / 3]
     const detail = new bound.Detail(sizes, areUnit, vertices, triangles, groups, isCurved)
     this.dispose()
-    this.held = { bound, detail }
-    registry.register(this, this.held, this)
+    this.wasmMesh = { bound, detail }
+    registry.register(this, this.wasmMesh, this)
     this.fill(this.base)
     detail.givenIndices().set(indices)
     detail.begin()
@@ -236,14 +237,14 @@ export class DetailedMesh {
   }
 
   private fill({ positions, attributes }: DetailBase) {
-    const { detail } = this.held!
+    const { detail } = this.wasmMesh!
     detail.given(0).set(positions)
     attributes.forEach(({ values }, i) => detail.given(i + 1).set(values))
   }
 
-  /** Cuts the mesh until no edge is longer than samples allow, which changes with the inputs of the warp. */
+  /** Cuts the mesh until no edge is too long for its samples. How long that is depends on the inputs of the warp. */
   private cut(given: DrawValues, toSpace: ToSpace | undefined) {
-    const { detail } = this.held!
+    const { detail } = this.wasmMesh!
     const { sizes, steps, size, evaluate } = this.warp.surfacePhases() ?? noPhases
     for (let pass = 0; pass < maxPasses; pass++) {
       const count = detail.cutSampleCount()
@@ -256,27 +257,27 @@ export class DetailedMesh {
     }
   }
 
-  /** Warps the first samples, of which the vertices are the first. */
+  /** Warps the first `count` samples, which begin with the vertices. */
   private warpFirst(count: number) {
     const { warped } = this
     this.warp.evaluatePositions(this.placed, count, this.given, warped)
-    this.held!.detail.warped().set(warped.subarray(0, 3 * count))
+    this.wasmMesh!.detail.warped().set(warped.subarray(0, 3 * count))
     this.warpedFirst = count
   }
 
-  /** Warps samples that views may show. */
-  private warpMissing(numbers: Uint32Array) {
-    const { detail } = this.held!
+  /** Warps the samples with these indices, which views may show. */
+  private warpMissing(missing: Uint32Array) {
+    const { detail } = this.wasmMesh!
     const count = detail.sampleCount()
-    if (!numbers.length || this.warpedFirst === count) return
-    if (numbers.length > maxShare * count) return this.warpFirst(count)
-    gather(this.placed, numbers, this.chosen)
-    this.warp.evaluatePositions(this.chosen, numbers.length, this.given, this.warped)
-    scatter(this.warped, numbers, detail.warped())
+    if (!missing.length || this.warpedFirst === count) return
+    if (missing.length > maxShare * count) return this.warpFirst(count)
+    gather(this.placed, missing, this.chosen)
+    this.warp.evaluatePositions(this.chosen, missing.length, this.given, this.warped)
+    scatter(this.warped, missing, detail.warped())
   }
 
   private readSamples() {
-    const { detail } = this.held!
+    const { detail } = this.wasmMesh!
     const { samples, chosen } = this
     const read = (name: keyof Vertices, attribute: number) => {
       samples[name] = copyInto(samples[name], detail.sample(attribute))

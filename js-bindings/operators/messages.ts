@@ -62,7 +62,7 @@ export function cannotSee({ place, names, shadowed, members, helper }: Missing):
     return `${place}: ${text}, which cannot access "${name}" of the enclosing scope; write a plain function that takes it as an argument.`
   const isShadowed = names.some((each) => shadowed.has(each))
   return `${place}: ${text}, which cannot access "${name}" of the enclosing scope${
-    isShadowed ? ', where it is not the global' : ''
+    isShadowed ? ', where it is a local variable, not the global one' : ''
   }; ${isShadowed ? '' : `make ${listNames(names)} global, or `}${remedy(place, names)}.`
 }
 

@@ -30,10 +30,10 @@ export function unsupportedMaterial(material: Material, space?: WarpSpace): stri
   if (isSpriteMaterial)
     return 'a sprite always faces the camera and has no surface; use a Mesh with a PlaneGeometry'
   if (isLineMaterial)
-    return 'its shader makes a line as wide as it is from the two ends of each segment; use a Line with a LineBasicMaterial, or a Mesh with a TubeGeometry'
+    return 'its shader builds each segment of the line from its two ends, so that there is no surface to warp; use a Line with a LineBasicMaterial, or a Mesh with a TubeGeometry'
   if (isShaderMaterial && !canWeave(String(vertexShader)))
-    return 'its vertex shader neither reads the attribute position nor makes "transformed"; read position in it'
+    return 'its vertex shader neither reads the attribute "position" nor declares the variable "transformed"; read "position" in the vertex shader'
   if (space === 'world' && isRawShaderMaterial && glslVersion !== GLSL3)
-    return "GLSL ES 1.00 cannot invert a matrix, which the space 'world' needs; write it in GLSL ES 3.00 with glslVersion: THREE.GLSL3"
+    return "the space 'world' needs the inverse of a matrix, which GLSL ES 1.00 cannot compute; write the shader in GLSL ES 3.00 with glslVersion: THREE.GLSL3"
   return undefined
 }

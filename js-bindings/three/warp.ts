@@ -9,7 +9,7 @@ import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 import { WarpedTree } from './warped-tree.js'
 
 export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
-  /** Returns a box, never too small, around everything that is drawn now, in the space of the object before its own matrix. The box is
+  /** Returns a box around everything that is drawn now, in the local space of the object. The box may be too large, but never too small. It is
    * infinite if only the GPU can evaluate the warp, or if the warp or a vertex is not finite. */
   bounds(): Box3
   /** Adds hits on the warped surface to `intersects`. A `Raycaster` calls it. */
@@ -45,7 +45,7 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
   }
 }
 
-/** Returns the bounds of all parts, before the matrix of the warped object. */
+/** Returns the bounds of all parts in the local space of the warped object. */
 function boundsOf(root: Object3D, parts: readonly Part[]) {
   const toRoot = new Matrix4().copy(root.matrixWorld).invert()
   const all = new Box3()

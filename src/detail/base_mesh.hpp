@@ -1,5 +1,5 @@
-// A mesh whose sides can be split without cracks: sides between the same two places, on both sides
-// of a seam as well, share an edge, and so its number of pieces.
+// A mesh whose sides can be split without cracks: sides that join the same two places, even if a
+// seam separates them, share an edge, and are split into the same number of pieces.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace warpjet {
 
-// A point of a triangle, by the weights of its corners. They add up to 1.
+// A point of a triangle, given by the weights of the corners, which add up to 1.
 using Weights = std::array<float, 3>;
 
-// The numbers of all vertices. Attribute 0 of a mesh is its positions, with three numbers each.
+// The values of all vertices. Attribute 0 of a mesh contains its positions, three numbers each.
 struct Attribute {
   std::uint32_t size;   // numbers per vertex
   bool isUnit = false;  // true for normals, which keep their length when they are interpolated
@@ -47,26 +47,27 @@ class BaseMesh {
   std::uint32_t edgeOf(std::size_t triangle, int side) const {
     return sides_[sidesOf_[triangle][side]].edge;
   }
-  // The number of the side between two vertices; `none` if no triangle has it.
+  // Returns the index of the side between two vertices; `none` if no triangle has it.
   std::uint32_t sideBetween(std::uint32_t a, std::uint32_t b) const {
     const auto [first, second] = inOrder(a, b);
     return sidesByEnds_.find(first, second);
   }
-  // Vertices at one place, on both sides of a seam, have the same one. It is below `vertexCount`.
+  // Returns the number of the place of a vertex, which is below `vertexCount`. Vertices at one
+  // place, on both sides of a seam, have the same number.
   std::uint32_t placeOf(std::uint32_t vertex) const { return places_[vertex]; }
   bool startsAt(std::uint32_t side, std::uint32_t vertex) const {
     return sides_[side].ends[0] == vertex;
   }
 
-  // Replaces the numbers of vertices. Edges stay those that the first positions share.
+  // Replaces the values of the vertices. The edges remain those of the first positions.
   void setAttributes(const std::vector<Attribute>& attributes) { attributes_ = attributes; }
 
-  // A point of a side, as one of the side's triangle. The weights are those of its ends.
+  // Converts the weights of a side's ends to weights of the corners of the side's triangle.
   Weights onTriangle(std::uint32_t side, const std::array<float, 2>& weights) const;
 
-  // The numbers of samples, which divide each side into four. First come all vertices, then three
-  // for each side, from its first end to its second, then three for each triangle, of which sample
-  // i is the one nearest to corner i.
+  // Returns the index of a sample. Samples divide each side into four. First come all vertices,
+  // then three samples for each side, from its first end to its second, then three for each
+  // triangle, of which sample i is the one nearest to corner i.
   std::uint32_t sampleOfSide(std::uint32_t side, int i) const {
     return static_cast<std::uint32_t>(vertexCount()) + 3 * side + i;
   }
@@ -76,7 +77,7 @@ class BaseMesh {
 
  private:
   void findSides();
-  // The one at the place with the lower number is first.
+  // Returns both vertices, starting with the one whose place has the lower number.
   std::array<std::uint32_t, 2> inOrder(std::uint32_t a, std::uint32_t b) const;
 
   std::vector<Attribute> attributes_;

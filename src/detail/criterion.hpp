@@ -1,5 +1,5 @@
-// The numbers by which the pieces of edges are chosen: see need.cpp. Compute passes in WGSL take
-// them from here, too.
+// The constants by which the numbers of pieces of edges are chosen: see need.cpp. The compute
+// passes in WGSL get them from here, too.
 #pragma once
 
 namespace warpjet {
@@ -9,30 +9,34 @@ struct Criterion {
   float margin = 1.3f;
   // The min depth of a sample, as a share of the depth of its triangle's middle.
   float nearest = 0.1f;
-  // Samples farther aside than this, in halves of the view, count as this far.
+  // The max distance of a sample from the middle of the view, in halves of the view. Samples that
+  // are farther away are treated as if they were at this distance.
   float aside = 1.5f;
-  // A cell faces away if its signed area on the screen is below minus this share of its sides.
+  // A cell faces away if its signed area on the screen is below minus this share of the product of
+  // two of its sides.
   float away = 0.2f;
-  // These take the place of `margin` and `away` for flat triangles between warped corners: one that
-  // is invisible by them, as its neighbors are, needs no samples.
+  // These replace `margin` and `away` for flat triangles between warped corners. A triangle needs
+  // no samples if by these values it is invisible, and so are its neighbors.
   float flatMargin = 1.5f;
   float flatAway = 0.5f;
   // The bend between samples can exceed that of all cells. This estimates by how much, as a share
-  // of the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
+  // of the difference of their maximum and mean; `npm run report -- detail` shows the effect.
   float beyondCells = 0.3f;
   // The error of an undivided triangle, as a multiple of that at its 15 samples. If the surface
-  // bends alike in all directions, it is 16/15.
+  // bends equally in all directions, the factor is 16/15.
   float beyondFlat = 1.1f;
-  // A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
+  // A piece of length h errs by h^2 / 8 times the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
   // Uniform divisions use the samples of all triangles, and aim at the tolerance.
   float aim = 0.8f;
-  // The number of pieces is lowered only to one that suffices for this many times the need.
+  // The number of pieces is lowered only to a number that would suffice for this many times the
+  // need.
   float hysteresis = 1.25f;
-  // Slivers count as higher than they are, by this share of their sides: second differences of
-  // floats, divided by the square of almost no height, would be rounding errors.
+  // The min height of a triangle, as a share of its sides. Slivers are treated as if they were this
+  // high: second differences of floats, divided by the square of almost no height, would be
+  // rounding errors.
   float lowest = 0.01f;
 };
 

@@ -12,8 +12,8 @@ namespace warpjet {
 
 namespace {
 
-// The max number of triangles of a cut mesh, approximately: what four evaluations of a warp per
-// triangle can take in each frame.
+// The approximate max number of triangles of a cut mesh: a frame has time for about four
+// evaluations of a warp for each of them.
 constexpr double maxCutTriangles = 1 << 16;
 
 constexpr std::size_t numbersPerView = 19;
@@ -26,7 +26,7 @@ ScreenView readView(std::span<const float> numbers) {
   return view;
 }
 
-// Replaces each step between two vertices by the pieces of its side.
+// Replaces each segment of a line by the pieces of the side between its vertices.
 void divideLine(std::vector<std::uint32_t>& line, const BaseMesh& mesh,
                 std::span<const std::uint32_t> pieces,
                 std::span<const std::uint32_t> firstVertices) {
@@ -43,7 +43,7 @@ void divideLine(std::vector<std::uint32_t>& line, const BaseMesh& mesh,
   line = std::move(divided);
 }
 
-// The distance of two samples in `size` of their numbers.
+// Returns the distance of two points with `size` coordinates.
 float distanceOf(const float* a, const float* b, std::uint32_t size) {
   float sum = 0;
   for (std::uint32_t i = 0; i < size; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
@@ -72,21 +72,22 @@ void Detail::begin() {
     surface_.emplace(mesh, static_cast<std::size_t>(normals - given_.begin()));
   }
   std::vector<Patch> patches = makeWholePatches(mesh.triangles().size());
-  use(std::move(mesh), std::move(patches));
+  setBase(std::move(mesh), std::move(patches));
 }
 
-Interpolation Detail::between(const BaseMesh& mesh, const std::vector<Patch>& patches) const {
+Interpolation Detail::makeInterpolation(const BaseMesh& mesh,
+                                        const std::vector<Patch>& patches) const {
   return Interpolation(mesh, surface_ ? &*surface_ : nullptr, patches);
 }
 
-void Detail::use(BaseMesh base, std::vector<Patch> patches) {
+void Detail::setBase(BaseMesh base, std::vector<Patch> patches) {
   base_.emplace(std::move(base));
   patches_ = std::move(patches);
-  samples_ = between().samples();
+  samples_ = makeInterpolation().samples();
   warped_.resize(samples_[0].values.size());
   forgetSamples();
   needs_ = {};
-  uniform_ = 0;
+  uniformPieces_ = 0;
   indices_.clear();
 }
 
@@ -95,11 +96,11 @@ void Detail::pose() {
   const std::vector<Attribute>* attributes = &given_;
   for (Cut& cut : cuts_) {
     cut.mesh.setAttributes(*attributes);
-    division_.write(between(cut.mesh, cut.patches), cut.pieces, tessellations_);
+    division_.write(makeInterpolation(cut.mesh, cut.patches), cut.pieces, tessellations_);
     attributes = &division_.attributes;
   }
   base_->setAttributes(*attributes);
-  samples_ = between().samples();
+  samples_ = makeInterpolation().samples();
   forgetSamples();
   indices_.clear();
 }
@@ -115,7 +116,7 @@ std::vector<float>& Detail::phases(std::uint32_t size) {
 
 bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
                  const std::vector<float>& steps) {
-  std::vector<float> lengths(base_->edgeCount());  // in pieces
+  std::vector<float> lengths(base_->edgeCount());  // by edge, in pieces
   std::uint32_t stride = 0;
   for (const std::uint32_t size : sizes) stride += size;
   const float* positions = samples_[0].values.data();
@@ -153,33 +154,35 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
     isCut |= isLong;
   }
   if (!isCut) return false;
-  division_.write(between(), pieces, tessellations_);
-  std::vector<Patch> patches = dividePatches(between(), pieces, tessellations_);
+  division_.write(makeInterpolation(), pieces, tessellations_);
+  std::vector<Patch> patches = dividePatches(makeInterpolation(), pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
   cuts_.push_back({std::move(*base_), std::move(patches_), std::move(pieces),
                    division_.firstTriangles, division_.firstVertices});
-  use(BaseMesh(division_.attributes, division_.triangles), std::move(patches));
+  setBase(BaseMesh(division_.attributes, division_.triangles), std::move(patches));
   return true;
 }
 
-// A uniform division is right where the surface bends about equally everywhere: it does without the
-// cuts, which are there to measure, and its number of pieces can be any. The choice changes only
-// for clearly fewer triangles, so that it doesn't alternate.
+// A uniform division of the given mesh is better where the surface bends about equally everywhere:
+// it does without the cuts, which only serve to measure, and can have any number of pieces. The
+// choice changes only if that saves clearly more than a few triangles, so that it doesn't
+// alternate.
 std::uint32_t Detail::chooseUniform() {
   constexpr float maxUniform = 256;
-  const float need = std::max(1.0f, needs_.uniform());
+  const float need = std::max(1.0f, needs_.uniformNeed());
   if (cuts_.empty() || need > maxUniform) return 0;
   const auto pieces =
-      std::clamp(uniform_, static_cast<std::uint32_t>(std::ceil(need)),
+      std::clamp(uniformPieces_, static_cast<std::uint32_t>(std::ceil(need)),
                  static_cast<std::uint32_t>(std::ceil(need * criterion.hysteresis)));
-  double adaptive = 0;
+  double adaptiveTriangles = 0;
   for (std::size_t t = 0; t < base_->triangles().size(); ++t)
-    adaptive += static_cast<double>(
-        tessellations_.of(piecesOf(*base_, t, needs_.pieces())).triangles.size());
-  const auto given = static_cast<double>(betweenGiven().base().triangles().size());
-  const double uniform = given * pieces * pieces;
-  const double advantage = uniform_ != 0 ? 1.1 : 0.9;
-  return uniform < advantage * adaptive ? pieces : 0;
+    adaptiveTriangles += static_cast<double>(
+        tessellations_.get(piecesOf(*base_, t, needs_.pieces())).triangles.size());
+  const auto givenTriangles =
+      static_cast<double>(makeInterpolationOfGiven().base().triangles().size());
+  const double uniformTriangles = givenTriangles * pieces * pieces;
+  const double advantage = uniformPieces_ != 0 ? 1.1 : 0.9;
+  return uniformTriangles < advantage * adaptiveTriangles ? pieces : 0;
 }
 
 const std::vector<std::uint32_t>& Detail::show(std::span<const float> views) {
@@ -193,36 +196,37 @@ bool Detail::update(float tolerance) {
   const bool isChanged =
       needs_.update({*base_, patches, warped_, visible_.triangles()}, views_, tolerance);
   const std::uint32_t uniform = chooseUniform();
-  const bool isSame = uniform == uniform_ && (uniform != 0 || !isChanged);
+  const bool isSame = uniform == uniformPieces_ && (uniform != 0 || !isChanged);
   if (isSame && !indices_.empty()) return false;
-  uniform_ = uniform;
+  uniformPieces_ = uniform;
   write();
   return true;
 }
 
 void Detail::divideBase() {
-  if (uniform_ == 0) return;
-  uniform_ = 0;
+  if (uniformPieces_ == 0) return;
+  uniformPieces_ = 0;
   write();
 }
 
 void Detail::write() {
-  if (uniform_ == 0) {
+  if (uniformPieces_ == 0) {
     pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
   } else {
-    pieces_.assign(betweenGiven().base().edgeCount(), uniform_);
+    pieces_.assign(makeInterpolationOfGiven().base().edgeCount(), uniformPieces_);
   }
-  division_.write(uniform_ == 0 ? between() : betweenGiven(), pieces_, tessellations_);
+  division_.write(uniformPieces_ == 0 ? makeInterpolation() : makeInterpolationOfGiven(), pieces_,
+                  tessellations_);
   indices_.clear();
   for (const Corners& corners : division_.triangles)
     indices_.insert(indices_.end(), corners.begin(), corners.end());
   groups_.clear();
-  for (const std::uint32_t group : uniform_ == 0 ? baseGroups_ : givenGroups_)
+  for (const std::uint32_t group : uniformPieces_ == 0 ? baseGroups_ : givenGroups_)
     groups_.push_back(division_.firstTriangles[group]);
 }
 
 std::span<const Detail::Cut> Detail::usedCuts() const {
-  return uniform_ == 0 ? std::span<const Cut>(cuts_) : std::span<const Cut>();
+  return uniformPieces_ == 0 ? std::span<const Cut>(cuts_) : std::span<const Cut>();
 }
 
 std::vector<std::uint32_t> Detail::origins() const {
@@ -240,7 +244,7 @@ std::vector<std::uint32_t> Detail::origins() const {
 }
 
 std::vector<std::uint32_t> Detail::lines(const std::vector<std::uint32_t>& ends) const {
-  const BaseMesh& divided = uniform_ == 0 ? *base_ : betweenGiven().base();
+  const BaseMesh& divided = uniformPieces_ == 0 ? *base_ : makeInterpolationOfGiven().base();
   std::vector<std::uint32_t> all;
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     std::vector line{ends[i], ends[i + 1]};

@@ -1,5 +1,6 @@
-// A mesh with as many triangles as its warped surface needs on the screen. It is cut where samples
-// would miss the surface, and divided anew when the camera or the surface change enough.
+// A mesh with as many triangles as its warped surface needs on the screen. It is cut where its
+// samples would be too far apart to show how the surface bends, and divided anew when the camera or
+// the surface change enough.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,8 @@ namespace warpjet {
 
 class Detail {
  public:
-  // `groups` are the numbers of triangles at which groups begin, in ascending order. `isCurved`
-  // continues the surface by PN triangles instead of flat ones, if the mesh has normals.
+  // `groups` are the indices of the triangles at which groups begin, in ascending order. If
+  // `isCurved` and the mesh has normals, its surface consists of PN triangles instead of flat ones.
   Detail(std::vector<Attribute> attributes, std::uint32_t triangles,
          std::vector<std::uint32_t> groups, bool isCurved = false);
 
@@ -30,15 +31,16 @@ class Detail {
 
   // Starts from the given mesh, uncut.
   void begin();
-  // Takes over the numbers of `given`, which have changed, and keeps triangles and cuts.
+  // Reads the arrays of `given` again, whose numbers have changed. Keeps triangles and cuts.
   void pose();
 
   // The vertices of the cut mesh, and three samples for each side and each triangle.
   std::uint32_t sampleCount() const;
   std::span<const Attribute> samples() const { return samples_; }
-  // The number of those that `cut` compares, which are the first: all but those of triangles.
+  // The number of samples that `cut` compares. They come first: the vertices, then the samples of
+  // sides.
   std::uint32_t cutSampleCount() const { return base_->sampleOfTriangle(0, 0); }
-  // The array for the phases of these, `size` numbers each, to be filled before `cut`.
+  // The array for the phases at these samples, `size` numbers each, to be filled before `cut`.
   std::vector<float>& phases(std::uint32_t size);
   // The array for warped positions of the samples.
   std::vector<float>& warped() { return warped_; }
@@ -52,47 +54,50 @@ class Detail {
   // Forgets the warped positions, since the surface has changed.
   void forgetSamples() { visible_.clear(); }
   // Sets the views, each with 19 numbers (see the bindings). The warped positions of the vertices
-  // must be known. Returns the samples that the views may show beside them, and whose warped
+  // must be known. Returns the other samples that the views may show, and whose warped
   // positions are not known yet.
   const std::vector<std::uint32_t>& show(std::span<const float> views);
-  // Divides the mesh for the views, once these samples are warped, too. Returns true if it changed.
+  // Divides the mesh for the views. These samples must be warped, too. Returns true if the divided
+  // mesh changed.
   bool update(float tolerance);
 
-  // The mesh after all cuts, and the pieces of its edges.
+  // The mesh after all cuts, and the numbers of pieces of its edges.
   const BaseMesh& base() const { return *base_; }
   std::span<const std::uint32_t> pieces() const { return needs_.pieces(); }
   bool isCurved() const { return surface_.has_value(); }
-  // Divides that mesh by these pieces if the division is uniform now.
+  // Divides the cut mesh into these pieces if the present division is a uniform one.
   void divideBase();
 
   // The divided mesh.
   const Division& division() const { return division_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
-  // The numbers of triangles at which the groups begin now.
+  // The indices of the divided triangles at which groups begin.
   const std::vector<std::uint32_t>& groups() const { return groups_; }
-  // The triangle of the given mesh that each divided one is a part of.
+  // For each divided triangle, the index of the given triangle that it is a part of.
   std::vector<std::uint32_t> origins() const;
   // The divided vertices along lines, each between two vertices of the given mesh: for each line
-  // their number, then the vertices. A line that is no side of a triangle is one piece.
+  // the number of its vertices, then the vertices. A line that is no side of a triangle is one
+  // piece.
   std::vector<std::uint32_t> lines(const std::vector<std::uint32_t>& ends) const;
 
  private:
-  // A mesh and the numbers of pieces that it was cut into; the others as in `Division`.
+  // A mesh, and the numbers of pieces into which its edges were cut. The other arrays are as in
+  // `Division`.
   struct Cut {
     BaseMesh mesh;
     std::vector<Patch> patches;
     std::vector<std::uint32_t> pieces, firstTriangles, firstVertices;
   };
 
-  void use(BaseMesh base, std::vector<Patch> patches);
-  Interpolation between(const BaseMesh& mesh, const std::vector<Patch>& patches) const;
-  Interpolation between() const { return between(*base_, patches_); }
-  // The given mesh, without cuts.
-  Interpolation betweenGiven() const {
-    return cuts_.empty() ? between() : between(cuts_[0].mesh, cuts_[0].patches);
+  void setBase(BaseMesh base, std::vector<Patch> patches);
+  Interpolation makeInterpolation(const BaseMesh& mesh, const std::vector<Patch>& patches) const;
+  Interpolation makeInterpolation() const { return makeInterpolation(*base_, patches_); }
+  // Interpolates in the given mesh, without cuts.
+  Interpolation makeInterpolationOfGiven() const {
+    return cuts_.empty() ? makeInterpolation() : makeInterpolation(cuts_[0].mesh, cuts_[0].patches);
   }
-  // Returns the number of pieces of each side of the given mesh if this makes fewer triangles than
-  // the needs of each edge; 0 if not.
+  // Returns the number of pieces per side of a uniform division of the given mesh, if that has
+  // fewer triangles than a division by the needs of each edge; otherwise 0.
   std::uint32_t chooseUniform();
   void write();
   std::span<const Cut> usedCuts() const;
@@ -101,7 +106,7 @@ class Detail {
   std::vector<std::uint32_t> givenIndices_, givenGroups_;
   std::vector<Cut> cuts_;  // in order
   bool isCurved_;
-  std::optional<PnTriangles> surface_;  // if it is curved
+  std::optional<PnTriangles> surface_;  // present if it is curved
   std::optional<BaseMesh> base_;        // after all cuts
   std::vector<Patch> patches_;          // of the base
   std::vector<std::uint32_t> baseGroups_;
@@ -111,8 +116,9 @@ class Detail {
   VisibleTriangles visible_;
   Needs needs_;
   Tessellations tessellations_;
-  std::uint32_t uniform_ = 0;  // what `chooseUniform` returned
-  // By edge of the mesh that is divided: the given one if the division is uniform, or the base.
+  std::uint32_t uniformPieces_ = 0;  // what `chooseUniform` returned
+  // By edge of the mesh that is divided: of the given mesh if the division is uniform, otherwise of
+  // the base.
   std::vector<std::uint32_t> pieces_;
   Division division_;
   std::vector<std::uint32_t> indices_, groups_;

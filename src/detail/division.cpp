@@ -7,7 +7,8 @@ namespace warpjet {
 
 namespace {
 
-// The weights of both ends of a side at point i, if points divide it into `count` pieces.
+// Returns the weights of both ends of a side at point i of those that divide it into `count`
+// pieces.
 std::pair<float, float> weightsAt(std::uint32_t i, std::uint32_t count) {
   const float scale = 1 / static_cast<float>(count);
   return {static_cast<float>(count - i) * scale, static_cast<float>(i) * scale};
@@ -22,22 +23,23 @@ SidePieces piecesOf(const BaseMesh& base, std::size_t triangle,
   return counts;
 }
 
-void Division::write(const Interpolation& between, std::span<const std::uint32_t> pieces,
+void Division::write(const Interpolation& interpolation, std::span<const std::uint32_t> pieces,
                      Tessellations& tessellations) {
-  const std::span<const Attribute> given = between.base().attributes();
-  attributes.resize(given.size());
+  const std::span<const Attribute> baseAttributes = interpolation.base().attributes();
+  attributes.resize(baseAttributes.size());
   for (std::size_t i = 0; i < attributes.size(); ++i) {
-    const auto& [size, isUnit, values] = given[i];
+    const auto& [size, isUnit, values] = baseAttributes[i];
     attributes[i].size = size;
     attributes[i].isUnit = isUnit;
     attributes[i].values.assign(values.begin(), values.end());
   }
-  writeSides(between, pieces);
-  writeTriangles(between, pieces, tessellations);
+  writeSides(interpolation, pieces);
+  writeTriangles(interpolation, pieces, tessellations);
 }
 
-void Division::writeSides(const Interpolation& between, std::span<const std::uint32_t> pieces) {
-  const BaseMesh& base = between.base();
+void Division::writeSides(const Interpolation& interpolation,
+                          std::span<const std::uint32_t> pieces) {
+  const BaseMesh& base = interpolation.base();
   firstVertices.clear();
   auto vertex = static_cast<std::uint32_t>(base.vertexCount());
   for (std::uint32_t side = 0; side < base.sides().size(); ++side) {
@@ -45,14 +47,14 @@ void Division::writeSides(const Interpolation& between, std::span<const std::uin
     const std::uint32_t count = pieces[base.sides()[side].edge];
     for (std::uint32_t i = 1; i < count; ++i, ++vertex) {
       const auto [start, end] = weightsAt(i, count);
-      between.appendOnSide(attributes, side, {start, end});
+      interpolation.appendOnSide(attributes, side, {start, end});
     }
   }
 }
 
-void Division::writeTriangles(const Interpolation& between, std::span<const std::uint32_t> pieces,
-                              Tessellations& tessellations) {
-  const BaseMesh& base = between.base();
+void Division::writeTriangles(const Interpolation& interpolation,
+                              std::span<const std::uint32_t> pieces, Tessellations& tessellations) {
+  const BaseMesh& base = interpolation.base();
   triangles.clear();
   firstTriangles.clear();
   std::vector<std::uint32_t> points;
@@ -68,11 +70,11 @@ void Division::writeTriangles(const Interpolation& between, std::span<const std:
       for (std::uint32_t k = 0; k + 1 < counts[i]; ++k)
         points.push_back(first + (isForward ? k : counts[i] - 2 - k));
     }
-    const Tessellation& tessellation = tessellations.of(counts);
+    const Tessellation& tessellation = tessellations.get(counts);
     auto vertex = static_cast<std::uint32_t>(attributes[0].values.size() / 3);
     for (const Weights& weights : tessellation.inner) {
       points.push_back(vertex++);
-      between.appendInside(attributes, t, weights);
+      interpolation.appendInside(attributes, t, weights);
     }
     for (const Corners& each : tessellation.triangles)
       triangles.push_back({points[each[0]], points[each[1]], points[each[2]]});
@@ -80,25 +82,26 @@ void Division::writeTriangles(const Interpolation& between, std::span<const std:
   firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));
 }
 
-std::vector<Patch> dividePatches(const Interpolation& between,
+std::vector<Patch> dividePatches(const Interpolation& interpolation,
                                  std::span<const std::uint32_t> pieces,
                                  Tessellations& tessellations) {
   std::vector<Patch> patches;
   std::vector<Weights> points;
-  for (std::size_t t = 0; t < between.base().triangles().size(); ++t) {
-    const SidePieces counts = piecesOf(between.base(), t, pieces);
-    const Tessellation& tessellation = tessellations.of(counts);
+  for (std::size_t t = 0; t < interpolation.base().triangles().size(); ++t) {
+    const SidePieces counts = piecesOf(interpolation.base(), t, pieces);
+    const Tessellation& tessellation = tessellations.get(counts);
     points.clear();
     for (int i = 0; i < 3; ++i) {
       for (std::uint32_t k = 0; k < counts[i]; ++k) {
         Weights weights{};
         std::tie(weights[i], weights[(i + 1) % 3]) = weightsAt(k, counts[i]);
-        points.push_back(between.onPatch(t, weights));
+        points.push_back(interpolation.onPatch(t, weights));
       }
     }
-    for (const Weights& weights : tessellation.inner) points.push_back(between.onPatch(t, weights));
+    for (const Weights& weights : tessellation.inner)
+      points.push_back(interpolation.onPatch(t, weights));
     for (const auto& [a, b, c] : tessellation.triangles)
-      patches.push_back({between.patchOf(t), {points[a], points[b], points[c]}});
+      patches.push_back({interpolation.patchOf(t), {points[a], points[b], points[c]}});
   }
   return patches;
 }

@@ -22,13 +22,13 @@ struct Division {
   // Maps a side of the base -> its first vertex here, if it is divided.
   std::vector<std::uint32_t> firstVertices;
 
-  // `pieces` are by edge, from `pieceCounts`.
-  void write(const Interpolation& between, std::span<const std::uint32_t> pieces,
+  // `pieces` has the number of pieces of each edge: all are from `pieceCounts`, or all are equal.
+  void write(const Interpolation& interpolation, std::span<const std::uint32_t> pieces,
              Tessellations& tessellations);
 
  private:
-  void writeSides(const Interpolation& between, std::span<const std::uint32_t> pieces);
-  void writeTriangles(const Interpolation& between, std::span<const std::uint32_t> pieces,
+  void writeSides(const Interpolation& interpolation, std::span<const std::uint32_t> pieces);
+  void writeTriangles(const Interpolation& interpolation, std::span<const std::uint32_t> pieces,
                       Tessellations& tessellations);
 };
 
@@ -36,8 +36,8 @@ struct Division {
 SidePieces piecesOf(const BaseMesh& base, std::size_t triangle,
                     std::span<const std::uint32_t> pieces);
 
-// Returns the triangles of a divided mesh as parts of patches.
-std::vector<Patch> dividePatches(const Interpolation& between,
+// Returns the parts of patches that the triangles of a divided mesh are.
+std::vector<Patch> dividePatches(const Interpolation& interpolation,
                                  std::span<const std::uint32_t> pieces,
                                  Tessellations& tessellations);
 

@@ -7,7 +7,7 @@ namespace warpjet {
 
 namespace {
 
-// Makes numbers of one vertex a unit vector, unless they are zero or not finite.
+// Normalizes the vector of one vertex in place. Leaves it as it is if it is zero or not finite.
 void normalize(float* numbers, std::uint32_t size) {
   float square = 0;
   for (std::uint32_t i = 0; i < size; ++i) square += numbers[i] * numbers[i];
@@ -16,7 +16,7 @@ void normalize(float* numbers, std::uint32_t size) {
   for (std::uint32_t i = 0; i < size; ++i) numbers[i] *= scale;
 }
 
-// Appends a vertex between others of `from`.
+// Appends a weighted sum of vertices of `from`.
 template <std::size_t count>
 void blend(Attribute& to, const Attribute& from, const std::array<std::uint32_t, count>& vertices,
            const std::array<float, count>& weights) {
@@ -60,10 +60,10 @@ Weights Interpolation::onPatch(std::size_t triangle, const Weights& weights) con
 
 void Interpolation::curve(std::vector<Attribute>& to, std::size_t triangle,
                           const Weights& weights) const {
-  const Weights place = onPatch(triangle, weights);
+  const Weights patchWeights = onPatch(triangle, weights);
   const std::uint32_t patch = patches_[triangle].triangle;
-  replaceLast(to[0], surface_->position(patch, place));
-  replaceLast(to[surface_->normals()], surface_->normal(patch, place));
+  replaceLast(to[0], surface_->position(patch, patchWeights));
+  replaceLast(to[surface_->normals()], surface_->normal(patch, patchWeights));
 }
 
 std::vector<Attribute> Interpolation::samples() const {

@@ -11,14 +11,14 @@
 
 namespace warpjet {
 
-// A part of a triangle of the given mesh: that triangle, and the weights of this part's corners in
-// it.
+// A triangular part of a triangle of the given mesh: the index of that triangle, and the corners of
+// the part by weights of the triangle's corners.
 struct Patch {
   std::uint32_t triangle;
   std::array<Weights, 3> corners;
 };
 
-// Returns triangles that are patches as a whole.
+// Returns one patch for each triangle, which covers all of it.
 std::vector<Patch> makeWholePatches(std::size_t triangles);
 
 // Blends attributes linearly over a triangle; unit vectors keep length 1. On a curved surface,
@@ -26,7 +26,7 @@ std::vector<Patch> makeWholePatches(std::size_t triangles);
 class Interpolation {
  public:
   explicit Interpolation(const BaseMesh& base) : base_(base) {}
-  // `patches` are by triangle.
+  // `patches` has one patch for each triangle of `base`.
   Interpolation(const BaseMesh& base, const PnTriangles* surface, std::span<const Patch> patches)
       : base_(base), surface_(surface), patches_(patches) {}
 
@@ -40,7 +40,7 @@ class Interpolation {
   void appendInside(std::vector<Attribute>& to, std::size_t triangle, const Weights& weights) const;
 
   std::uint32_t patchOf(std::size_t triangle) const { return patches_[triangle].triangle; }
-  // The place of a point of a triangle in the triangle that its patch is a part of.
+  // Converts weights in a triangle to weights in the given triangle that its patch is a part of.
   Weights onPatch(std::size_t triangle, const Weights& weights) const;
 
   // The attributes of samples, which divide each side into four: see `BaseMesh::sampleOfSide`.

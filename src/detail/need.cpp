@@ -15,11 +15,11 @@ namespace {
 using glm::vec2, glm::vec3;
 
 // A triangle in its plane: corner 0 is the origin, corner 1 on the first axis.
-struct Flat {
-  float width;  // of corner 1
+struct PlanarTriangle {
+  float width;  // the first coordinate of corner 1
   vec2 apex;    // corner 2
 
-  Flat(vec3 a, vec3 b, vec3 c) {
+  PlanarTriangle(vec3 a, vec3 b, vec3 c) {
     const vec3 u = b - a, v = c - a;
     width = glm::length(u);
     apex.x = dot(u, v) / width;
@@ -37,15 +37,15 @@ struct Quadratic {
 
 // Returns M such that e' M e bounds the second derivative along e. M is the root of the sum of the
 // squared Hessians of x and y on the screen, in the plane of the triangle. Second derivatives along
-// the sides alone would miss that of a saddle.
-Quadratic bendOf(const Flat& flat, const std::array<vec2, 3>& alongSides) {
+// the sides alone would miss the bend of a saddle.
+Quadratic bendOf(const PlanarTriangle& triangle, const std::array<vec2, 3>& alongSides) {
   Quadratic sum;
   for (int k = 0; k < 2; ++k) {
     const float first = alongSides[0][k], second = alongSides[1][k], third = alongSides[2][k];
     const float mixed = 0.5f * (first + third - second);
-    const auto [x, y] = std::array{flat.apex.x, flat.apex.y};
-    const float xx = first / (flat.width * flat.width);
-    const float xy = (mixed - xx * flat.width * x) / (flat.width * y);
+    const auto [x, y] = std::array{triangle.apex.x, triangle.apex.y};
+    const float xx = first / (triangle.width * triangle.width);
+    const float xy = (mixed - xx * triangle.width * x) / (triangle.width * y);
     const float yy = (third - xx * x * x - 2 * xy * x * y) / (y * y);
     sum.xx += xx * xx + xy * xy;
     sum.xy += xy * (xx + yy);
@@ -56,15 +56,16 @@ Quadratic bendOf(const Flat& flat, const std::array<vec2, 3>& alongSides) {
   return {(sum.xx + root) * scale, sum.xy * scale, (sum.yy + root) * scale};
 }
 
-// The sides of a triangle in its plane, and those of the triangle that its patch is a part of.
+// The sides of a triangle in its plane, then those of the given triangle that its patch is a part
+// of.
 using Directions = std::array<vec2, 6>;
 
-Directions directionsOf(const Flat& flat, const Patch* patch) {
-  const vec2 first(flat.width, 0), second = flat.apex;
+Directions directionsOf(const PlanarTriangle& triangle, const Patch* patch) {
+  const vec2 first(triangle.width, 0), second = triangle.apex;
   Directions directions{first, second - first, second};
   if (!patch) return directions;
-  // The patch has two sides at its first corner, by the weights of the corners 1 and 2 that they
-  // add; the whole triangle has the sides (1, 0), (-1, 1) and (0, 1).
+  // u and v are the sides of the patch at its first corner, as changes of the weights of corners 1
+  // and 2 of the given triangle, whose sides are (1, 0), (-1, 1) and (0, 1) in these coordinates.
   const auto& [a, b, c] = patch->corners;
   const vec2 u(b[1] - a[1], b[2] - a[2]), v(c[1] - a[1], c[2] - a[2]);
   const float area = u.x * v.y - u.y * v.x;
@@ -78,15 +79,15 @@ Directions directionsOf(const Flat& flat, const Patch* patch) {
 
 using Squares = std::array<float, std::tuple_size_v<Directions>>;
 
-// The squares of the numbers of pieces that lines in these directions need for an error of one
-// pixel.
-Squares squaredNeeds(const Flat& flat, const Directions& directions,
+// Returns the squares of the numbers of pieces that lines in these directions need for an error of
+// one pixel.
+Squares squaredNeeds(const PlanarTriangle& triangle, const Directions& directions,
                      const TriangleOnScreen& screen) {
   Squares max{}, sum{};
   for (const Cell& cell : cells) {
     std::array<vec2, 3> alongSides = screen.secondDifferences(cell);
     for (vec2& along : alongSides) along *= float{sampleIntervals * sampleIntervals};
-    const Quadratic bend = bendOf(flat, alongSides);
+    const Quadratic bend = bendOf(triangle, alongSides);
     // A flat cell has no bend, but NaN: a root of zero divided by zero.
     if (!std::isfinite(bend.xx + bend.xy + bend.yy)) continue;
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -120,7 +121,7 @@ bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
   };
   const float aim = criterion.aim * tolerance;
   needs_.assign(base.edgeCount(), 0);
-  float uniform = 0;
+  float squaredUniformNeed = 0;
   pieces_.resize(base.edgeCount(), 1);
   for (const std::uint32_t t : mesh.triangles) {
     const Samples samples = samplesOf(base, t, mesh.warped);
@@ -131,25 +132,25 @@ bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
     for (const ScreenView& view : views) {
       const TriangleOnScreen screen(view, samples);
       if (!screen.isVisible()) continue;
-      // A triangle can be close to all samples although the bends ask for pieces, where the surface
-      // bends back and forth within it.
-      const float flat = screen.flatError() * criterion.beyondFlat / aim;
-      const bool isFine = flat <= 1;
+      // A triangle within which the surface bends back and forth can be close to all samples,
+      // although the bends ask for pieces.
+      const float errorShare = screen.flatError() * criterion.beyondFlat / aim;
+      const bool isFine = errorShare <= 1;
       if (isFine) {
-        for (int i = 0; i < 3; ++i) raise(i, flat);
+        for (int i = 0; i < 3; ++i) raise(i, errorShare);
         if (patches.empty()) continue;
       }
       const auto [a, b, c] = base.triangles()[t];
-      const Flat rest(place(a), place(b), place(c));
-      const Squares squares =
-          squaredNeeds(rest, directionsOf(rest, patches.empty() ? nullptr : &patches[t]), screen);
+      const PlanarTriangle planar(place(a), place(b), place(c));
+      const Squares squares = squaredNeeds(
+          planar, directionsOf(planar, patches.empty() ? nullptr : &patches[t]), screen);
       for (int i = 0; i < 3; ++i) {
         if (!isFine) raise(i, squares[i] / aim);
-        uniform = std::max(uniform, squares[3 + i] / tolerance);
+        squaredUniformNeed = std::max(squaredUniformNeed, squares[3 + i] / tolerance);
       }
     }
   }
-  uniform_ = std::sqrt(uniform);
+  uniformNeed_ = std::sqrt(squaredUniformNeed);
   bool isChanged = false;
   for (std::size_t edge = 0; edge < needs_.size(); ++edge) {
     const float need = std::sqrt(needs_[edge]);

@@ -15,32 +15,34 @@ namespace warpjet {
 // A mesh whose samples are warped.
 struct WarpedMesh {
   const BaseMesh& base;
-  // They are by triangle. Without them, the mesh is the given one.
+  // One patch for each triangle; empty if the mesh is the given one.
   std::span<const Patch> patches;
   // Three numbers for each sample of the mesh.
   std::span<const float> warped;
-  // The triangles whose samples are warped. The others need nothing.
+  // The triangles whose samples are warped. The others ask for no pieces.
   std::span<const std::uint32_t> triangles;
 };
 
-// The numbers of pieces that edges have. They keep more than the surface needs until it needs
-// much less, so that the mesh rarely changes.
+// The numbers of pieces of edges. An edge keeps more pieces than the surface needs until it needs
+// far fewer, so that the mesh rarely changes.
 class Needs {
  public:
-  // Returns true if a number of pieces changed. Samples that are not finite need nothing.
+  // Returns true if a number of pieces changed. Samples that are not finite ask for no
+  // pieces.
   bool update(const WarpedMesh& mesh, std::span<const ScreenView> views, float tolerance);
 
   std::span<const std::uint32_t> pieces() const { return pieces_; }
-  // The number of pieces, not rounded, that would do if all sides of the given mesh had the same.
-  float uniform() const { return uniform_; }
+  // The number of pieces, not rounded, that would suffice if all sides of the given mesh had the
+  // same number.
+  float uniformNeed() const { return uniformNeed_; }
 
  private:
-  float uniform_ = 0;
+  float uniformNeed_ = 0;
   std::vector<float> needs_;           // by edge: the square of the number of pieces
   std::vector<std::uint32_t> pieces_;  // by edge
 };
 
-// The smallest of `pieceCounts` that is not below `need`, or the largest one.
+// Returns the smallest of `pieceCounts` that is not below `need`; the largest one if all are.
 std::uint32_t roundUp(float need);
 
 }  // namespace warpjet

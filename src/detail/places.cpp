@@ -28,7 +28,7 @@ float sizeOf(std::span<const float> positions) {
   return size;
 }
 
-// The number of the set that a vertex is in: its lowest vertex.
+// Returns the lowest vertex of the set that contains a vertex.
 std::uint32_t setOf(std::vector<std::uint32_t>& sets, std::uint32_t vertex) {
   while (sets[vertex] != vertex) vertex = sets[vertex] = sets[sets[vertex]];
   return vertex;
@@ -41,7 +41,8 @@ void unite(std::vector<std::uint32_t>& sets, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-// Close vertices are in one cell of a grid, or of one that is moved by half a cell along some axes.
+// Any two close vertices share a cell of at least one of eight grids, which are moved by half a
+// cell along some axes.
 std::vector<std::uint32_t> placesOf(std::span<const float> positions) {
   std::vector<std::uint32_t> sets(positions.size() / 3);
   std::iota(sets.begin(), sets.end(), 0);

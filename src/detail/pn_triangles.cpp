@@ -22,7 +22,8 @@ vec3 normalizeOrZero(vec3 v) {
 
 vec3 projectOntoPlane(vec3 v, vec3 normal) { return v - dot(v, normal) * normal; }
 
-// The normals at one end of an edge: of both triangles, which differ where a mesh has a crease.
+// The vertex normals at one end of an edge, one for each adjacent triangle. The two differ at a
+// crease.
 struct EndNormals {
   vec3 first{0}, second{0};
   bool hasFirst = false;
@@ -33,9 +34,9 @@ struct EndNormals {
     hasFirst = true;
   }
 
-  // Returns the part of an edge's direction that is tangent to both triangles: along the line in
-  // which their planes meet, if these differ clearly.
-  vec3 tangent(vec3 along) const {
+  // Projects an edge onto the line in which both tangent planes intersect. If the planes are nearly
+  // parallel, returns the mean of the projections onto each.
+  vec3 projectOntoTangents(vec3 along) const {
     constexpr float minSine = 0.25f;
     const vec3 line = cross(first, second);
     if (dot(line, line) > minSine * minSine) return line * (dot(along, line) / dot(line, line));
@@ -43,15 +44,17 @@ struct EndNormals {
   }
 };
 
-// The control point of normals along an edge: the mean of both, mirrored at the plane across the
-// edge, so that an inflection between the ends shows (equation 5 of the paper).
+// Returns the middle control normal of an edge: the mean of the normals at its ends, reflected in
+// the plane perpendicular to the edge, so that the normals can follow an inflection between the
+// ends (equation 5 of the paper).
 vec3 middleNormal(vec3 along, vec3 first, vec3 second) {
   const vec3 sum = first + second;
   const float square = dot(along, along);
   return normalizeOrZero(square > 0 ? sum - 2 * dot(along, sum) / square * along : sum);
 }
 
-// The side on which a point lies, since the weight of the corner opposite to it is 0; 3 for none.
+// Returns the side that contains a point: the one opposite to the corner whose weight is 0. Returns
+// 3 for an inner point.
 int sideOf(const Weights& weights) {
   for (int i = 0; i < 3; ++i)
     if (weights[i] == 0) return (i + 1) % 3;
@@ -88,8 +91,8 @@ void PnTriangles::fitCurves() {
   middleNormals_.clear();
   for (const auto& [ends, edge, triangle] : mesh_.sides()) {
     const vec3 a = place(ends[0]), b = place(ends[1]), along = b - a;
-    curves_[edge] = {a + normals[edge][0].tangent(along) / 3.0f,
-                     b - normals[edge][1].tangent(along) / 3.0f};
+    curves_[edge] = {a + normals[edge][0].projectOntoTangents(along) / 3.0f,
+                     b - normals[edge][1].projectOntoTangents(along) / 3.0f};
     middleNormals_.push_back(middleNormal(along, normalAt(ends[0]), normalAt(ends[1])));
   }
 }
@@ -110,47 +113,49 @@ void PnTriangles::fit() {
 
 PnTriangles::SidePoint PnTriangles::onSide(std::size_t triangle, int side,
                                            const Weights& weights) const {
-  const std::uint32_t number = mesh_.sidesOf(triangle)[side];
+  const std::uint32_t sideIndex = mesh_.sidesOf(triangle)[side];
   const int next = (side + 1) % 3;
-  const bool isForward = mesh_.startsAt(number, mesh_.triangles()[triangle][side]);
-  return {number, weights[isForward ? side : next], weights[isForward ? next : side]};
+  const bool isForward = mesh_.startsAt(sideIndex, mesh_.triangles()[triangle][side]);
+  return {sideIndex, weights[isForward ? side : next], weights[isForward ? next : side]};
 }
 
 vec3 PnTriangles::position(std::size_t triangle, const Weights& weights) const {
-  // Leaves out the terms of the ends.
-  const auto along = [&](const SidePoint& point) {
-    const auto& [side, a, b] = point;
-    const auto& [first, second] = curves_[mesh_.sides()[side].edge];
+  // Returns the Bezier terms of a side, without those of its ends.
+  const auto innerTerms = [&](const SidePoint& point) {
+    const auto& [sideIndex, a, b] = point;
+    const auto& [first, second] = curves_[mesh_.sides()[sideIndex].edge];
     return 3 * a * a * b * first + 3 * a * b * b * second;
   };
   if (const int side = sideOf(weights); side < 3) {
     const SidePoint point = onSide(triangle, side, weights);
-    const auto& [start, end] = mesh_.sides()[point.side].ends;
+    const auto& [start, end] = mesh_.sides()[point.sideIndex].ends;
     const float a = point.start, b = point.end;
-    return a * a * a * place(start) + along(point) + b * b * b * place(end);
+    return a * a * a * place(start) + innerTerms(point) + b * b * b * place(end);
   }
   vec3 sum = 6 * weights[0] * weights[1] * weights[2] * centers_[triangle];
   for (int i = 0; i < 3; ++i) {
     const float w = weights[i];
-    sum += w * w * w * place(mesh_.triangles()[triangle][i]) + along(onSide(triangle, i, weights));
+    sum += w * w * w * place(mesh_.triangles()[triangle][i]) +
+           innerTerms(onSide(triangle, i, weights));
   }
   return sum;
 }
 
-// A quadratic Bezier triangle. The paper leaves out the factor 2 of the Bernstein polynomials, and
-// so pulls normals toward the corners: on a circle they would not be those of its points.
+// Evaluates a quadratic Bezier triangle. The paper leaves out the factor 2 of the Bernstein
+// polynomials, which pulls normals toward those of the corners: on the mesh of a circle, the
+// interpolated normals would not be those of the circle.
 vec3 PnTriangles::normal(std::size_t triangle, const Weights& weights) const {
   if (const int side = sideOf(weights); side < 3) {
-    const auto [number, a, b] = onSide(triangle, side, weights);
-    const auto& [start, end] = mesh_.sides()[number].ends;
-    return normalizeOrZero(a * a * normalAt(start) + 2 * a * b * middleNormals_[number] +
+    const auto [sideIndex, a, b] = onSide(triangle, side, weights);
+    const auto& [start, end] = mesh_.sides()[sideIndex].ends;
+    return normalizeOrZero(a * a * normalAt(start) + 2 * a * b * middleNormals_[sideIndex] +
                            b * b * normalAt(end));
   }
   vec3 sum(0);
   for (int i = 0; i < 3; ++i) {
-    const auto [number, a, b] = onSide(triangle, i, weights);
+    const auto [sideIndex, a, b] = onSide(triangle, i, weights);
     sum += weights[i] * weights[i] * normalAt(mesh_.triangles()[triangle][i]) +
-           2 * a * b * middleNormals_[number];
+           2 * a * b * middleNormals_[sideIndex];
   }
   return normalizeOrZero(sum);
 }

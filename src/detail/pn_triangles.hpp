@@ -13,16 +13,16 @@ namespace warpjet {
 
 class PnTriangles {
  public:
-  // `normals` is the number of the attribute that has them.
+  // `normals` is the index of the attribute that contains the normals.
   PnTriangles(BaseMesh mesh, std::size_t normals);
 
   std::size_t normals() const { return normals_; }
-  // Replaces the numbers of the vertices.
+  // Replaces the values of the vertices.
   void setAttributes(const std::vector<Attribute>& attributes);
 
   // On sides, where one weight is 0, equal weights give the same bits on both sides of a seam.
   glm::vec3 position(std::size_t triangle, const Weights& weights) const;
-  // Has length 1; only normals that cancel out give zero.
+  // Returns a vector of length 1; zero only if normals cancel out.
   glm::vec3 normal(std::size_t triangle, const Weights& weights) const;
 
  private:
@@ -31,7 +31,7 @@ class PnTriangles {
 
   // A point of a side, by the weights of the side's ends.
   struct SidePoint {
-    std::uint32_t side;
+    std::uint32_t sideIndex;  // in the mesh
     float start, end;
   };
 

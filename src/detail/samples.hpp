@@ -13,8 +13,9 @@ namespace warpjet {
 // The number of intervals of a side between its samples: see `BaseMesh::sampleOfSide`.
 inline constexpr int sampleIntervals = 4;
 
-// Row by row from corner 0, which is alone in its row, to the side opposite to it, each row from
-// the side of corner 1 to that of corner 2.
+// Returns the index of sample i of a row. The rows go from corner 0, which is alone in row 0, to
+// the side opposite to it, and each row from the side between corners 0 and 1 to the side between 0
+// and 2.
 constexpr int sampleAt(int row, int i) { return row * (row + 1) / 2 + i; }
 inline constexpr int samplesPerTriangle = sampleAt(sampleIntervals + 1, 0);
 using Samples = std::array<glm::vec3, samplesPerTriangle>;
@@ -22,7 +23,8 @@ using Samples = std::array<glm::vec3, samplesPerTriangle>;
 inline constexpr std::array cornerSamples{0, sampleAt(sampleIntervals, 0),
                                           sampleAt(sampleIntervals, sampleIntervals)};
 
-// A part of a triangle with six samples: its corners, and the middles of its sides.
+// A part of a triangle, by the indices of its six samples: its corners, and the middles of its
+// sides.
 struct Cell {
   std::array<int, 3> corners, middles;
 };

@@ -13,9 +13,9 @@ using glm::dvec2, glm::dvec3;
 const double heightOfRow = std::sqrt(0.75);
 
 // Places the corners such that the sides have these lengths, counterclockwise from the start of the
-// longest. The number of each side is the most that is needed anywhere along it, so together they
-// may be those of a flat triangle, or of none. Therefore, the triangle is at least as high as one
-// whose shorter sides leave the longest at 60 degrees.
+// longest. The number of pieces of each side is the largest that is needed anywhere along it, so
+// the three numbers may be lengths of the sides of a degenerate triangle, or of none. Therefore,
+// the triangle is at least as high as one whose shortest side is at 60 degrees to the longest.
 std::array<dvec2, 3> cornersFor(const SidePieces& pieces, int longest) {
   const double base = pieces[longest];
   const double right = pieces[(longest + 1) % 3], left = pieces[(longest + 2) % 3];
@@ -50,11 +50,11 @@ std::vector<dvec3> rowsOfPoints(double length, double height, int longest) {
 
 bool areEqual(const SidePieces& pieces) { return pieces[0] == pieces[1] && pieces[1] == pieces[2]; }
 
-// Divides the triangle into n * n, by lines parallel to its sides.
+// Divides the triangle into n * n triangles, by lines parallel to its sides.
 Tessellation makeRegular(std::uint32_t n) {
   Tessellation tessellation;
-  // The point at i pieces towards corner 1 and k towards corner 2. Inner ones are numbered row by
-  // row, the row k has n - 1 - k of them.
+  // Returns the index of the point that is i pieces from corner 0 towards corner 1, and k towards
+  // corner 2. Inner points are numbered row by row; row k has n - 1 - k of them.
   const auto pointAt = [n](std::uint32_t i, std::uint32_t k) {
     if (k == 0) return i;
     if (i + k == n) return n + k;
@@ -96,29 +96,29 @@ Tessellation makeTessellation(const SidePieces& pieces) {
       points.push_back(start + along * t + outward * bulge);
     }
   }
-  const std::size_t hull = points.size();
+  const std::size_t hullSize = points.size();
   Tessellation tessellation;
   for (const dvec3& w : rowsOfPoints(pieces[longest], height, longest)) {
     points.push_back(corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2]);
     tessellation.inner.push_back(
         {static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2])});
   }
-  tessellation.triangles = triangulate(points, hull);
+  tessellation.triangles = triangulate(points, hullSize);
   return tessellation;
 }
 
-const Tessellation& Tessellations::of(const SidePieces& pieces) {
+const Tessellation& Tessellations::get(const SidePieces& pieces) {
   if (areEqual(pieces)) {
     Tessellation& tessellation = regular_[pieces[0]];
     if (tessellation.triangles.empty()) tessellation = makeRegular(pieces[0]);
     return tessellation;
   }
-  std::size_t number = 0;
+  std::size_t index = 0;
   for (const std::uint32_t count : pieces) {
     const auto place = std::lower_bound(pieceCounts.begin(), pieceCounts.end(), count);
-    number = number * pieceCounts.size() + static_cast<std::size_t>(place - pieceCounts.begin());
+    index = index * pieceCounts.size() + static_cast<std::size_t>(place - pieceCounts.begin());
   }
-  Tessellation& tessellation = made_[number];
+  Tessellation& tessellation = irregular_[index];
   if (tessellation.triangles.empty()) tessellation = makeTessellation(pieces);
   return tessellation;
 }

@@ -21,22 +21,23 @@ using SidePieces = std::array<std::uint32_t, 3>;
 struct Tessellation {
   // The weights of the corners for each inner point.
   std::vector<std::array<float, 3>> inner;
-  // Corners are indices of points: of sides 0, 1 and 2, each without its end, then the inner ones.
+  // Corners are indices of points: first those of sides 0, 1 and 2, each without its end, then the
+  // inner ones.
   std::vector<Corners> triangles;
 };
 
 // Makes the tessellation with triangles of about equal sides, in the metric in which all pieces of
-// the sides have length 1. All pieces of sides are sides of triangles, so that neighbors fit.
+// the sides have length 1. Every piece of a side is a side of a triangle, so that neighbors fit.
 Tessellation makeTessellation(const SidePieces& pieces);
 
 // Makes each tessellation on first use. `pieces` are all from `pieceCounts`, or all equal.
 class Tessellations {
  public:
-  const Tessellation& of(const SidePieces& pieces);
+  const Tessellation& get(const SidePieces& pieces);
 
  private:
-  std::map<std::uint32_t, Tessellation> regular_;  // by the number of pieces of all sides
-  std::array<Tessellation, pieceCounts.size() * pieceCounts.size() * pieceCounts.size()> made_;
+  std::map<std::uint32_t, Tessellation> regular_;  // by the number of pieces per side
+  std::array<Tessellation, pieceCounts.size() * pieceCounts.size() * pieceCounts.size()> irregular_;
 };
 
 }  // namespace warpjet

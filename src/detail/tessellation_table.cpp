@@ -17,15 +17,15 @@ std::uint32_t bitsOf(float number) {
 bool TessellationTable::makeNext() {
   constexpr std::size_t base = pieceCounts.size();
   const auto [inner, triangles] =
-      makeTessellation({pieceCounts[made_ / (base * base)], pieceCounts[made_ / base % base],
-                        pieceCounts[made_ % base]});
-  words_[2 * made_] = static_cast<std::uint32_t>(words_.size());
-  words_[2 * made_ + 1] = static_cast<std::uint32_t>(inner.size() << 16 | triangles.size());
+      makeTessellation({pieceCounts[count_ / (base * base)], pieceCounts[count_ / base % base],
+                        pieceCounts[count_ % base]});
+  words_[2 * count_] = static_cast<std::uint32_t>(words_.size());
+  words_[2 * count_ + 1] = static_cast<std::uint32_t>(inner.size() << 16 | triangles.size());
   for (const auto& weights : inner) {
     for (const float weight : weights) words_.push_back(bitsOf(weight));
   }
   for (const auto& [a, b, c] : triangles) words_.push_back(a | b << 10 | c << 20);
-  return ++made_ < size_;
+  return ++count_ < size_;
 }
 
 }  // namespace warpjet

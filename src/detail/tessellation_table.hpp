@@ -1,4 +1,4 @@
-// All tessellations as numbers for compute passes.
+// Lists all tessellations for compute passes.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,24 @@
 
 namespace warpjet {
 
-// Made one by one, since all together take more than half a second.
+// Makes tessellations one by one, since all together take more than half a second.
 class TessellationTable {
  public:
   // Appends a tessellation. Returns false if it was the last one.
   bool makeNext();
 
-  // Two words for each tessellation, in ascending order of its pieces, of which those of side 0
-  // count most: the place of its data, and 2^16 times its number of inner points plus that of its
-  // triangles. Then the data: three weights for each inner point, as the bits of floats, and a word
-  // for each triangle, with 10 bits for each corner, the first one lowest.
+  // Starts with two words for each tessellation, ordered by the numbers of pieces of sides 0, 1 and
+  // 2, of which side 0 is the most significant:
+  // - the index of the tessellation's data;
+  // - (number of inner points) << 16 | number of triangles.
+  // Then the data: three weights for each inner point, as the bits of floats, and one word for each
+  // triangle, with 10 bits for each corner, the first corner in the lowest bits.
   const std::vector<std::uint32_t>& words() const { return words_; }
 
  private:
   static constexpr std::size_t size_ = pieceCounts.size() * pieceCounts.size() * pieceCounts.size();
 
-  std::size_t made_ = 0;
+  std::size_t count_ = 0;
   std::vector<std::uint32_t> words_ = std::vector<std::uint32_t>(2 * size_);
 };
 

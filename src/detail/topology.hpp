@@ -1,4 +1,4 @@
-// A base mesh as numbers for compute passes.
+// Lists the triangles and sides of a base mesh for compute passes.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace warpjet {
 
-// Six numbers for each triangle: its corners, then its sides, each times two, plus one if it starts
-// at its corner. Then three for each side: its ends and its edge.
+// Returns six words for each triangle: its three corners, then for side i twice its index, plus one
+// if the side starts at corner i. Then three words for each side: its two ends, and its edge.
 std::vector<std::uint32_t> topologyOf(const BaseMesh& base);
 
 }  // namespace warpjet

@@ -36,7 +36,7 @@ bool isHidden(const ScreenView& view, const std::array<vec4, 3>& clip, float sha
 TriangleOnScreen::TriangleOnScreen(const ScreenView& view, const Samples& samples)
     : view_(view), samples_(samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) clip_[i] = view.clip * vec4(samples[i], 1);
-  // A place is halfSize * xy / w.
+  // A position on the screen is halfSize * xy / w.
   const vec4 nearest = findNearest();
   for (int k = 0; k < 3; ++k) {
     const vec4 change = view.clip[k];
@@ -45,7 +45,7 @@ TriangleOnScreen::TriangleOnScreen(const ScreenView& view, const Samples& sample
   }
 }
 
-// Tests whether any cell is drawn, or almost: what is between the samples may be.
+// Tests whether any cell is drawn, or almost drawn: then the surface between its samples may be.
 bool TriangleOnScreen::isVisible() const {
   if (areOutside(clip_, criterion.margin)) return false;
   return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
@@ -66,19 +66,20 @@ float TriangleOnScreen::flatError() const {
   const vec3 start = samples_[cornerSamples[0]];
   const vec3 toFirst = (samples_[cornerSamples[1]] - start) / float{sampleIntervals};
   const vec3 toSecond = (samples_[cornerSamples[2]] - start) / float{sampleIntervals};
-  float max = 0;  // its square
+  float maxSquare = 0;
   for (int row = 1; row <= sampleIntervals; ++row) {
     for (int i = 0; i <= row; ++i) {
       const vec3 flat =
           start + static_cast<float>(row - i) * toFirst + static_cast<float>(i) * toSecond;
       const vec2 error = jacobian_ * (samples_[sampleAt(row, i)] - flat);
-      max = std::max(max, dot(error, error));
+      maxSquare = std::max(maxSquare, dot(error, error));
     }
   }
-  return std::sqrt(max);
+  return std::sqrt(maxSquare);
 }
 
-// Behind the eye and close to it, positions have no or almost infinite places on the screen.
+// Limits the depth and the distance from the middle: points behind the eye have no position on the
+// screen, and points close to it an almost infinite one.
 vec4 TriangleOnScreen::findNearest() const {
   const auto [a, b, c] = cornerSamples;
   const vec4 middle = (clip_[a] + clip_[b] + clip_[c]) / 3.0f;

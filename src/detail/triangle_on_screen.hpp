@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// A view of the mesh. If it is drawn several times in a frame, there are several.
+// A view of the mesh. A mesh that is drawn several times in a frame has several views.
 struct ScreenView {
   glm::mat4 clip;      // from the space of warped positions to clip space
   glm::vec2 halfSize;  // of the viewport, in pixels
@@ -17,12 +17,13 @@ struct ScreenView {
   float facing = 0;
 };
 
-// Tests whether all of these places in clip space are outside of one side of the view, times a
-// margin, or behind the eye.
+// Tests whether all of these points in clip space are beyond the same border of the view, which is
+// enlarged by the factor `margin`, or all are behind the eye.
 bool areOutside(std::span<const glm::vec4> clip, float margin);
 
-// Tests whether the view does not draw a flat triangle since it faces away, or the eye: whether its
-// signed area on the screen is below minus this share of its sides.
+// Tests whether the view does not draw a flat triangle because of the direction that it faces:
+// whether its signed area on the screen, which is positive if it is drawn, is below minus `share`
+// times the product of two of its sides.
 bool isHidden(const ScreenView& view, const std::array<glm::vec4, 3>& clip, float share);
 
 class TriangleOnScreen {
@@ -30,7 +31,8 @@ class TriangleOnScreen {
   // Keeps references to both.
   TriangleOnScreen(const ScreenView& view, const Samples& samples);
 
-  // False if all samples are far outside of one side of the view, or hidden since they face away.
+  // Returns false if all samples are far beyond the same border of the view, or if all cells are
+  // hidden because of the direction that they face.
   bool isVisible() const;
 
   // The second differences of samples along the sides of a cell, in pixels.
@@ -45,7 +47,7 @@ class TriangleOnScreen {
   const ScreenView& view_;
   const Samples& samples_;
   std::array<glm::vec4, samplesPerTriangle> clip_;
-  // The Jacobian of the place on the screen, in pixels, at the nearest sample.
+  // The Jacobian of the position on the screen, in pixels, at the nearest sample.
   glm::mat3x2 jacobian_;
 };
 

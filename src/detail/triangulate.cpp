@@ -9,13 +9,13 @@ namespace {
 
 using glm::dvec2;
 
-// Twice the signed area, which is positive if the corners are counterclockwise.
+// Returns twice the signed area, which is positive if the corners are counterclockwise.
 double areaOf(dvec2 a, dvec2 b, dvec2 c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 // Tests whether d is inside of the circle through a, b and c by more than rounding errors, so that
-// of four points on a circle neither diagonal is replaced.
+// neither diagonal of four points on a circle is replaced.
 bool isInCircle(dvec2 a, dvec2 b, dvec2 c, dvec2 d) {
   const dvec2 u = a - d, v = b - d, w = c - d;
   const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
@@ -26,9 +26,9 @@ bool isInCircle(dvec2 a, dvec2 b, dvec2 c, dvec2 d) {
 
 class Triangulation {
  public:
-  Triangulation(std::span<const dvec2> points, std::size_t hull) : points_(points) {
-    for (std::uint32_t i = 2; i < hull; ++i) triangles_.push_back({0, i - 1, i});
-    for (auto i = static_cast<std::uint32_t>(hull); i < points.size(); ++i) insert(i);
+  Triangulation(std::span<const dvec2> points, std::size_t hullSize) : points_(points) {
+    for (std::uint32_t i = 2; i < hullSize; ++i) triangles_.push_back({0, i - 1, i});
+    for (auto i = static_cast<std::uint32_t>(hullSize); i < points.size(); ++i) insert(i);
     flipAll();
   }
 
@@ -39,8 +39,8 @@ class Triangulation {
     return areaOf(points_[t[0]], points_[t[1]], points_[t[2]]);
   }
 
-  // Splits the triangle that contains the point into three, or the two triangles beside the side
-  // that contains it into four: no triangle may be empty.
+  // Splits the triangle that contains the point into three. If the point lies on a side, splits
+  // both triangles at that side into two instead, since no triangle may be empty.
   void insert(std::uint32_t point) {
     const auto smallestArea = [&](const Corners& t) {
       return std::min(
@@ -79,9 +79,11 @@ class Triangulation {
   }
 
   // Replaces diagonals until no circle around a triangle contains the opposite corner of a neighbor
-  // (Lawson 1977), which ends because each replacement lowers the lifted surface.
+  // (Lawson 1977). This ends, since each replacement lowers the surface through the points that are
+  // lifted onto a paraboloid.
   void flipAll() {
-    // From one point to another one -> the triangle, and its corner at the first one.
+    // The start and the end of a side; then its triangle, and the corner of the triangle at the
+    // start.
     using Side = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, int>>;
     std::vector<Side> sides;
     for (bool isChanged = true; isChanged;) {
@@ -117,8 +119,8 @@ class Triangulation {
 
 }  // namespace
 
-std::vector<Corners> triangulate(std::span<const dvec2> points, std::size_t hull) {
-  return Triangulation(points, hull).take();
+std::vector<Corners> triangulate(std::span<const dvec2> points, std::size_t hullSize) {
+  return Triangulation(points, hullSize).take();
 }
 
 }  // namespace warpjet

@@ -12,8 +12,8 @@ namespace warpjet {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// Returns a Delaunay triangulation, counterclockwise. The first `hull` points are the corners of a
-// convex polygon, counterclockwise, and the others lie inside it.
-std::vector<Corners> triangulate(std::span<const glm::dvec2> points, std::size_t hull);
+// Returns a Delaunay triangulation, counterclockwise. The first `hullSize` points are the corners
+// of a convex polygon, counterclockwise, and the others lie inside it.
+std::vector<Corners> triangulate(std::span<const glm::dvec2> points, std::size_t hullSize);
 
 }  // namespace warpjet

@@ -18,10 +18,10 @@ const std::vector<std::uint32_t>& VisibleTriangles::add(const BaseMesh& base,
   samples_.clear();
   for (std::uint32_t t = 0; t < base.triangles().size(); ++t) {
     const Corners& corners = base.triangles()[t];
-    const bool isNear = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
+    const bool mayBeShown = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
       return isMarked_[base.placeOf(vertex)];
     });
-    if (isNear && !isAdded_[t]) addTriangle(base, t);
+    if (mayBeShown && !isAdded_[t]) addTriangle(base, t);
   }
   return samples_;
 }

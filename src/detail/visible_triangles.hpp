@@ -1,5 +1,5 @@
-// Chooses the triangles that views may show, by their warped corners, so that the warp is evaluated
-// at no samples of the others.
+// Chooses the triangles that views may show, by their warped corners. The warp is evaluated only at
+// samples of these.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ class VisibleTriangles {
 
   // Adds the triangles that a view may show: those that it would show if they were flat, and their
   // neighbors. The first numbers of `warped` are the positions of the vertices. Returns the samples
-  // of the added triangles, but for vertices and those that triangles had before.
+  // of the added triangles, except vertices, and samples of triangles that were added before.
   const std::vector<std::uint32_t>& add(const BaseMesh& base, std::span<const float> warped,
                                         std::span<const ScreenView> views);
 
-  // All that were added.
+  // All triangles that were added since `clear`.
   std::span<const std::uint32_t> triangles() const { return triangles_; }
 
  private:

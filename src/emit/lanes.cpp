@@ -40,22 +40,23 @@ Lanes Packs::operandsOf(const Lanes& lanes, int i) const {
   return operands;
 }
 
-// Returns true if operand `i` is the same in all lanes and may be a number beside vectors. Of three
-// operands, either all that may be numbers are numbers, or none is.
-bool Packs::takesNumber(const Lanes& lanes, int i) const {
+// Returns true if operand `i` is the same in all lanes, and the operation accepts a scalar for it
+// while other operands are vectors. An operation with three operands (clamp, mix) accepts scalars
+// only for all the operands in `numbers`, or for none.
+bool Packs::takesScalar(const Lanes& lanes, int i) const {
   const ops::SomeOperands numbers = spellingOf(lanes).numbers;
   if ((numbers >> i & 1) == 0) return false;
   for (int other = 0; other < graph_.arity(lanes[0]); ++other) {
-    const bool mustBeNumber =
+    const bool mustBeScalar =
         other == i || (graph_.arity(lanes[0]) == 3 && (numbers >> other & 1) != 0);
-    if (mustBeNumber && !areEqual(operandsOf(lanes, other))) return false;
+    if (mustBeScalar && !areEqual(operandsOf(lanes, other))) return false;
   }
   return true;
 }
 
 bool Packs::isPackable(const Lanes& lanes) const {
   for (int i = 0; i < lanes.count; ++i) {
-    if (numberOf(lanes[i]) >= never || packOf(lanes[i]) != none) return false;
+    if (statementOf(lanes[i]) >= unpackable || packOf(lanes[i]) != none) return false;
     if (std::find(lanes.begin(), lanes.begin() + i, lanes[i]) != lanes.begin() + i) return false;
   }
   return true;
@@ -72,7 +73,7 @@ bool Packs::isOperation(const Lanes& lanes) const {
   if (info.signature.result != ops::Type::Float) return false;
   if (!ops::helpers(op, language_).empty()) return false;
   for (int i = 0; i < info.arity; ++i) {
-    if (info.signature.operands[i] != ops::Type::Float && !takesNumber(lanes, i)) return false;
+    if (info.signature.operands[i] != ops::Type::Float && !takesScalar(lanes, i)) return false;
   }
   return true;
 }
@@ -89,7 +90,7 @@ std::uint64_t Packs::placeOf(NodeId id) const {
   return place(3, second / rows, second % rows);
 }
 
-int Packs::sizeAround(NodeId id) const {
+int Packs::vectorSizeOf(NodeId id) const {
   if (packOf(id) != none) return (*this)[packOf(id)].count;
   return graph_.isInput(id) ? graph_.input(graph_.node(id).operands[0]).shape.rows : 0;
 }
@@ -195,34 +196,34 @@ int Packs::operationLength(const Lanes& lanes, int levels) const {
   for (int i = 0; i < arity; ++i) {
     const auto [form, length] = chooseLayout(operandsOf(lanes, i), As::Operand, levels - 1);
     total += length;
-    if (form == Form::Number && !takesNumber(lanes, i)) total += rowStart;
+    if (form == Form::Number && !takesScalar(lanes, i)) total += rowStart;
   }
   return total;
 }
 
 Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
-  bool isInPlace = true;
+  bool areInline = true;
   if (as == As::Operand) {
     const int first = lengths_.whereRead(lanes[0], levels);
     if (areEqual(lanes)) return {Form::Number, first};
     if (isPart(lanes)) return {Form::Part, first - 1 + lanes.count};
     if (isOptimistic_ && isPackable(lanes)) return {Form::Part, Lengths::name};
-    for (const NodeId id : lanes) isInPlace &= !isStatement(id);
+    for (const NodeId id : lanes) areInline &= !isStatement(id);
   }
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
     row +=
         as == As::Operand ? lengths_.whereRead(id, levels) : lengths_.lengthOfOperation(id, levels);
   // Matrix products are only recorded if they pay off.
-  if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
-  if (levels > 0 && isInPlace) {
+  if (areInline && productOf(lanes)) return {Form::Operation, 0};
+  if (levels > 0 && areInline) {
     if (const auto rotation = rotationOf(lanes)) {
       const int together =
           rotationStart + chooseLayout(rotation->point, As::Operand, levels - 1).length;
       if (together <= row) return {Form::Operation, together};
     }
   }
-  if (levels > 0 && isInPlace && isOperation(lanes)) {
+  if (levels > 0 && areInline && isOperation(lanes)) {
     const int together = operationLength(lanes, levels);
     if (together + margin <= row) return {Form::Operation, together};
   }
@@ -232,9 +233,9 @@ Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
 int Packs::gainOf(const Lanes& lanes, int length) const {
   // The length of a statement without its expression: `  float t12 = ;` and the line's end, or
   // `  vec3 …`.
-  constexpr int frame = 15;
-  int gain = -frame - length;
-  for (const NodeId id : lanes) gain += frame + lengthOfStatement(id);
+  constexpr int statementOverhead = 15;
+  int gain = -statementOverhead - length;
+  for (const NodeId id : lanes) gain += statementOverhead + lengthOfStatement(id);
   return gain;
 }
 

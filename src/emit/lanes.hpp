@@ -49,21 +49,21 @@ class Packs {
         language_(dialect.language),
         products_(products),
         lengths_(graph, dialect.language),
-        numbers_(graph.size(), none),
+        statements_(graph.size(), none),
         places_(graph.size(), none) {}
 
-  // Gives the node its own statement. `number` identifies it among the statements that may be
-  // packed; `never` excludes it.
-  void addStatement(NodeId id, std::uint32_t number) {
-    numbers_[index(id)] = number;
+  // Gives the node its own statement. `statement` identifies it among the statements that may be
+  // packed; `unpackable` excludes it.
+  void addStatement(NodeId id, std::uint32_t statement) {
+    statements_[index(id)] = statement;
     lengths_.setName(id, Lengths::name);
   }
-  static constexpr std::uint32_t never = none - 1;
-  std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
-  bool isStatement(NodeId id) const { return numberOf(id) != none; }
+  static constexpr std::uint32_t unpackable = none - 1;
+  std::uint32_t statementOf(NodeId id) const { return statements_[index(id)]; }
+  bool isStatement(NodeId id) const { return statementOf(id) != none; }
   // Writes the node inline from now on.
   void removeStatement(NodeId id) {
-    numbers_[index(id)] = none;
+    statements_[index(id)] = none;
     lengths_.removeName(id);
   }
   // `nodes` are all nodes to write, in ascending order; all statements must have been added.
@@ -97,14 +97,14 @@ class Packs {
   // Returns the vector and component that a node is read from, as four times the vector's key plus
   // the component; less than four if it isn't a component of a vector.
   std::uint64_t placeOf(NodeId id) const;
-  // Returns the number of components of that vector, if it is one of our variables or the host's; 0
-  // otherwise.
-  int sizeAround(NodeId id) const;
+  // Returns the number of components of the vector that a node is read from, if that is one of our
+  // variables or the host's; 0 otherwise.
+  int vectorSizeOf(NodeId id) const;
   bool isPart(const Lanes& lanes) const;
   // Returns operand i of each lane.
   Lanes operandsOf(const Lanes& lanes, int i) const;
   // Returns true if operand i is the same for all lanes and may be a scalar.
-  bool takesNumber(const Lanes& lanes, int i) const;
+  bool takesScalar(const Lanes& lanes, int i) const;
   // The two vectors of a sum that is a dot product. A language may add its terms in any order.
   struct Factors {
     Lanes a, b;
@@ -150,9 +150,9 @@ class Packs {
   std::span<const MatrixProduct> products_;
   Lengths lengths_;
   bool isOptimistic_ = false;
-  std::vector<std::uint32_t> numbers_;  // by node: the number of its statement
-  std::vector<std::uint32_t> places_;   // by node: the lane that it is
-  std::vector<NodeId> lanes_;           // four per pack
+  std::vector<std::uint32_t> statements_;  // by node: the number of its statement
+  std::vector<std::uint32_t> places_;      // by node: the lane that it is
+  std::vector<NodeId> lanes_;              // four per pack
 };
 
 }  // namespace warpjet

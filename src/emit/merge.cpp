@@ -55,7 +55,7 @@ class Merger {
   }
 
  private:
-  std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
+  std::uint32_t numberOf(NodeId id) const { return packs_.statementOf(id) - first_; }
 
   std::uint32_t packOf(const Statement& statement) const {
     return statement.node == noNode ? none : packs_.packOf(statement.node);

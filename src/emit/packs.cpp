@@ -55,7 +55,7 @@ class Packer {
 
   // Returns the index of the node's statement in this body; `count_` or more if it can't be packed
   // here.
-  std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
+  std::uint32_t numberOf(NodeId id) const { return packs_.statementOf(id) - first_; }
 
   // Packs the lanes if possible. Operands of a statement are on lower levels than the statement,
   // and all lanes are raised to the same level, so a pack never depends on itself.
@@ -158,7 +158,7 @@ void packStatements(const Graph& graph, std::span<const NodeId> nodes, Packs& pa
     for (const auto& [id, output, pack] : body.all) {
       const bool canBePacked =
           id != noNode && !output && !graph.isLibraryCall(id) && graph.type(id) == ops::Type::Float;
-      if (id != noNode) packs.addStatement(id, canBePacked ? number : Packs::never);
+      if (id != noNode) packs.addStatement(id, canBePacked ? number : Packs::unpackable);
       ++number;
     }
   }

@@ -22,8 +22,9 @@ void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> al
   while (!rest.empty()) {
     if (!values.empty()) values += ", ";
     std::size_t count = 1;
-    const bool isOfParts = shape.isVector() && as == Packs::As::Operand;
-    while (isOfParts && count < rest.size() && packs_.isPart(Lanes(rest.first(count + 1)))) ++count;
+    const bool mayUseSwizzles = shape.isVector() && as == Packs::As::Operand;
+    while (mayUseSwizzles && count < rest.size() && packs_.isPart(Lanes(rest.first(count + 1))))
+      ++count;
     if (count > 1)
       writePart(values, Lanes(rest.first(count)));
     else
@@ -49,7 +50,7 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
     const int i = rest[dollar + 1] - '0';
     rest.remove_prefix(dollar + 2);
     const Lanes operands = packs_.operandsOf(lanes, i);
-    if (packs_.takesNumber(lanes, i)) {
+    if (packs_.takesScalar(lanes, i)) {
       open(text, operands[0], spelling.operands[i]);
       writePending(text);
     } else {
@@ -64,7 +65,7 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
 void Writer::writePart(std::string& text, const Lanes& lanes) {
   open(text, lanes[0], ops::Precedence::Primary);
   text.pop_back();
-  bool isWhole = packs_.sizeAround(lanes[0]) == lanes.count;
+  bool isWhole = packs_.vectorSizeOf(lanes[0]) == lanes.count;
   for (int i = 0; i < lanes.count; ++i) {
     const int component = static_cast<int>(packs_.placeOf(lanes[i]) % 4);
     text += "xyzw"[component];
@@ -142,7 +143,8 @@ void Writer::writeProduct(std::string& text, std::string_view name, const Packs:
   text += ')';
 }
 
-// Needs no parentheses: each sum is squared, so it is read twice and has its own statement.
+// Needs no parentheses: products are found only where a vector is normalized, which reads each sum
+// twice, so that each sum has its own statement.
 void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
   std::string entries;
   for (const auto& [factor, isMinus] : product.entries) {

@@ -9,8 +9,8 @@
 namespace warpjet {
 
 struct Cost {
-  // Operations on single floats, with the bodies of functions at each call and of loops at each
-  // step.
+  // The number of operations on single floats. The body of a function counts once per call, that of
+  // a loop once per iteration.
   double operations = 0;
   bool hasNoise = false;
   // True if only the GPU can evaluate the results: they call a function of the host or read an
@@ -18,7 +18,8 @@ struct Cost {
   bool needsGpu = false;
 };
 
-// Returns the cost of evaluating these results once. Nodes that several results need count once.
+// Returns the cost of evaluating these results once. A node that several results share is
+// counted once.
 Cost costOf(const Module& module, std::span<const std::uint32_t> results);
 
 }  // namespace warpjet

@@ -28,20 +28,22 @@ inline Lanes clampTo(Lanes x, double low, double high) { return min(max(x, low),
 
 // Returns e^x 2^power, for powers up to about 20.
 inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
-  const Lanes near = clampTo(x, -104.0, 90.0);  // beyond these limits, the result is 0 or infinite
-  const Lanes shifted = near * 0x1.71547652b82fep0 + roundToInt;
+  const Lanes clamped =
+      clampTo(x, -104.0, 90.0);  // beyond these limits, the result is 0 or infinite
+  const Lanes shifted = clamped * 0x1.71547652b82fep0 + roundToInt;
   const Lanes n = shifted - roundToInt;
   // ln(2) in two parts; the first has 15 bits, so its product with n is exact.
-  const Lanes r = near - n * 0x1.62e4p-1 - n * 0x1.7f7d1cf79abcap-20;
+  const Lanes r = clamped - n * 0x1.62e4p-1 - n * 0x1.7f7d1cf79abcap-20;
   return expTimesPower(r, integerOf(shifted) + power);
 }
 
 [[gnu::noinline]] inline Lanes exp(Lanes x) { return expTimesPowerOf2(x, 0); }
 
 [[gnu::noinline]] inline Lanes exp2(Lanes x) {
-  const Lanes near = clampTo(x, -152.0, 129.0);
-  const Lanes shifted = near + roundToInt;
-  return expTimesPower((near - (shifted - roundToInt)) * 0x1.62e42fefa39efp-1, integerOf(shifted));
+  const Lanes clamped = clampTo(x, -152.0, 129.0);
+  const Lanes shifted = clamped + roundToInt;
+  return expTimesPower((clamped - (shifted - roundToInt)) * 0x1.62e42fefa39efp-1,
+                       integerOf(shifted));
 }
 
 // Returns the logarithm to base 2 of finite positive numbers that aren't denormal doubles, with a

@@ -26,10 +26,10 @@ inline constexpr double roundToLowBits = 0x1.8p23;
 // subtracted, too. So only one rounding matters; if they were subtracted one by one, two would.
 template <FourLanes X>
 X minusMultipleOfPi(X x, X h) {
-  const X near = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
+  const X reduced = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
   const X third = h * 0x1.444p-23, fourth = h * 0x1.68c234c4c6629p-38;
   const X sum = third + fourth, rest = (third - sum) + fourth;
-  return (near - sum) - rest;
+  return (reduced - sum) - rest;
 }
 
 // Returns sin(r) for |r| <= π/2. The relative error is below 2^-26: the coefficients are those of
@@ -68,26 +68,26 @@ X cosineUpToLimit(X magnitude) {
 // Replaces lanes beyond the limit by f of the lane. The others are unchanged, so that no lane
 // depends on its neighbors.
 template <class Function>
-[[gnu::noinline, gnu::cold]] Lanes replaceLanesBeyond(Mask beyond, Lanes near, Lanes x,
+[[gnu::noinline, gnu::cold]] Lanes replaceLanesBeyond(Mask beyond, Lanes results, Lanes x,
                                                       Function f) {
   for (std::size_t i = 0; i < Lanes::count; ++i) {
-    if (beyond.bits[i]) near.set(i, static_cast<float>(f(static_cast<double>(x[i]))));
+    if (beyond.bits[i]) results.set(i, static_cast<float>(f(static_cast<double>(x[i]))));
   }
-  return near;
+  return results;
 }
 
 inline Lanes sin(Lanes x) {
-  const Lanes magnitude = abs(x), near = flipSign(sineUpToLimit(magnitude), signOf(x));
+  const Lanes magnitude = abs(x), results = flipSign(sineUpToLimit(magnitude), signOf(x));
   const Mask beyond = logicalNot(le(magnitude, sineLimit));
-  if (!any(beyond)) return near;
-  return replaceLanesBeyond(beyond, near, x, [](double angle) { return std::sin(angle); });
+  if (!any(beyond)) return results;
+  return replaceLanesBeyond(beyond, results, x, [](double angle) { return std::sin(angle); });
 }
 
 inline Lanes cos(Lanes x) {
-  const Lanes magnitude = abs(x), near = cosineUpToLimit(magnitude);
+  const Lanes magnitude = abs(x), results = cosineUpToLimit(magnitude);
   const Mask beyond = logicalNot(le(magnitude, sineLimit));
-  if (!any(beyond)) return near;
-  return replaceLanesBeyond(beyond, near, x, [](double angle) { return std::cos(angle); });
+  if (!any(beyond)) return results;
+  return replaceLanesBeyond(beyond, results, x, [](double angle) { return std::cos(angle); });
 }
 
 inline constexpr double tangentLimit = 0x1p20;
@@ -105,10 +105,10 @@ inline constexpr double tangentLimit = 0x1p20;
                                               -0.0013886682790057235, 2.437983858504944e-05}) +
                            1.0;
   const WideMask odd = -(asMask(shifted) & wideMask(1));
-  const Lanes near = narrow(ifElse(odd, -cosine, sine) / ifElse(odd, sine, cosine));
+  const Lanes results = narrow(ifElse(odd, -cosine, sine) / ifElse(odd, sine, cosine));
   const Mask beyond = logicalNot(le(abs(x), tangentLimit));
-  if (!any(beyond)) return near;
-  return replaceLanesBeyond(beyond, near, x, [](double angle) { return std::tan(angle); });
+  if (!any(beyond)) return results;
+  return replaceLanesBeyond(beyond, results, x, [](double angle) { return std::tan(angle); });
 }
 
 }  // namespace warpjet

@@ -6,17 +6,26 @@ namespace warpjet {
 
 namespace {
 
-// The number of cells that are searched along each axis, those nearest to the point. Random points
-// in other cells are at least 1.5 away, and some random point in the 2^n nearest cells is at most
-// √n away, √2 in 2D. In 3D, the nearest distance is wrong only if the random points of all eight
-// nearest cells are in a certain hundredth of their cells, once in 10^16 places; the second nearest
-// distance, if those of seven are, or all but one of those around a cell.
+// The number of cells that are searched along each axis: those nearest to the point. In n
+// dimensions, random points in other cells are at least 1.5 away, and some random point in the 2^n
+// nearest cells is at most √n away. In 2D that is √2, so the nearest distance is always exact.
+//
+// In 3D, the nearest distance is wrong only if the random points of all eight nearest cells are in
+// a certain hundredth of their cells, once in 10^16 places. The second nearest distance is wrong
+// only if the points of seven of these cells are in such a hundredth, or all points but one around
+// a cell.
 constexpr int cells = 4;
 
-// Searches by a loop along each axis. With each cell written out instead (SwiftShader, 3D, with
-// normals, one round side by side on a busy machine, milliseconds), code has 66,376 characters
-// instead of 3,769, the first draw takes 1,126 instead of 114 in GLSL 3.00 and 8,859 instead of 206
-// in 1.00, and frames take 36 instead of 46 and 54 instead of 81.
+// Searches by a loop along each axis. If each cell is written out instead, frames are faster, but
+// the first draw is far slower (SwiftShader, 3D, with normals, one round side by side on a busy
+// machine):
+//
+//                                    loops    written out
+//   code, characters                 3,769         66,376
+//   first draw, GLSL 3.00, ms          114          1,126
+//   first draw, GLSL 1.00, ms          206          8,859
+//   frame, GLSL 3.00, ms                46             36
+//   frame, GLSL 1.00, ms                81             54
 class Search {
  public:
   explicit Search(const Point& p) {

@@ -130,7 +130,7 @@ class Lowering {
   std::optional<Value> callRoutine(FunctionId function, const std::vector<Value>& arguments);
   int recordRoutine(FunctionId function, const std::vector<Value>& arguments,
                     const RoutineKey& key);
-  bool isRoutine(Routine& routine) const;
+  bool completeRoutine(Routine& routine) const;
 
   // lower_loops.cpp
   void loop(const Statement& statement);
@@ -200,8 +200,9 @@ class Lowering {
   Value imageSize(const Value& image);
 
   // lower_bits.cpp
-  Value ofBits(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
-  Value bytes(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
+  Value lowerWgslBuiltIn(const BuiltIn& builtIn, const std::vector<Value>& x,
+                         const Expression& node);
+  Value bytes(const BuiltIn& builtIn, const std::vector<Value>& x, const Expression& node);
   Id bit(Way way, Base base, Id x);
   Id countOnes(Id bits);
   Id smear(Id bits);

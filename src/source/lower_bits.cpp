@@ -1,10 +1,11 @@
-// Built-in functions that only WGSL has: bits, bytes, and the parts of a float.
+// Lowers the built-in functions that only WGSL has: those of bits and bytes, of the parts of a
+// float, and some others.
 #include "source/lower.hpp"
 
 namespace warpjet::source {
 
-Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x,
-                                 const Expression& node) {
+Lowering::Value Lowering::lowerWgslBuiltIn(const BuiltIn& builtIn, const std::vector<Value>& x,
+                                           const Expression& node) {
   using enum Way;
   const auto forEach = [&](const auto& make) {
     Value value;
@@ -20,7 +21,7 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
   };
   const auto floatOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
   const Base base = node.type.base;
-  switch (row.way) {
+  switch (builtIn.way) {
     case Same:
       return x[0];
     case Saturate:
@@ -61,32 +62,32 @@ Lowering::Value Lowering::ofBits(const BuiltIn& row, const std::vector<Value>& x
     case PackBytes:
     case PackBytesClamped:
     case UnpackBytes:
-      return bytes(row, x, node);
+      return bytes(builtIn, x, node);
     default:
-      return forEach([&](std::size_t i) { return bit(row.way, base, x[0][i]); });
+      return forEach([&](std::size_t i) { return bit(builtIn.way, base, x[0][i]); });
   }
 }
 
 // Lowers a function of the four bytes of a uint.
-Lowering::Value Lowering::bytes(const BuiltIn& row, const std::vector<Value>& x,
+Lowering::Value Lowering::bytes(const BuiltIn& builtIn, const std::vector<Value>& x,
                                 const Expression& node) {
   const auto byte = [&](Id bits, Base base, int i) { return partOfBits(bits, base, 8, i); };
-  if (row.way == Way::UnpackBytes) {
+  if (builtIn.way == Way::UnpackBytes) {
     Value value;
     for (int i = 0; i < 4; ++i) value.push_back(byte(x[0][0], node.type.base, i));
     return value;
   }
-  const Base base = row.way == Way::DotBytes ? node.type.base : recorder_.base(x[0][0]);
-  Id all = number(row.way == Way::DotBytes ? base : Base::Uint, 0);
+  const Base base = builtIn.way == Way::DotBytes ? node.type.base : recorder_.base(x[0][0]);
+  Id all = number(builtIn.way == Way::DotBytes ? base : Base::Uint, 0);
   for (int i = 0; i < 4; ++i) {
-    if (row.way == Way::DotBytes) {
+    if (builtIn.way == Way::DotBytes) {
       all =
           scalar(Operator::Add, base, all,
                  scalar(Operator::Multiply, base, byte(x[0][0], base, i), byte(x[1][0], base, i)));
       continue;
     }
     Id each = x[0][static_cast<std::size_t>(i)];
-    if (row.way == Way::PackBytesClamped) {
+    if (builtIn.way == Way::PackBytesClamped) {
       const Id low = number(base, base == Base::Int ? -128 : 0);
       const Id high = number(base, base == Base::Int ? 127 : 255);
       each = recorder_.choose(scalar(Operator::Less, base, each, low), low, each);
@@ -184,11 +185,11 @@ Id Lowering::reverse(Id bits) {
 Id Lowering::extract(Base base, Id x, Id offset, Id count) {
   const auto uintOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const auto min = [&](Id a, Id b) { return recorder_.choose(uintOf(Operator::Less, b, a), b, a); };
-  const Id all = number(Base::Uint, 32);
-  const Id start = min(offset, all);
-  const Id size = min(count, uintOf(Operator::Subtract, all, start));
+  const Id wordSize = number(Base::Uint, 32);
+  const Id start = min(offset, wordSize);
+  const Id size = min(count, uintOf(Operator::Subtract, wordSize, start));
   const Id isEmpty = uintOf(Operator::Equal, size, number(Base::Uint, 0));
-  const Id unused = uintOf(Operator::Subtract, all, size);
+  const Id unused = uintOf(Operator::Subtract, wordSize, size);
   const Id up = scalar(Operator::ShiftLeft, base, x, uintOf(Operator::Subtract, unused, start));
   return recorder_.choose(isEmpty, number(base, 0), scalar(Operator::ShiftRight, base, up, unused));
 }
@@ -197,12 +198,12 @@ Id Lowering::extract(Base base, Id x, Id offset, Id count) {
 Id Lowering::insert(Id x, Id bits, Id offset, Id count) {
   const auto uintOf = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const auto min = [&](Id a, Id b) { return recorder_.choose(uintOf(Operator::Less, b, a), b, a); };
-  const Id all = number(Base::Uint, 32);
-  const Id start = min(offset, all);
-  const Id size = min(count, uintOf(Operator::Subtract, all, start));
+  const Id wordSize = number(Base::Uint, 32);
+  const Id start = min(offset, wordSize);
+  const Id size = min(count, uintOf(Operator::Subtract, wordSize, start));
   const Id isEmpty = uintOf(Operator::Equal, size, number(Base::Uint, 0));
   const Id ones = uintOf(Operator::ShiftRight, number(Base::Uint, 4294967295.0),
-                         uintOf(Operator::Subtract, all, size));
+                         uintOf(Operator::Subtract, wordSize, size));
   const Id mask = uintOf(Operator::ShiftLeft, ones, start);
   const Id kept = uintOf(Operator::BitAnd, x, recorder_.apply(Code::BitNot, Base::Uint, {mask}));
   const Id placed = uintOf(Operator::BitAnd, uintOf(Operator::ShiftLeft, bits, start), mask);

@@ -137,7 +137,7 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case Unsupported:
       break;
     default:
-      return ofBits(row, x, node);
+      return lowerWgslBuiltIn(row, x, node);
   }
   problems_.add(
       node.location,

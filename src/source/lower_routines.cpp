@@ -1,4 +1,4 @@
-// Calls of functions that remain functions.
+// Lowers calls of functions that are not inlined, but remain functions in the shader: routines.
 #include <algorithm>
 #include <utility>
 
@@ -88,14 +88,14 @@ std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
                                                      const std::vector<Value>& arguments) {
   RoutineKey key{1.0 * number};
   Value floats;
-  bool areKnown = true;
+  bool areConstant = true;
   for (const Value& argument : arguments) {
     if (floats.size() + argument.size() > 2 * maxNumbers) return std::nullopt;
     for (const Id id : argument) {
       const bool isFloat = recorder_.base(id) == Base::Float;
-      const bool isKnown = recorder_.isConstant(id) || recorder_.isUndefined(id);
+      const bool isConstant = recorder_.isConstant(id) || recorder_.isUndefined(id);
       if (!isFloat && !recorder_.isConstant(id)) return std::nullopt;
-      areKnown = areKnown && isKnown;
+      areConstant = areConstant && isConstant;
       if (isFloat) {
         floats.push_back(id);
       } else {
@@ -103,10 +103,10 @@ std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
       }
     }
   }
-  if (areKnown || floats.size() > maxNumbers || inlined_.contains(key)) return std::nullopt;
-  const auto known = routineNumbers_.find(key);
+  if (areConstant || floats.size() > maxNumbers || inlined_.contains(key)) return std::nullopt;
+  const auto recorded = routineNumbers_.find(key);
   const int routine =
-      known == routineNumbers_.end() ? recordRoutine(number, arguments, key) : known->second;
+      recorded == routineNumbers_.end() ? recordRoutine(number, arguments, key) : recorded->second;
   routineNumbers_[key] = routine;
   if (routine < 0) return std::nullopt;
 
@@ -136,14 +136,14 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
                             const RoutineKey& key) {
   if (routineCount_ >= Recorder::maxLoops || problems_.any()) return -1;
   const Function& function = tree_.functions[number];
-  const std::uint32_t mine = ++routineCount_;
+  const std::uint32_t routineId = ++routineCount_;
   const Problems before = problems_;
   std::vector<std::uint32_t> outer = std::exchange(openLoops_, {});
   store_.open();
   for (const VariableId each : assignedGlobals_) {
     for (int k = 0; k < sizeOf(tree_.variables[each].type); ++k) {
       const Slot slot = slotOf(each) + static_cast<Slot>(k);
-      store_.set(slot, recorder_.convert(recorder_.parameter(mine, unknowable),
+      store_.set(slot, recorder_.convert(recorder_.parameter(routineId, unknowable),
                                          recorder_.base(store_.get(slot))));
     }
   }
@@ -152,7 +152,7 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   std::size_t count = 0;
   for (Value& each : parameters)
     for (Id& id : each)
-      if (recorder_.base(id) == Base::Float) id = recorder_.parameter(mine, count++);
+      if (recorder_.base(id) == Base::Float) id = recorder_.parameter(routineId, count++);
   Value results = inlineCall(number, std::move(parameters));
   for (const Parameter& each : function.parameters)
     if (each.direction != Parameter::Direction::In)
@@ -164,15 +164,15 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
     problems_ = before;
     return -1;
   }
-  Routine routine{key, std::string(function.name), mine, count, {}, std::move(results)};
-  if (!isRoutine(routine)) return -1;
+  Routine routine{key, std::string(function.name), routineId, count, {}, std::move(results)};
+  if (!completeRoutine(routine)) return -1;
   routines_.push_back(std::move(routine));
   return static_cast<int>(routines_.size() - 1);
 }
 
-// Returns true if the recorded function can be a routine and is long enough; also finds the values
-// that it reads from outside.
-bool Lowering::isRoutine(Routine& routine) const {
+// Finds the values that a recorded function reads from outside. Returns false if the function
+// cannot be a routine, or is too short for one.
+bool Lowering::completeRoutine(Routine& routine) const {
   const auto isFloat = [&](Id id) { return recorder_.base(id) == Base::Float; };
   const Value& results = routine.results;
   if (results.empty() || results.size() > maxNumbers ||

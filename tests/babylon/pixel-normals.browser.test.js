@@ -56,7 +56,7 @@ const transformDirection = (matrix, d) => matrix.slice(0, 3).map((row) => m.dot(
 const groupByThree = (list) =>
   Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3))
 
-/** Compares drawn and exact normals in world space → the angles { median, max } in degrees, the `count` of pixels and their `share`. */
+/** Compares drawn and exact normals in world space. Returns the angles { median, max } in degrees, the `count` of pixels and their `share`. */
 async function compare(backend, what) {
   const { pictures, world, toClip, mesh, normals } = await draw(backend, {
     shows: ['normal', ...restValues],

@@ -34,7 +34,7 @@ function warpPosition(offset, options, uniforms, position = [0, 0, 0]) {
 
 const optionSets = [{}, { perFrame: true }]
 
-test('constants beyond 2^24 are exact beside frame constants', () => {
+test('constants beyond 2^24 are exact in expressions that also read frame constants', () => {
   const offset = offsetOf(
     `${pcgText}\nvec3 offset(vec3 p) {
       uint h = pcg(floatBitsToUint(p.x)) + (sin(millis) > 2.0 ? 1u : 0u);
@@ -142,7 +142,7 @@ test('frame constants are numbers that float32 represents exactly, in every lang
     }
 })
 
-test('frame constants that exceed the limit remain in the code', () => {
+test('frame constants beyond the maximum of 128 are computed in the shader', () => {
   const terms = Array.from(
     { length: 100 },
     (_, i) => `float((floatBitsToUint(millis * ${i + 1}.0) ^ uint(p.x)) & 15u)`,

@@ -2,19 +2,20 @@
 // other. Prints a table of the measured errors at the end.
 //
 // There are two bounds on normals, since SwiftShader, which replaces a GPU here, computes sin and cos only to 2e-4:
-// - with an accurate sine in GLSL instead of the built-in one, 0.02° wherever the warp is smooth, or the bound of the warp;
+// - with an accurate sine in GLSL instead of the built-in one, `degrees` of the warp, which is 0.02° for nearly all warps, wherever the warp is smooth;
 // - with the built-in one, 0.02° at 99% of the vertices, and everywhere 0.02° times the sensitivity of the normal to errors of the
 //   derivatives (2e-4 is 0.0115°).
 // Excluded are vertices near a kink of the warp, and those where the surface has nearly collapsed, to 1/100,000 of its area, so that
 // float32 cannot represent its direction to 0.02°.
 //
-// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to the numbers in the formula. At
+// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to `reach`, the
+// size of the numbers in the formula. At
 // `millis` 98,765 the angles of these warps reach 1,000, where the spacing of float32 is 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
-import { assertBaked, compareBaked } from '../support/browser/baked.js'
+import { withAccurateSine, withAccurateSineIfShort } from '../support/browser/accurate.js'
+import { assertCpuEqualsGpu, compareCpuWithGpu } from '../support/browser/baked.js'
 import { launchBrowser } from '../support/browser/browser.js'
 import { compare, moments } from '../support/browser/compare.js'
 import { arraysOf, denseMesh, interleave, stride, vertices } from '../support/browser/dense-mesh.js'
@@ -76,20 +77,20 @@ describe('positions and normals are correct:', () => {
         points.map((vertex) => warpVertex(offset, vertex, inputs, step, mirrors)),
       )
       const compiled = compile('glsl300')
-      const best = asAccurateAsCanBe(compiled)
+      const best = withAccurateSineIfShort(compiled)
       const run = (text) => gpu.run(vertexShader(text, 'glsl300', params), draws)
       const builtIn = await run(compiled)
       const exact = best === compiled ? builtIn : await run(best)
       assertOnGpu(warp, ...[builtIn, exact].map((r) => compare(r, expected, reach, warp.degrees)))
 
-      // Two sketches insert code of `gen` into their own shaders; it has no `evaluate`.
+      // Two sketches use `gen`, whose results have no `evaluate`.
       if (!compiled.evaluate) return
-      const baked = draws.map((uniforms) =>
+      const onCpu = draws.map((uniforms) =>
         interleave(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
       )
-      assertOnCpu(warp, baked, expected, points)
-      const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected)
-      assertBaked(worst, warp.degrees)
+      assertOnCpu(warp, onCpu, expected, points)
+      const worst = compareCpuWithGpu(warp, mesh, draws, onCpu, { builtIn, exact }, expected)
+      assertCpuEqualsGpu(worst, warp.degrees)
     })
 })
 
@@ -111,10 +112,10 @@ function assertOnGpu({ name, degrees, collapses }, builtIn, exact) {
   assert.ok(builtIn.position <= positionBound.builtIn, `positions are ${builtIn.position} off`)
 }
 
-function assertOnCpu({ degrees, reach, collapses }, baked, expected, points) {
+function assertOnCpu({ degrees, reach, collapses }, onCpu, expected, points) {
   const isCompared = points.map(({ normal }) => !normal.some(isTiny))
   const actual = compare(
-    baked.map((results) => results.filter((_, i) => isCompared[Math.floor(i / 6)])),
+    onCpu.map((results) => results.filter((_, i) => isCompared[Math.floor(i / 6)])),
     expected.map((moment) => moment.filter((_, i) => isCompared[i])),
     reach,
     degrees,
@@ -133,7 +134,7 @@ function row(name, builtIn, exact) {
     'position off': exact.position.toExponential(0),
     'normal off': `${exact.angle.toFixed(5)}°`,
     'built-in sine: position': builtIn.position.toExponential(0),
-    'normal ': `${builtIn.angle.toFixed(3)}°`,
+    'built-in sine: normal': `${builtIn.angle.toFixed(3)}°`,
     beyond: builtIn.beyond,
     kinks: percent(exact.kinks),
     collapsing: percent(exact.collapsing),

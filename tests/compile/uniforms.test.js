@@ -37,7 +37,7 @@ describe('types follow from the values:', () => {
     assert.deepEqual(movedTo(offset, uniforms), [1741, 2852, 3963])
   })
 
-  test('vectors of p5 are vec3s and colors vec4s, whose first numbers are used for smaller uniforms', () => {
+  test('vectors of p5 are vec3s, colors of p5 are vec4s, and a smaller uniform takes the first components of either', () => {
     const vector = { x: 1, y: 2, z: 3 }
     const color = { _array: [0.5, 0.25, 0, 1] }
     const offset = ({ uniforms: { v, c } }) => v.add(c.xyz().mult(c.w()))
@@ -66,10 +66,10 @@ describe('types follow from the values:', () => {
   })
 })
 
-describe('uniforms named like properties of Object:', () => {
+describe('uniforms and inherited properties:', () => {
   const names = ['constructor', 'toString', 'hasOwnProperty', 'valueOf']
 
-  test('are read if they are declared or passed', () => {
+  test('a uniform named like a property of Object is read if it is declared or passed', () => {
     for (const name of names) {
       const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms[name], 0, 0)
       assert.deepEqual(movedTo(offset, { [name]: 2 }), [2, 0, 0], name)
@@ -78,7 +78,7 @@ describe('uniforms named like properties of Object:', () => {
     }
   })
 
-  test('are read from objects without a prototype', () => {
+  test('uniforms are read from objects without a prototype', () => {
     const bare = (entries) => Object.assign(Object.create(null), entries)
     const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.toString, uniforms.reach, 0)
     const declared = bare({ toString: 2, reach: 5 })
@@ -86,7 +86,7 @@ describe('uniforms named like properties of Object:', () => {
     assert.deepEqual(movedTo(offset, declared, bare({ toString: 3 })), [3, 5, 0])
   })
 
-  test('are not declared or passed by inheritance', () => {
+  test('an inherited property neither declares nor passes a uniform', () => {
     const inheriting = Object.create({ amount: 1 })
     inheriting.reach = 5
     throwsWarpError(
@@ -162,9 +162,9 @@ describe('on the CPU', () => {
     const value = [1, 2, 3]
     const warp = compileWarp(({ uniforms }) => uniforms.value, { uniforms: { value } })
     value[0] = 100
-    const constants = Object.freeze({ value: Object.freeze([4, 5, 6]) })
+    const callUniforms = Object.freeze({ value: Object.freeze([4, 5, 6]) })
     assert.deepEqual(warp.evaluateAt(origin).position, [1, 2, 3])
-    assert.deepEqual(warp.evaluateAt(origin, { uniforms: constants }).position, [4, 5, 6])
+    assert.deepEqual(warp.evaluateAt(origin, { uniforms: callUniforms }).position, [4, 5, 6])
     assert.deepEqual(value, [100, 2, 3])
   })
 
@@ -177,10 +177,10 @@ describe('on the CPU', () => {
     const fine = subdivide(plane, { warp: compileWarp(offset, options), tolerance: 0.01 })
     assert.ok(fine.positions.length > 30)
     assert.equal(calls, 2)
-    const constants = { value: 2 }
+    const callUniforms = { value: 2 }
     const same = subdivide(plane, {
       warp: compileWarp(offset, options),
-      uniforms: constants,
+      uniforms: callUniforms,
       tolerance: 0.01,
     })
     assert.deepEqual(same.positions, fine.positions)
@@ -317,7 +317,7 @@ describe('throws for', () => {
     now = [1, 2]
     throwsWarpError(
       () => warp.evaluateAt(origin),
-      /^evaluateAt: expected a finite number for the uniform "value", got an array of 2; its function must always return what it returned at first\./,
+      /^evaluateAt: expected a finite number for the uniform "value", got an array of 2; its function must always return a value of the same type as at first\./,
     )
     now = undefined
     throwsWarpError(

@@ -10,13 +10,16 @@ import { lettersOf, turns } from '../support/plain-builder.js'
 
 const isScalar = (letter) => /^[sφη]$/.test(letter)
 const isMatrix = (letter) => /^[A-Z]$/.test(letter)
-const isTurn = (form) => form.endsWith(') v')
+const isRotation = (form) => form.endsWith(') v')
 const isAdjusted = (form) => form.startsWith('adjust')
 
-/** Returns the letters of the inputs of a formula. F replaces the offset and the position, since nothing else of them matters. */
+/**
+ * Returns the letters of the inputs of a formula. F, the Jacobian of position + offset, replaces both, since nothing else
+ * matters about them.
+ */
 function lettersIn(form) {
   const letters = lettersOf(form)
-  if (isTurn(form)) return [...letters, 'v']
+  if (isRotation(form)) return [...letters, 'v']
   if (isAdjusted(form)) return ['F', ...letters.slice(1, -1)]
   return letters
 }
@@ -39,12 +42,13 @@ const moveAlong = (place, changes, t) =>
     Object.entries(place).map(([letter, x]) => [letter, add(x, times(t, changes[letter]))]),
   )
 
-const withTurns = (values, count) => ({ ...turns, ...values, count })
-const valueOf = ({ value, where }, place, n) => evaluateFormula(value, withTurns(place, n), where)
+const withRotations = (values, count) => ({ ...turns, ...values, count })
+const valueOf = ({ value, where }, place, n) =>
+  evaluateFormula(value, withRotations(place, n), where)
 
 function derivativeOf(formula, place, changes, n) {
   const named = Object.entries(changes).map(([letter, x]) => [`d${letter}`, x])
-  const variables = withTurns({ ...place, ...Object.fromEntries(named) }, n)
+  const variables = withRotations({ ...place, ...Object.fromEntries(named) }, n)
   const w = formula.where?.w ? {} : { w: valueOf(formula, place, n) }
   return evaluateFormula(formula.derivative, { ...variables, ...w }, formula.where)
 }
@@ -56,7 +60,7 @@ const parameter = (glsl, letter, name, n) => {
 
 function buildResult(glsl, title, form, operands) {
   const name = title.replace(/\(.*/, '')
-  if (isTurn(form)) return glsl[name](...operands.slice(0, -1)).mult(operands.at(-1))
+  if (isRotation(form)) return glsl[name](...operands.slice(0, -1)).mult(operands.at(-1))
   if (!isAdjusted(form)) return glsl[name](...operands)
   const position = glsl.vec3Param('position')
   const offset = operands[0].sub(glsl.mat3(1)).mult(position)
@@ -76,26 +80,30 @@ function programOf(title, n) {
   })
 }
 
-const flat = (x) => (Array.isArray(x?.[0]) ? transpose(x).flat() : [x].flat())
-const flattenArrays = (x) => (Array.isArray(x) ? flat(x) : x)
+const columnMajorNumbers = (x) => (Array.isArray(x?.[0]) ? transpose(x).flat() : [x].flat())
+const toInput = (x) => (Array.isArray(x) ? columnMajorNumbers(x) : x)
 const inputsOf = (place, changes) => ({
   time: 0,
   position: [0.1, 0.2, 0.3],
   ...Object.fromEntries(
     Object.keys(place).flatMap((letter, i) => [
-      [`at${i}`, flattenArrays(place[letter])],
-      [`by${i}`, flattenArrays(changes[letter])],
+      [`at${i}`, toInput(place[letter])],
+      [`by${i}`, toInput(changes[letter])],
     ]),
   ),
 })
 
 function assertNear(actual, expected, bound, what) {
   // The docs write `0` for a zero vector too.
-  const numbers = expected === 0 ? flat(actual).map(() => 0) : flat(expected)
-  assert.equal(flat(actual).length, numbers.length, what)
+  const numbers =
+    expected === 0 ? columnMajorNumbers(actual).map(() => 0) : columnMajorNumbers(expected)
+  assert.equal(columnMajorNumbers(actual).length, numbers.length, what)
   const scale = Math.max(1, ...numbers.map(Math.abs))
-  for (const [i, x] of flat(actual).entries())
-    assert.ok(Math.abs(x - numbers[i]) <= bound * scale, `${what}: ${flat(actual)}, not ${numbers}`)
+  for (const [i, x] of columnMajorNumbers(actual).entries())
+    assert.ok(
+      Math.abs(x - numbers[i]) <= bound * scale,
+      `${what}: ${columnMajorNumbers(actual)}, not ${numbers}`,
+    )
 }
 
 for (const [title, formula] of Object.entries(vectorFormulas))
@@ -147,9 +155,9 @@ describe('where there is no derivative', () => {
     assert.deepEqual([...value, ...derivative].map(Math.abs), [0, 0, 0, 0])
   })
 
-  test('refract has the derivative of its other terms at grazing incidence', () => {
+  test('at grazing incidence, the derivative of refract omits the square root', () => {
     const actual = evaluateAt('refract', { i: one, n: up, η: 1 }, { i: zero, n: some3, η: 0.5 })
-    // η = 1, c = 0, k = 0: dη i + η di − (dη c + η dc + 0) n − 0, of dc = dn · i.
+    // η = 1, c = 0, k = 0: dη i + η di − (dη c + η dc + 0) n − 0, where dc = dn · i.
     assertNear(actual.derivative, [0.5, -0.3], 1e-12, 'refract')
   })
 
@@ -206,9 +214,9 @@ test('second derivatives exist and are symmetric', () => {
   const program = compile((glsl) => {
     const p = glsl.vec2Param('p')
     const f = p.x().sin().mult(p.y().pow(2))
-    const moveAlong = (value) => [p.x(), p.y()].map((input) => glsl.derivative(value, input))
-    const [hx, hy] = moveAlong(f.gradient(p))
-    const [jx, jy] = moveAlong(glsl.vec2(f, p.x().mult(p.y())).jacobian(p))
+    const derivativesOf = (value) => [p.x(), p.y()].map((input) => glsl.derivative(value, input))
+    const [hx, hy] = derivativesOf(f.gradient(p))
+    const [jx, jy] = derivativesOf(glsl.vec2(f, p.x().mult(p.y())).jacobian(p))
     return { twice: f.derivative(p.x()).derivative(p.x()), hx, hy, jx, jy }
   })
   const [x, y] = [0.7, -1.3]

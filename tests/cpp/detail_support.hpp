@@ -52,7 +52,7 @@ inline void hill(float* p) {
   p[2] += 0.3f * std::exp(-40 * (x * x + p[1] * p[1] + p[2] * p[2]));
 }
 
-// Tests that each side of a triangle is, with the same bits, that of exactly one neighbor.
+// Expects that each side of a triangle is also a side of exactly one neighbor, with the same bits.
 inline void expectClosed(const Detail& detail) {
   const std::vector<float>& positions = detail.division().attributes[0].values;
   const auto place = [&](std::uint32_t vertex) {

@@ -1,4 +1,5 @@
-// Detail: tessellations of triangles, the numbers of pieces that edges need, and divided meshes.
+// Tests detail: tessellations of triangles, the numbers of pieces that edges need, and divided
+// meshes.
 #include "detail/detail.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ namespace {
 
 using glm::dvec2;
 
-// The points of a tessellation in the triangle (0, 0), (1, 0), (0, 1).
+// Returns the points of a tessellation in the triangle (0, 0), (1, 0), (0, 1).
 std::vector<dvec2> pointsOf(const SidePieces& pieces, const Tessellation& tessellation) {
   const std::array corners{dvec2(0), dvec2(1, 0), dvec2(0, 1)};
   std::vector<dvec2> points;
@@ -62,7 +63,7 @@ void expectCover(const SidePieces& pieces) {
   EXPECT_EQ(open, around);
 }
 
-// The finest ones are tested by examples: all 1,000 would take minutes under the sanitizers.
+// Tests only some of the finest tessellations: all 1,000 would take minutes under the sanitizers.
 TEST(Detail, TessellationsCoverTheTriangle) {
   for (const std::uint32_t a : pieceCounts)
     for (const std::uint32_t b : pieceCounts)
@@ -79,7 +80,7 @@ TEST(Detail, TessellationsCoverTheTriangle) {
     expectCover(pieces);
 }
 
-TEST(Detail, EqualNumbersOfPiecesMakeTheirSquareOfTriangles) {
+TEST(Detail, NPiecesOnEachSideMakeNSquaredTriangles) {
   for (const std::uint32_t n : pieceCounts)
     EXPECT_EQ(makeTessellation({n, n, n}).triangles.size(), std::size_t{n} * n);
 }
@@ -89,7 +90,7 @@ TEST(Detail, TessellationsOfUnequalSidesAreNotAsFineAsTheirFinestSide) {
   EXPECT_LE(makeTessellation({32, 32, 1}).triangles.size(), 70u);
 }
 
-// Two triangles of the unit square.
+// Returns the unit square as two triangles.
 BaseMesh square() {
   return BaseMesh({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}}}, {{0, 1, 2}, {0, 2, 3}});
 }
@@ -102,7 +103,7 @@ std::vector<float> warpedSamples(const BaseMesh& base, F&& f) {
   return warped;
 }
 
-// Updates needs for `viewAlongX` by all triangles.
+// Updates needs for `viewAlongX`, with all triangles.
 bool update(Needs& needs, const BaseMesh& base, const std::vector<float>& warped,
             float tolerance = 1) {
   std::vector<std::uint32_t> triangles(base.triangles().size());
@@ -136,7 +137,7 @@ TEST(Detail, ASaddleNeedsPiecesAlongItsStraightLines) {
   const auto saddle = warpedSamples(base, [](float* p) { p[2] = p[0] * p[1]; });
   EXPECT_TRUE(update(needs, base, saddle));
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
-  // The diagonal is longer by a root of 2: 6.45.
+  // The diagonal is longer by a factor of sqrt(2): 6.45.
   EXPECT_EQ(piecesBetween(base, needs, 0, 2), 8u);
   // Four times the tolerance halves the need: 2.28 and 3.23.
   Needs fewer;
@@ -154,8 +155,8 @@ TEST(Detail, ABendNeedsNoPiecesAcross) {
   EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
 }
 
-// A wave of 0.3 pixels up and down, between whose samples the second differences are 1.2 pixels.
-// These alone would ask for the root of 16 * 1.2 / 6 / 0.8 pieces: 2.
+// A wave of 0.3 pixels up and down, whose samples have second differences of 1.2 pixels. These
+// alone would ask for the root of 16 * 1.2 / 6 / 0.8 pieces: 2.
 TEST(Detail, ATriangleThatIsCloseToAllSamplesIsNotDivided) {
   const BaseMesh base = square();
   const auto ripple = [&](float height) {
@@ -168,7 +169,7 @@ TEST(Detail, ATriangleThatIsCloseToAllSamplesIsNotDivided) {
   EXPECT_TRUE(update(needs, base, ripple(0.006f)));
 }
 
-TEST(Detail, ErrorsAlongTheSightNeedNoPieces) {
+TEST(Detail, ErrorsAlongTheLineOfSightNeedNoPieces) {
   const BaseMesh base = square();
   Needs needs;
   update(needs, base, warpedSamples(base, [](float* p) { p[0] += 5 * p[1] * p[1]; }));
@@ -194,7 +195,7 @@ TEST(Detail, SamplesThatAreNotFiniteNeedNothing) {
   for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
 }
 
-// A tetrahedron whose faces have vertices of their own, as for facets: all edges are seams.
+// Returns a tetrahedron whose faces share no vertices, so that all its edges are seams.
 Detail facettedTetrahedron() {
   const float corners[4][3]{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const int faces[4][3]{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
@@ -222,7 +223,8 @@ TEST(Detail, DividedMeshesHaveNoCracksAtSeams) {
   EXPECT_FALSE(divide(detail, wave));
 }
 
-// Spheres of three.js have such a seam, which is at z = 0 on one side and at -2e-14 on the other.
+// Spheres of three.js have such seams: vertices are at z = 0 on one side, and at -2e-14 on the
+// other.
 TEST(Detail, SidesOfSeamsThatDifferByRoundingShareAnEdge) {
   const BaseMesh base(
       {{3, false, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -2e-14f, 0, 1, 1e-14f, -1, 0, 0}}},
@@ -234,7 +236,7 @@ TEST(Detail, SidesOfSeamsThatDifferByRoundingShareAnEdge) {
   EXPECT_NE(close.edgeOf(0, 2), close.edgeOf(1, 0));
 }
 
-// The positions of samples, in any order.
+// Returns the positions of samples.
 std::set<std::array<float, 3>> placesOf(const Detail& detail,
                                         const std::vector<std::uint32_t>& samples) {
   std::set<std::array<float, 3>> places;
@@ -245,8 +247,8 @@ std::set<std::array<float, 3>> placesOf(const Detail& detail,
   return places;
 }
 
-// The side of the tetrahedron in the plane x = 0 faces away. Its triangles beside the other sides
-// may be needed, and no others.
+// The face of the tetrahedron in the plane x = 0 faces away. Of its triangles, only those next to
+// other faces may need samples.
 TEST(Detail, TrianglesThatFaceAwayNeedNoSamples) {
   Detail detail = facettedTetrahedron();
   while (detail.cut(0.1f, {}, {})) {
@@ -268,7 +270,7 @@ TEST(Detail, TrianglesThatFaceAwayNeedNoSamples) {
     EXPECT_TRUE(place[0] == 0 || shown.count(place));
     EXPECT_TRUE(shown.count(place) || added.count(place));
   }
-  // All are needed again when the surface has moved.
+  // When the surface has moved, all of these samples are needed again.
   detail.forgetSamples();
   EXPECT_EQ(placesOf(detail, show(detail, front)), shown);
 }
@@ -321,7 +323,7 @@ TEST(Detail, CutsSidesByTheStepsOfPhases) {
   EXPECT_FALSE(detail.cut(10, {1}, {1}));
 }
 
-// Cuts a mesh in two passes, and divides it for a wave.
+// Divides a mesh for a wave, and expects that it changes.
 void divideWave(Detail& detail) {
   EXPECT_TRUE(divide(detail, [](float* p) { p[2] += 0.7f * std::sin(5 * p[0]); }));
 }
@@ -371,7 +373,7 @@ TEST(Detail, APoseMovesTheVerticesOfTheCutMesh) {
   ASSERT_EQ(detail.sampleCount(), count);
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(detail.samples()[0].values[i], expected[i], 1e-6);
-  // Returns true although the numbers of pieces may be the same.
+  // The mesh changes even if the numbers of pieces are the same.
   divideWave(detail);
   expectClosed(detail);
 }
@@ -406,7 +408,8 @@ TEST(Detail, LinesFollowTheDividedSides) {
   while (detail.cut(0.3f, {}, {})) {
   }
   divideWave(detail);
-  // A side from either end; vertices 3 and 4 are at the ends of another one, 0 and 11 in one place.
+  // The first two lines are one side, from either end. Vertices 3 and 4 are the ends of another
+  // side; vertices 0 and 11 are at the same place.
   const std::vector<std::uint32_t> lines = detail.lines({1, 2, 2, 1, 3, 4, 0, 11});
   const std::vector<float>& p = detail.division().attributes[0].values;
   std::vector<std::vector<std::uint32_t>> all;
@@ -429,7 +432,7 @@ TEST(Detail, LinesFollowTheDividedSides) {
   }
 }
 
-// A triangle with two corners in one vertex is a line: p5 has some that are no sides.
+// A triangle with two equal corners is a line: p5 draws some lines that are no sides of triangles.
 TEST(Detail, LinesWithoutTrianglesNeedPieces) {
   const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0}}}, {{0, 1, 1}});
   Needs needs;

@@ -141,7 +141,7 @@ TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
        "reads up to byte 51,539,607,540 of bufferView 0"},
       {"a gigabyte of indices", [](json& t) { t["accessors"][3]["count"] = 268435456; },
        "reads up to byte 536,870,912 of bufferView"},
-      {"many zeros, shown repeatedly",
+      {"an accessor without bytes, drawn by 16 nodes",
        [](json& t) {
          t["accessors"][0] = {{"componentType", 5126}, {"count", 4194303}, {"type", "VEC3"}};
          t["nodes"] = std::vector<json>(16, {{"mesh", 0}});

@@ -18,7 +18,7 @@ const twist = ({ glsl, position: p, uniforms }) => {
 }
 const warp = compileWarp(twist, { uniforms: { turn: 0.01 } })
 
-/** Adds 0 times a noise, which takes so long that only samples that a view may show are warped. */
+/** Adds 0 times a noise. This takes so long that only samples that a view may show are warped. */
 const costlyTwist = (inputs) => {
   const { glsl, position, uniforms } = inputs
   return twist(inputs).add(glsl.fbm(position.mult(0.01)).mult(uniforms.none))
@@ -59,7 +59,7 @@ const errorsOf = (divided, turn, view) => screenErrors(divided, twistBy(turn), v
 test('a box of 12 triangles is within a pixel of the twisted box, and has no cracks', () => {
   const divided = createDetail(mesh, warp)
   assert.equal(divided.update(near), true)
-  assert.ok(quantile(errorsOf(mesh, 0.01, near), 1) > 10, 'the given mesh is not')
+  assert.ok(quantile(errorsOf(mesh, 0.01, near), 1) > 10, 'the given mesh is within 10 pixels')
   const errors = errorsOf(divided, 0.01, near)
   assert.ok(quantile(errors, 0.999) <= 1, `${quantile(errors, 0.999)}`)
   assert.ok(quantile(errors, 1) <= 1.5, `${quantile(errors, 1)}`)
@@ -67,7 +67,7 @@ test('a box of 12 triangles is within a pixel of the twisted box, and has no cra
   divided.dispose()
 })
 
-test('fewer triangles do from afar, for a larger tolerance, or if only the front is drawn', () => {
+test('fewer triangles suffice from afar, for a larger tolerance, or if only the front is drawn', () => {
   const divided = createDetail(mesh, warp)
   const count = (...args) => {
     divided.update(...args)
@@ -80,7 +80,7 @@ test('fewer triangles do from afar, for a larger tolerance, or if only the front
   divided.dispose()
 })
 
-test('several views are served together', () => {
+test('the division is fine enough for all of several views', () => {
   const divided = createDetail(mesh, warp)
   const other = viewFrom(-300, -200, -400)
   divided.update([near, other])
@@ -88,7 +88,7 @@ test('several views are served together', () => {
   divided.dispose()
 })
 
-/** Returns the numbers of the triangles that the twisted surface turns to the eye. */
+/** Returns the indices of the triangles of the twisted surface that face the eye. */
 function findFacing(divided, turn, view) {
   const warped = twistBy(turn)(divided)
   return all(divided).filter((t) => {
@@ -99,7 +99,7 @@ function findFacing(divided, turn, view) {
   })
 }
 
-test('what faced away or was outside of the view is within a pixel once it is seen', () => {
+test('parts that faced away or were outside of the view are within a pixel once they are seen', () => {
   const costly = compileWarp(costlyTwist, { uniforms: { turn: 0.01, none: 0 } })
   const divided = createDetail(mesh, costly)
   for (const place of [
@@ -113,7 +113,7 @@ test('what faced away or was outside of the view is within a pixel once it is se
     const errors = screenErrors(divided, twistBy(0.01), view, findFacing(divided, 0.01, view))
     assert.ok(errors.length > 500)
     assert.ok(quantile(errors, 0.999) <= 1, `${place}: ${quantile(errors, 0.999)}`)
-    // Samples that were not warped would bend so much that there would be many more triangles.
+    // Samples that were not warped would look like strong bends, and cause many more triangles.
     const fresh = createDetail(mesh, costly)
     fresh.update(view)
     assert.ok(divided.indices.length < 2 * fresh.indices.length)
@@ -135,7 +135,7 @@ test('the function of a uniform has one value for all samples of an update', () 
   assert.ok([0.004, 0.01].map((turn) => count(turn)).includes(alternating), `${alternating}`)
 })
 
-test('update says whether arrays changed, and follows uniforms', () => {
+test('update returns whether arrays changed, and reads new uniforms', () => {
   const divided = createDetail(mesh, warp)
   assert.deepEqual([divided.positions.length, divided.indices.length], [0, 0])
   divided.update(near)
@@ -189,9 +189,9 @@ test('curved triangles round a coarse sphere, and a box stays a box', () => {
     divided.dispose()
     return Math.max(...depth)
   }
-  assert.ok(depthOf(ball) > 0.8, 'faces of 24 × 16 lie inside of the sphere')
+  assert.ok(depthOf(ball) > 0.8, 'the faces of a sphere of 24 × 16 lie inside of it')
   const depth = depthOf(ball, { curved: true })
-  // Toward the eye, an error of the surface is not seen.
+  // Errors of the surface in the direction of the eye are not visible.
   assert.ok(depth < 0.3, `${depth}`)
   const box = createDetail(mesh, still, { curved: true })
   box.update(near)

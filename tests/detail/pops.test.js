@@ -1,4 +1,4 @@
-// Jumps of the drawn surface when `createDetail` divides a mesh anew.
+// Measures how far the drawn surface jumps when `createDetail` divides a mesh anew.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -42,13 +42,15 @@ function viewFrom(distance, angle) {
 }
 
 const frames = 25
-/** The number of triangles of each division that are looked at, evenly. */
-const chosen = 200
+/** The number of triangles of each division that are measured, at equal intervals. */
+const measuredCount = 200
 
 const choose = ({ indices }) =>
-  Array.from({ length: chosen }, (_, i) => Math.floor((i * indices.length) / 3 / chosen))
+  Array.from({ length: measuredCount }, (_, i) =>
+    Math.floor((i * indices.length) / 3 / measuredCount),
+  )
 
-/** Moves the camera and the inputs of the warp slowly → the jumps of each change. */
+/** Moves the camera and the inputs of the warp slowly. Returns the jumps of each change. */
 function watch(mesh, warp, inputsAt, tolerance = 1) {
   const detail = createDetail(markPlaces(mesh), warp)
   const changes = []
@@ -67,7 +69,7 @@ function watch(mesh, warp, inputsAt, tolerance = 1) {
 }
 
 test('jumps are measured between the same places of both divisions', () => {
-  // A triangle whose sides along x and y rise by 0.125 and 0.25 in the middle, seen from the side at 10 pixels for each unit.
+  // A triangle whose sides along x and y rise by 0.125 and 0.25 in the middle, seen from the side, with 10 pixels per unit.
   const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0]
   const flat = { positions: corners, normals: corners, indices: [0, 1, 2] }
   const { positions, normals, colors } = markPlaces(flat)
@@ -87,7 +89,7 @@ test('jumps are measured between the same places of both divisions', () => {
   // prettier-ignore
   const view = { matrix: [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1], width: 20, height: 20 }
   const pops = popsBetween(before, after, raise, view)
-  // The middle of the longest side rises by both.
+  // The middle of the longest side rises by the sum of both.
   assert.ok(Math.abs(quantile(pops, 1) - 3.75) < 1e-5, `${quantile(pops, 1)}`)
   assert.equal(quantile(pops, 0), 0)
 })
@@ -108,7 +110,7 @@ test('jumps are as small as errors while camera and surface move slowly', (t) =>
   }
 })
 
-test('a camera that trembles leaves the triangles as they are', () => {
+test('small movements of the camera do not change the triangles', () => {
   for (const [mesh, warp, uniforms] of [
     [box, twist, { turn: 1 }],
     [sphere, bumps, { millis: 0 }],

@@ -137,7 +137,7 @@ describe('an entry loads only the files that it needs', () => {
     })
 })
 
-/** Bundles `code` with Rolldown → the path of the bundle. */
+/** Bundles `code` with Rolldown. Returns the path of the bundle. */
 async function bundle(name, code, platform) {
   const folder = `${root}.build/bundles`
   mkdirSync(folder, { recursive: true })

@@ -12,7 +12,7 @@ const sizes = { desktop: { width: 1280, height: 900 }, phone: { width: 360, heig
 /** Half the time limit for a page, in milliseconds. */
 const patience = 60_000
 
-/** Runs in the page: waits until it has been drawn → a list of its problems. */
+/** Runs in the page: waits until it has been drawn. Returns a list of its problems. */
 async function findProblems() {
   const deadline = performance.now() + 60_000
   const wait = async (ready) => {

@@ -5,8 +5,8 @@ import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { models } from '../../web/models/index.js'
-import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
-import { assertBaked, compareBaked } from '../support/browser/baked.js'
+import { withAccurateSine, withAccurateSineIfShort } from '../support/browser/accurate.js'
+import { assertCpuEqualsGpu, compareCpuWithGpu } from '../support/browser/baked.js'
 import { launchBrowser } from '../support/browser/browser.js'
 import { maxDegrees, moments, positionAndNormal } from '../support/browser/compare.js'
 import {
@@ -72,14 +72,14 @@ for (const [i, warp] of cases.entries()) {
         const draws = moments.map((moment) => ({ ...moment, ...params }))
         await gpu.load(mesh)
         const run = (text) => gpu.run(vertexShader(text, 'glsl300', params), draws)
-        const best = asAccurateAsCanBe(compiled)
+        const best = withAccurateSineIfShort(compiled)
         const builtIn = await run(compiled)
         const exact = best === compiled ? builtIn : await run(best)
         const arrays = arraysOf(mesh, compiled.attributes)
         const baked = draws.map((uniforms) => interleave(compiled.evaluate(arrays, { uniforms })))
-        const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact })
+        const worst = compareCpuWithGpu(warp, mesh, draws, baked, { builtIn, exact })
         table.push({ warp: name, mesh: model, ...worst })
-        assertBaked(worst, warp.degrees)
+        assertCpuEqualsGpu(worst, warp.degrees)
       })
   })
 }

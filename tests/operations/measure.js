@@ -1,5 +1,6 @@
-// Runs a case of the reference on any pipeline, and measures the errors of the value and of its derivatives with respect to every number of
-// every operand. Expected derivatives are finite differences of the reference, which alone determines the expected results.
+// Runs the test case of an operation on any pipeline, and measures the errors of the value and of its derivatives with respect to every
+// number of every operand. The case's function `reference` alone determines the expected results: expected derivatives are its finite
+// differences.
 import { setImmediate } from 'node:timers/promises'
 import { sizeOf } from '../support/browser/pipelines/text.js'
 import { seededRandom } from '../warps/random.js'
@@ -59,7 +60,7 @@ function expectations(operation) {
   return expectationCache.get(operation)
 }
 
-/** Returns the error relative to the expected number if that is above 1. A NaN has an infinite error. */
+/** Returns |got - expected| / max(1, |expected|) / sensitivity; infinite for NaN. */
 export function errorOf(got, expected, sensitivity) {
   const error = Math.abs(got - expected) / Math.max(1, Math.abs(expected)) / sensitivity
   return Number.isNaN(error) ? Infinity : error

@@ -94,10 +94,13 @@ for (const [version, p5] of p5InThisRun) {
     assert.deepEqual(messages, [])
     assert.match(
       shadowed,
-      /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope/,
+      /cannot access "height" of the enclosing scope, where it is a local variable, not the global one; add the option \{ scope/,
     )
     assert.equal(free, 'function')
-    assert.match(bound, /cannot access "width" of the enclosing scope, where it is not the global/)
+    assert.match(
+      bound,
+      /cannot access "width" of the enclosing scope, where it is a local variable, not the global one/,
+    )
   })
 
   test(`p5 ${version}: the variables of a module are not globals of the page`, async () => {
@@ -130,7 +133,7 @@ for (const [version, p5] of p5InThisRun) {
     assert.match(first, /cannot access "amount" of the enclosing scope; .* scope: \{ amount \}/)
     assert.match(
       second,
-      /cannot access "height" of the enclosing scope, where it is not the global/,
+      /cannot access "height" of the enclosing scope, where it is a local variable, not the global one/,
     )
     assert.deepEqual([third, fourth], ['done', 'done'])
   })

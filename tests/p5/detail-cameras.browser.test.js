@@ -17,7 +17,7 @@ for (const host of await openP5Hosts())
   test(`${host.name}: a divided box is within a pixel of a dense one from 20 places`, async (t) => {
     const setup = `
       await setAttributes('antialias', false)
-      // Passes would take over between two pictures. Their own test draws these pictures, too.
+      // Compute passes would take over between two pictures. detail-compute.browser.test.js draws these pictures with them.
       if (${host.isWebGPU})
         p5.instance._renderer.device.createComputePipelineAsync = () => Promise.reject(new Error('none'))
       const swell = ${swell}

@@ -46,7 +46,7 @@ for (const [shape, name, others] of [
     for (const each of found) {
       const { isIndirect, triangles, expected, vertices, strays, isEqual, openSides, beyond } = each
       assert.ok(isIndirect)
-      // A need that is a whole number but for rounding may be rounded up on one side only: then a few sides have more pieces.
+      // If a need is a whole number except for rounding errors, only one of the two may round it up: then a few sides have more pieces.
       assert.ok(Math.abs(triangles - expected) <= 0.01 * expected, `${triangles}, ${expected}`)
       assert.ok(strays <= (isEqual ? 0 : 0.01 * vertices), `${strays} of ${vertices}`)
       // A plane has a border.
@@ -110,11 +110,11 @@ for (const [kind, isIndirect] of [
     assert.deepEqual(found, [isIndirect])
   })
 
-test('freeGeometry() and changes free the buffers', async (t) => {
+test('freeGeometry(), or a change of the shape, frees the buffers', async (t) => {
   const { counts } = await run(t, 'life')
   const { held, freed, differing, again, areIndirect, changed } = counts
   assert.ok(held > 30, `${held} buffers`)
-  // The tessellations stay for other shapes.
+  // The buffer of tessellations remains for other shapes.
   assert.equal(freed, 1)
   assert.ok(differing < 50, `${differing} pixels`)
   assert.deepEqual([again, changed], [held, held])

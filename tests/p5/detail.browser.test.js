@@ -28,7 +28,7 @@ const setup = Object.entries(offsets)
 const look =
   'background(220); noStroke(); lights(); fill(255, 127, 80); rotateX(-0.4); rotateY(0.5);'
 
-/** Maps a name → the warp, the code of the coarse shape, and that of the dense one. */
+/** Maps a name → [warp, code of the coarse shape, code of the dense one]. */
 const shapes = {
   'a box that is twisted': ['twist', 'box(120)', 'warpBox(120, 120, 120, 100)'],
   'a plane of two triangles that waves by uv': [
@@ -51,9 +51,9 @@ for (const host of hosts) {
       const expected = images[`${name}, dense`]
       const before = differingPixels(images[`${name}, coarse`], expected, 24)
       const after = differingPixels(images[`${name}, fine`], expected, 24)
-      assert.ok(before > 1000, `${name}: the coarse one differs at ${before} pixels`)
+      assert.ok(before > 1000, `${name}: the coarse shape differs at ${before} pixels`)
       // Pixels at edges and silhouettes may differ.
-      assert.ok(after < 250, `${name}: the fine one differs at ${after} pixels`)
+      assert.ok(after < 250, `${name}: the divided shape differs at ${after} pixels`)
     }
   })
 
@@ -106,14 +106,14 @@ for (const host of hosts) {
     t.diagnostic(JSON.stringify(found))
     assert.equal(found.holes, 0)
     assert.ok(found.least > 1500, `${found.least} pixels are covered`)
-    assert.ok(found.changes > 300, `${found.changes} divisions`)
-    // At one pixel, most gaps of a broken edge would be narrower than a pixel.
+    assert.ok(found.indexUploads > 300, `${found.indexUploads} uploads of indices`)
+    // With a tolerance of one pixel, most gaps of a broken edge would be narrower than a pixel.
     const broken = await watchHoles(host, { frames: 40, isBroken: true, tolerance: 6 })
     t.diagnostic(`broken: ${JSON.stringify(broken)}`)
-    assert.ok(broken.framesWithHoles > 0, 'a broken edge is not seen')
+    assert.ok(broken.framesWithHoles > 0, 'a broken edge is not noticed')
   })
 
-  test(`${host.name}: what keeps its vertices is said once`, async () => {
+  test(`${host.name}: warns once about a shape that is not divided`, async () => {
     const triangle = 'beginShape(); vertex(0, 0); vertex(30, 0); vertex(0, 30); endShape(CLOSE)'
     const onlyLines =
       /: lines, and shapes between beginShape\(\) and endShape\(\), are not divided\./
@@ -153,8 +153,8 @@ for (const host of hosts) {
       ([name, [offset, code]]) => `'${name}': [${offset}, (warp) => { ${code} }]`,
     )
     const { result } = await host.run(`
-      const said = []
-      console.warn = (message) => said.push(message)
+      const warnings = []
+      console.warn = (message) => warnings.push(message)
       async function setup() {
         ${host.canvas(100, 100)}
         const shape = buildGeometry(() => box(20))
@@ -166,7 +166,7 @@ for (const host of hosts) {
         window.result = {}
         for (const [name, [offset, draw]] of Object.entries({ ${draws} })) {
           const warp = createWarp(offset, { detail: 1 })
-          // Both are in one frame.
+          // Draws twice in one frame; the warning must not repeat.
           for (let i = 0; i < 2; i++) {
             push()
             noStroke()
@@ -174,7 +174,7 @@ for (const host of hosts) {
             draw(warp)
             pop()
           }
-          window.result[name] = said.splice(0)
+          window.result[name] = warnings.splice(0)
         }
         window.done = true
       }`)
@@ -209,7 +209,7 @@ for (const host of hosts) {
       'filled fine': `${look} ${lines} warps.twistFine(); box(120)`,
       'filled dense': `${look} push(); warps.twist(); warpBox(120, 120, 120, 100); pop();
         noFill(); ${lines} warps.twist(); scale(120); model(warps.dense)`,
-      // The fill without a stroke is no reason to keep the division of another place.
+      // The first box has no stroke. Its division must not be reused for the strokes of the second one, which has another matrix.
       'twice fine': `${look} warps.twistFine(); box(120); noFill(); ${other} warps.twistFine(); box(120)`,
       'twice dense': `${look} push(); warps.twist(); warpBox(120, 120, 120, 100); pop();
         noFill(); ${other} warps.twist(); scale(120); model(warps.dense)`,

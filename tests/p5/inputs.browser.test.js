@@ -46,7 +46,7 @@ for (const { name: host, isWebGPU, choose, draw } of variants)
   describe(`uniforms on ${host}`, () => {
     const shape = `fill('red'); plane(20)`
 
-    /** Draws scenes → maps their names to positions. `warps` maps names to arguments of createWarp. */
+    /** Draws scenes. Returns an object that maps their names to positions. `warps` maps names to arguments of createWarp. */
     async function drawnPositions(warps, scenes, before = '') {
       const setup = Object.entries(warps).map(
         ([name, args]) => `warps.${name} = createWarp(${args})`,

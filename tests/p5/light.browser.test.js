@@ -78,7 +78,7 @@ const turns = [
 const camera = `perspective(2 * atan(${size / 2 / distance}), 1, 100, 5000)
   camera(0, 0, ${distance}, 0, 0, 0, 0, 1, 0)`
 
-/** Makes shapes in p5 → maps their names to { vertices, normals, uvs, faces, gradients }. */
+/** Makes shapes in p5. Returns an object that maps their names to { vertices, normals, uvs, faces, gradients }. */
 async function makeGeometries(p5, shapes) {
   const { page, messages } = await runSketch(
     webgl,

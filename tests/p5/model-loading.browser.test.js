@@ -20,7 +20,7 @@ copyFileSync(path(addon), path(alone))
 const { browser, server } = await openHost()
 
 for (const [version, p5] of p5InThisRun) {
-  /** Loads a model with these scripts → its number of faces, or the message of the error. */
+  /** Loads a model with these scripts. Returns its number of faces, or the message of the error. */
   async function load(file, scripts) {
     const { page } = await runSketch(
       browser,

@@ -93,7 +93,7 @@ after(async () => {
   await server.close()
 })
 
-/** Draws a sketch on a host → { image, messages }. */
+/** Draws a sketch on a host. Returns { image, messages }. */
 async function drawSketch([name, text, chosen], host) {
   const number = pages.push(`<!doctype html>
 <meta charset="utf-8">

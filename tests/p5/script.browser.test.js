@@ -36,7 +36,7 @@ async function withHosts(files) {
   return { context, requests }
 }
 
-/** Loads a model in a sketch with this script → the `result`, which is the number of vertices or a message, and what else happened. */
+/** Loads a model in a sketch with this script. Returns the `result`, which is the number of vertices or a message, and what else happened. */
 async function loadModel(context, src) {
   const { page, messages } = await runSketch(
     context,
@@ -113,37 +113,30 @@ test('a copy with another name loads the companion of its version from the CDN',
   assert.deepEqual([...new Set(requests)], [companion])
 })
 
-describe('the scripts with and without CPU evaluation', () => {
-  /** Draws with createWarp, and returns the result of evaluateAt for the same offset. */
-  async function evaluateWith(src) {
-    const { page, messages } = await runSketch(
-      browser,
-      server,
-      [p5Versions['2.x'], src],
-      `const offset = ({ glsl, position }) => glsl.vec3(position.y(), 0, 0)
-      function setup() {
-        createCanvas(50, 50, WEBGL)
-        const warp = createWarp(offset)
-        warp()
-        sphere(10)
-        noLoop()
-        try {
-          window.result = warpjet.compileWarp(offset).evaluateAt([1, 2, 3]).position
-        } catch ({ name, message }) {
-          window.result = name + ': ' + message
-        }
-        window.done = true
-      }`,
-    )
-    const result = await page.evaluate('window.result')
-    await page.close()
-    assert.deepEqual(messages, [])
-    return result
-  }
-
-  test('warpjet.min.js evaluates a warp on the CPU', async () => {
-    assert.deepEqual(await evaluateWith(script), [3, 2, 3])
-  })
+test('p5.warpjet.min.js evaluates a warp on the CPU', async () => {
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5Versions['2.x'], script],
+    `const offset = ({ glsl, position }) => glsl.vec3(position.y(), 0, 0)
+    function setup() {
+      createCanvas(50, 50, WEBGL)
+      const warp = createWarp(offset)
+      warp()
+      sphere(10)
+      noLoop()
+      try {
+        window.result = warpjet.compileWarp(offset).evaluateAt([1, 2, 3]).position
+      } catch ({ name, message }) {
+        window.result = name + ': ' + message
+      }
+      window.done = true
+    }`,
+  )
+  const result = await page.evaluate('window.result')
+  await page.close()
+  assert.deepEqual(messages, [])
+  assert.deepEqual(result, [3, 2, 3])
 })
 
 describe('the order of scripts', () => {
@@ -231,7 +224,7 @@ describe('the order of scripts', () => {
 })
 
 describe('a page whose policy is script-src self', () => {
-  /** Makes calls that need WebAssembly on a page with such a policy → for each 'works' or its message. */
+  /** Makes calls that need WebAssembly on a page with such a policy. Returns 'works' or the message of each call. */
   async function loadWithPolicy(policy) {
     const html = `<!doctype html>
       <meta http-equiv="Content-Security-Policy" content="script-src 'self' ${policy}">

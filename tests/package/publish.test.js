@@ -42,7 +42,7 @@ after(() => {
 })
 
 /**
- * Runs a command of the workflow in a shell, with the local registry → { output, status }. Does not block this process, which must answer
+ * Runs a command of the workflow in a shell, with the local registry. Returns { output, status }. Does not block this process, which must answer
  * npm.
  */
 async function run(command, cwd, env = {}) {

@@ -1,8 +1,8 @@
 // Computes derivatives of a function of numbers from finite differences, with Richardson extrapolation from three step sizes, and checks
 // whether the function is smooth enough for that.
 
-const stepOfFirst = 2 ** -12
-const stepOfSecond = 2 ** -8
+const firstDerivativeStep = 2 ** -12
+const secondDerivativeStep = 2 ** -8
 
 function movePoint(point, ...shifts) {
   const result = { ...point }
@@ -19,19 +19,19 @@ function extrapolate([d1, d2, d3]) {
   return { value: (16 * fine - coarse) / 15, error: Math.abs(coarse - fine) }
 }
 
-/** Returns [{ value, error }]: ∂f/∂input for each component of f. A kink or a jump nearby makes the error large. */
-function firstDerivative(f, point, by, middle) {
-  const steps = [1, 2, 4].map((part) => stepOfFirst / part)
+/** Returns [{ value, error }]: ∂f/∂by for each component of f. A kink or a jump nearby makes the error large. */
+function firstDerivative(f, point, by, valueAtPoint) {
+  const steps = [1, 2, 4].map((part) => firstDerivativeStep / part)
   const pairs = steps.map((step) => [
     f(movePoint(point, [by, step])),
     f(movePoint(point, [by, -step])),
   ])
-  return middle.map((_, i) => {
+  return valueAtPoint.map((_, i) => {
     const slopes = pairs.map(([after, before], s) => (after[i] - before[i]) / (2 * steps[s]))
     const estimate = extrapolate(slopes)
     // Second differences are h f'' + O(h³). Only these show a kink at the point itself.
     const [bend, halfBend] = pairs.map(
-      ([after, before], s) => (after[i] - 2 * middle[i] + before[i]) / steps[s],
+      ([after, before], s) => (after[i] - 2 * valueAtPoint[i] + before[i]) / steps[s],
     )
     return { ...estimate, error: estimate.error + Math.abs(bend - 2 * halfBend) }
   })
@@ -50,28 +50,30 @@ function corners(point, first, second, step) {
 const isSame = (a, b) => a.name === b.name && a.index === b.index
 
 /** Returns [{ value, error }]: ∂²f/∂first ∂second for each component of f. */
-function secondDerivative(f, point, first, second, middle) {
-  const steps = [1, 2, 4].map((part) => stepOfSecond / part)
+function secondDerivative(f, point, first, second, valueAtPoint) {
+  const steps = [1, 2, 4].map((part) => secondDerivativeStep / part)
   const differences = steps.map((step) => {
     const [a, b, c, d] = corners(point, first, second, step).map(f)
-    return middle.map((value, i) =>
+    return valueAtPoint.map((value, i) =>
       isSame(first, second)
         ? (a[i] - 2 * value + b[i]) / step ** 2
         : (a[i] - b[i] - c[i] + d[i]) / (4 * step ** 2),
     )
   })
-  return middle.map((_, i) => extrapolate(differences.map((difference) => difference[i])))
+  return valueAtPoint.map((_, i) => extrapolate(differences.map((difference) => difference[i])))
 }
 
 /** Returns the outermost points of the differences for the derivative with respect to one or two components. */
 export const outermost = (point, [first, second]) =>
-  second ? corners(point, first, second, stepOfSecond) : corners(point, first, first, stepOfFirst)
-
-/** Returns [{ value, error }]: the derivative of each component of f with respect to one or two components. */
-export const derivative = (f, point, [first, second], middle) =>
   second
-    ? secondDerivative(f, point, first, second, middle)
-    : firstDerivative(f, point, first, middle)
+    ? corners(point, first, second, secondDerivativeStep)
+    : corners(point, first, first, firstDerivativeStep)
+
+/** Returns [{ value, error }]: the derivative of each component of f with respect to one or two components; `valueAtPoint` is f(point). */
+export const derivative = (f, point, [first, second], valueAtPoint) =>
+  second
+    ? secondDerivative(f, point, first, second, valueAtPoint)
+    : firstDerivative(f, point, first, valueAtPoint)
 
 /** Estimates the derivative with respect to one or two components from a single step, to a few digits. */
 export function slopeOf(f, point, [first, second]) {
@@ -79,6 +81,6 @@ export function slopeOf(f, point, [first, second]) {
     const [after, before] = [g(movePoint(at, [by, step])), g(movePoint(at, [by, -step]))]
     return after.map((value, i) => (value - before[i]) / (2 * step))
   }
-  if (!second) return slope(f, first, stepOfFirst)(point)
-  return slope(slope(f, first, stepOfSecond), second, stepOfSecond)(point)
+  if (!second) return slope(f, first, firstDerivativeStep)(point)
+  return slope(slope(f, first, secondDerivativeStep), second, secondDerivativeStep)(point)
 }

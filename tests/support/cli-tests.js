@@ -36,7 +36,7 @@ export const material = {
 export const model = { ...sphere(), material }
 write('model.glb', exportGLB(model))
 
-/** Runs the program in the folder → its exit code and output. */
+/** Runs the program in the folder. Returns its exit code and output. */
 export function warpjet(...args) {
   const child = spawn(process.execPath, [program, ...args], { cwd: folder })
   const result = { stdout: '', stderr: '' }

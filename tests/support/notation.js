@@ -30,7 +30,7 @@ function tokenize(text) {
   return tokens
 }
 
-/** Parses a formula → a function that maps the values of its names to the value of the formula. */
+/** Parses a formula. Returns a function that maps the values of its names to the value of the formula. */
 function parse(text) {
   const tokens = tokenize(text)
   let at = 0

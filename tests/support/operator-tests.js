@@ -22,7 +22,7 @@ export const p5Functions = {
 // Bound functions have no source code, like p5's own.
 for (const [name, f] of Object.entries(p5Functions)) globalThis[name] = f.bind(null)
 
-/** Translates a module with the plugin, and runs it → the value or values that it pushes to `out`. */
+/** Translates a module with the plugin, and runs it. Returns the value or values that it pushes to `out`. */
 export function runTranslated(code, names = {}) {
   const translated = translateModule(code) ?? code
   const [importLine, operatorsName, withOperatorsName] =
@@ -42,7 +42,7 @@ export function runTranslated(code, names = {}) {
 
 export const uniforms = { amount: 0.5 }
 
-/** Compiles the source of an offset function → [code if it is translated in the page, code if the plugin translates it]. */
+/** Compiles the source of an offset function. Returns [code if it is translated in the page, code if the plugin translates it]. */
 export function compileBoth(source) {
   const offset = (0, eval)(`(${source})`)
   const options = source.includes('uniforms') ? { uniforms } : {}

@@ -1,8 +1,8 @@
-// Tests of detail from all sides share these places and checks.
+// Positions of the camera, and checks of pictures, for tests that view divided shapes from all sides.
 import assert from 'node:assert/strict'
 import { randomNumbers } from './three-meshes.js'
 
-/** Returns 20 places in all directions, from 1.4 to 3.2 times `size` away from the origin, the same in each run. */
+/** Returns 20 positions in all directions, from 1.4 to 3.2 times `size` away from the origin, the same in each run. */
 export function placesAround(size) {
   const random = randomNumbers(39)
   return Array.from({ length: 20 }, () => {
@@ -15,10 +15,10 @@ export function placesAround(size) {
 }
 
 /**
- * Checks pictures of a divided box against those of a dense one, from several places: `covered` has the numbers of pixels that the dense
- * box covers, and the other lists those of pixels that either picture shows nowhere within a pixel in the other one. The triangles of
- * `rough` may be 6 pixels off, and those of `coarse` are not divided. Next to outlines there are squares narrower than a pixel, which may
- * lack.
+ * Checks pictures of a box that is divided against pictures of a dense one. All arguments have a number for each position of the camera.
+ * `covered`: the pixels that the dense box covers. The others: the pixels whose color the picture of the other box has nowhere within one
+ * pixel, counted in both pictures. The box is `divided`; divided roughly, to 6 pixels (`rough`); or not divided (`coarse`).
+ * At outlines, squares of the texture may be narrower than a pixel, and missing in one of the pictures.
  */
 export function checkPictures({ covered, divided, rough, coarse }) {
   const sum = (counts) => counts.reduce((a, b) => a + b)

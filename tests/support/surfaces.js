@@ -48,7 +48,7 @@ const shapeOf = (...directions) =>
     ),
   )
 
-/** Makes a mesh of a surface → { mesh, exact }; `exact` has the exact gradients of normal and uv, from the formula. */
+/** Makes a mesh of a surface. Returns { mesh, exact }; `exact` has the exact gradients of normal and uv, from the formula. */
 export function surfaceMesh(surface, columns, rows) {
   const mesh = { positions: [], normals: [], uvs: [], indices: [] }
   const names = [

@@ -31,7 +31,7 @@ for (const [shape, name, space] of [
   test(`passes divide a ${shape} under a ${name} as the CPU does, ${space ?? 'local'}`, async (t) => {
     const { found } = await run(t, 'divide', { shape, name, space })
     for (const { triangles, expected, isEqual, farthest, openSides, beyond } of found) {
-      // A need that is a whole number but for rounding may be rounded up on one side only.
+      // If a need is a whole number except for rounding errors, only one of the two may round it up.
       assert.ok(Math.abs(triangles - expected) <= 0.01 * expected, `${triangles}, ${expected}`)
       assert.equal(isEqual, triangles === expected)
       assert.ok(!isEqual || farthest < 1e-6, `${farthest}`)

@@ -47,7 +47,7 @@ for (const { name, version, script, settings } of hosts)
       )
     }
 
-    for (const [warp, least] of [
+    for (const [warp, minWithout] of [
       ['twist', 1000],
       ['bend', 300],
     ])
@@ -57,7 +57,7 @@ for (const { name, version, script, settings } of hosts)
           t.diagnostic(JSON.stringify(found))
           assert.deepEqual(messages, [])
           assert.ok(found.beyond <= 3, `${found.beyond} pixels`)
-          assert.ok(found.without > least, `${found.without} pixels without detail`)
+          assert.ok(found.without > minWithout, `${found.without} pixels without detail`)
           assert.ok(found.triangles > 100 && found.triangles < found.fine / 10)
         }
       })
@@ -69,7 +69,7 @@ for (const { name, version, script, settings } of hosts)
       checkPictures(found)
     })
 
-    // Compute passes leave them to the CPU.
+    // Compute passes do not divide curved triangles.
     if (!settings.hasPasses)
       test('curved triangles round a coarse sphere', async (t) => {
         const detail = { tolerance: 0.5, curved: true }
@@ -82,17 +82,17 @@ for (const { name, version, script, settings } of hosts)
         assert.ok(flat.beyond > 30, `${flat.beyond} pixels with flat triangles`)
       })
 
-    test('the shadow follows', async (t) => {
+    test('the shadow of a divided mesh looks like that of a fine one', async (t) => {
       const found = await measure('compare', { name: 'twist', hasShadow: true })
       t.diagnostic(JSON.stringify(found))
       assert.deepEqual(messages, [])
-      // The tolerance is that of the camera; the light sees the surface from the side.
+      // The tolerance holds for the camera; the light sees the surface from the side.
       assert.ok(found.beyond < 60, `${found.beyond} pixels`)
       assert.ok(found.without > 1000, `${found.without} pixels without detail`)
     })
 
-    test('the shadow of a mesh outside of the picture is as fine', async (t) => {
-      for (const [light, most, least] of [
+    test('the shadow of a mesh outside of the picture looks like that of a fine one', async (t) => {
+      for (const [light, maxBeyond, minWithout] of [
         ['sun', 150, 5000],
         ['bulb', 20, 100],
       ]) {
@@ -100,8 +100,8 @@ for (const { name, version, script, settings } of hosts)
         const found = await measure('compare', more)
         t.diagnostic(`${light}: ${JSON.stringify(found)}`)
         assert.deepEqual(messages, [])
-        assert.ok(found.beyond < most, `${found.beyond} pixels`)
-        assert.ok(found.without > least, `${found.without} pixels without detail`)
+        assert.ok(found.beyond < maxBeyond, `${found.beyond} pixels`)
+        assert.ok(found.without > minWithout, `${found.without} pixels without detail`)
       }
     })
 
@@ -127,7 +127,7 @@ for (const { name, version, script, settings } of hosts)
         const found = await measure('rays', more)
         t.diagnostic(JSON.stringify(found))
         assert.deepEqual(messages, [])
-        assert.ok(found.hits > 100 && found.isOf)
+        assert.ok(found.hits > 100 && found.areOnMesh)
         assert.ok(found.beyond <= 2, `${found.beyond} rays`)
         assert.ok(found.without > 30, `${found.without} rays without detail`)
         assert.ok(found.errorOfUv < 1e-3, `${found.errorOfUv}`)
@@ -152,11 +152,11 @@ for (const { name, version, script, settings } of hosts)
       assert.deepEqual([messages, found.holes], [[], 0])
       assert.ok(found.least > 2000, `${found.least} pixels are covered`)
       assert.ok(found.divisions > 50, `${found.divisions} divisions`)
-      // At one pixel, most gaps of a broken edge would be narrower than a pixel. Indices of compute passes cannot be broken from here.
+      // With a tolerance of one pixel, most gaps of a broken edge would be narrower than a pixel. We cannot change indices that compute passes write.
       const broken = settings.hasPasses ? 'mesh' : 'division'
       const holes = await measure('holes', { frames: 40, broken, tolerance: 3 })
       t.diagnostic(`broken: ${JSON.stringify(holes)}`)
-      assert.ok(holes.framesWithHoles > 0, 'a broken edge is not seen')
+      assert.ok(holes.framesWithHoles > 0, 'a broken edge is not noticed')
     })
 
     test('instances and groups look like fine ones', async (t) => {
@@ -169,7 +169,7 @@ for (const { name, version, script, settings } of hosts)
       }
     })
 
-    test('hooks, cameras, geometries and clones may change, and dispose() frees all', async (t) => {
+    test('hooks, cameras, geometries and clones may change, and dispose() frees everything', async (t) => {
       const found = await measure('countOverTime')
       t.diagnostic(JSON.stringify(found))
       assert.deepEqual(messages, [])
@@ -205,15 +205,15 @@ for (const { name, version, script, settings } of hosts)
       ['instances', /an InstancedBufferGeometry is not divided/],
       ['morphs', /bones or morph targets move the warped surface in the space 'rest'/, 'rest'],
     ])
-      test(`${kind} keep their vertices, with one message`, async () => {
-        const { own, found } = await measure('countKept', { kind, space })
+      test(`${kind} are not divided, with one warning`, async () => {
+        const { own, found } = await measure('countUndivided', { kind, space })
         assert.equal(found, own)
         assert.equal(messages.length, 1, messages.join('\n'))
         assert.match(messages[0], /although the option detail asks for more: /)
         assert.match(messages[0], message)
       })
 
-    test('a group gets one message per reason', async () => {
+    test('a group gets one warning per reason', async () => {
       await measure('warnOfGroup', { kinds: ['points', 'lines', 'batch'] })
       assert.equal(messages.length, 2, messages.join('\n'))
       assert.match(messages[0], /points and lines are not divided/)
@@ -221,11 +221,11 @@ for (const { name, version, script, settings } of hosts)
     })
 
     if (!settings.backend)
-      test('a larger canvas gets more triangles, beside a second renderer', async (t) => {
+      test('a mesh has more triangles on a larger canvas, while a second renderer draws, too', async (t) => {
         const counts = await page.evaluate(() => detail.countOnCanvases([128, 512, 128]))
         t.diagnostic(JSON.stringify(counts))
-        const [[small, other], [large]] = counts
+        const [[small, onSecond], [large]] = counts
         assert.ok(large > 1.5 * small, `${large} and ${small}`)
-        assert.ok(other > 12)
+        assert.ok(onSecond > 12)
       })
   })

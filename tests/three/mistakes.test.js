@@ -110,7 +110,7 @@ describe('warp throws a message, and changes nothing, for', () => {
           new THREE.ShaderMaterial({ vertexShader: 'void main() { gl_Position = vec4( 1.0 ); }' }),
           still,
         ),
-      /^warpMaterial: the ShaderMaterial cannot be warped: its vertex shader neither reads the attribute position/,
+      /^warpMaterial: the ShaderMaterial cannot be warped: its vertex shader neither reads the attribute "position"/,
     ],
     'a node material of WebGPURenderer': [
       () =>

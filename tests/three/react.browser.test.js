@@ -72,7 +72,7 @@ const Late = () => {
 pages.suspended = ({ amount = 0 }) =>
   e(Suspense, { fallback: null }, e(Warp, { offset: offsets.right, uniforms: { amount } }, ball(), e(Late)))
 
-/** Renders a page → the centre of the bright pixels, from -1 to 1, and their number. */
+/** Renders a page. Returns the centre of the bright pixels, from -1 to 1, and their number. */
 window.show = async (name, props = {}) => {
   await act(async () => root.render(e(StrictMode, null, e(Spy), name && e(pages[name], props))))
   const { advance } = await import('@react-three/fiber')

@@ -8,7 +8,7 @@ before(async () => (pages = await threePages()))
 after(() => pages.close())
 
 /**
- * Opens a page that counts wasm modules, and queues idle callbacks → what `code` passes to `note()`. `code` runs after the import, and may
+ * Opens a page that counts wasm modules, and queues idle callbacks. Returns what `code` passes to `note()`. `code` runs after the import, and may
  * call `draw()` and `idle()`.
  */
 async function run(code) {

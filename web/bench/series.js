@@ -4,7 +4,7 @@ import { methodNames } from './method-notes.js'
 
 const number = (text) => Number(text.replaceAll(',', ''))
 
-/** Parses the name of a row such as '14,000 × 150' → { vertices, nodes }; undefined for other rows. */
+/** Parses the name of a row such as '14,000 × 150'. Returns { vertices, nodes }; undefined for other rows. */
 function gridOf(row) {
   const [, vertices, nodes] = /^([\d,]+) × ([\d,]+)$/.exec(row) ?? []
   return vertices && { vertices: number(vertices), nodes: number(nodes) }

@@ -1,4 +1,4 @@
-/** Builds a sphere as a grid of longitudes and latitudes with about `vertices` vertices → { positions, normals, indices }. */
+/** Builds a sphere as a grid of longitudes and latitudes with about `vertices` vertices. Returns { positions, normals, indices }. */
 export function sphere(vertices, radius) {
   const rows = Math.round(Math.sqrt(vertices))
   const columns = Math.round(vertices / rows)

@@ -33,13 +33,13 @@ function mapTriples(array, change) {
 const turnUpright = ([x, y, z]) => [x, -y, -z]
 
 /**
- * @param made the { warps } that the stage's sketch has made
- * @param frame evaluates the warps and returns their shapes
- * @param uniforms maps a name to the value of clock, mouse and canvas
+ * @param recorded what the sketch in the iframe has created: { warps }
+ * @param sketchFrame the iframe with the sketch: evaluates the warps, and returns the shapes that they warp
+ * @param uniforms maps the names of inputs (of the clock, the mouse and the canvas) to their current values
  * @returns the file's bytes
  */
-export async function glbOf(made, frame, uniforms) {
-  const warps = made.warps
+export async function glbOf(recorded, sketchFrame, uniforms) {
+  const warps = recorded.warps
     .map((warp, index) => ({ ...warp, index }))
     .filter(({ hasShapes }) => hasShapes)
   if (warps.length > 1)
@@ -47,7 +47,7 @@ export async function glbOf(made, frame, uniforms) {
       `Expected one warp, got ${warps.length}: remove the others, so that it is clear which shape to save.`,
     )
   const [warp] = warps
-  const shapes = warp ? await frame.shapesOf(warp.index) : []
+  const shapes = warp ? await sketchFrame.shapesOf(warp.index) : []
   if (!shapes.length)
     throw new Error(
       'There is no shape to save: draw one with a warp of createWarp, or warp a mesh of three.js.',
@@ -57,7 +57,7 @@ export async function glbOf(made, frame, uniforms) {
   const inputNames = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
   const values = Object.fromEntries(inputNames.map((name) => [name, uniforms[name]]))
   const { exportGLB } = await import('../../dist/mesh.js')
-  const evaluate = (mesh) => frame.evaluate(warp.index, mesh, { uniforms: values })
+  const evaluate = (mesh) => sketchFrame.evaluate(warp.index, mesh, { uniforms: values })
   return exportGLB(
     merge(await Promise.all(shapes.map((shape) => warpShape(warp.space, shape, evaluate)))),
   )

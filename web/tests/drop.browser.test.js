@@ -265,7 +265,7 @@ describe('the page for your own model', () => {
     assert.equal(await text(page, '.warnings'), '')
   })
 
-  test('shows the picture of a material', async () => {
+  test('shows the base-color texture of a material', async () => {
     const colors = [
       [20, 200, 30],
       [255, 255, 255],
@@ -338,7 +338,7 @@ test('fits a phone, on which a finger rotates the model', async () => {
   assert.deepEqual(messages, [])
 })
 
-test('works as built, and the gallery links to it', async () => {
+test('the built page works, and the gallery links to it', async () => {
   const built = await serveSite(5320)
   try {
     const context = await browser.newContext(paused)

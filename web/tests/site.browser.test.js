@@ -35,8 +35,9 @@ after(async () => {
 })
 
 /**
- * Returns the violations of axe's default and optional rules. Left out are the rule for contrast beyond WCAG's level AA, and a rule that
- * forbids focus on scrolling tables, where another rule requires it.
+ * Returns the violations of axe's default and optional rules. Not enabled are `color-contrast-enhanced`, which requires more contrast
+ * than WCAG's level AA, and `focus-order-semantics`, which forbids focus on scrolling tables, although another rule
+ * requires it.
  */
 const findViolations = (page) =>
   page.evaluate(async () => {
@@ -316,7 +317,7 @@ test('a slider changes the sketch, and the picture follows', async () => {
   await context.close()
 })
 
-test('a slider of the docs shows more of one of two pictures, by mouse and by keyboard', async () => {
+test('the slider in the docs moves the border between two pictures, by mouse and by keyboard', async () => {
   const context = await browser.newContext({ ...desktop })
   await context.addInitScript(withoutWorker)
   const { page, messages } = await openPage(context, `${url}docs/normals.html`)

@@ -14,7 +14,7 @@ const oldP5 = {
     }),
 }
 
-/** Starts the server → { url, close() }. */
+/** Starts the server. Returns { url, close() }. */
 export async function serveBench() {
   const server = await createServer({
     configFile: path('web/vite.config.js'),

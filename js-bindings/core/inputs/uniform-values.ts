@@ -38,7 +38,9 @@ export function numbersFor(
     test: finiteDouble,
     layout: columns > 1 ? ', column by column,' : '',
     given: value,
-    advice: isReturned ? 'its function must always return what it returned at first' : undefined,
+    advice: isReturned
+      ? 'its function must always return a value of the same type as at first'
+      : undefined,
   })
   if (wholeShapes.has(shape)) checkWhole(place, numbers)
   return numbers

@@ -94,7 +94,7 @@ export interface ComponentMethods<Self> extends AnyMethods<Self> {
   degrees(): Self
 }
 
-/** Of numbers. A vector beside a number gives a vector. */
+/** Of numbers. A vector and a number give a vector. */
 export interface ScalarMethods extends ComponentMethods<Scalar> {
   /** The sum of two or more. */
   add(...operands: Operand[]): Scalar
@@ -340,7 +340,7 @@ export interface ScalarMethods extends ComponentMethods<Scalar> {
   vecIfElse<Value extends Expression>(yes: Value | Operand, no: Value | Operand): Value
 }
 
-/** Of vectors. A number beside a vector counts for each component. */
+/** Of vectors. A number is used for each component. */
 export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self> {
   /** The sum of two or more. */
   add(...others: (Self | Operand)[]): Self

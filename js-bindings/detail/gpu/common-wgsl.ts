@@ -16,7 +16,7 @@ export const parameterNames = [
 
 export type Counts = Record<(typeof parameterNames)[number], number>
 
-/** The names and the tolerance, rounded up to 16 bytes. */
+/** The size of `Parameters`: these members and the tolerance, rounded up to 16 bytes. */
 export const parametersBytes = 16 * Math.ceil((parameterNames.length + 1) / 4)
 
 export const parameters = `struct Parameters {
@@ -25,7 +25,7 @@ export const parameters = `struct Parameters {
 }
 @group(0) @binding(0) var<uniform> parameters: Parameters;`
 
-/** The numbers of `Criterion` in src/detail/criterion.hpp, in the order of the binding `criterionNumbers`. */
+/** The names of the members of `Criterion` in src/detail/criterion.hpp, in the order of the binding `criterionNumbers`. */
 const criterionNames = [
   'margin',
   'nearest',
@@ -39,7 +39,7 @@ const criterionNames = [
   'lowest',
 ]
 
-/** Declares the constants that the C++ of detail decides by. */
+/** Declares the constants by which src/detail chooses numbers of pieces. */
 export function constantsOf(bound: DetailModule): string {
   const numbers = bound.criterionNumbers()
   const counts = [...bound.pieceNumbers()]
@@ -69,7 +69,7 @@ export const state = `struct State {
   triangles: u32,
 }`
 
-/** Finds the sum before an item: the sides of the base are items, then its triangles. */
+/** Finds the sum of the counts before an item. Items are the sides of the base, followed by its triangles. */
 export const startOf = `fn startOf(item: u32) -> vec2u {
   return sums[item] + sums[parameters.sides + parameters.triangles + item / ${blockSize}u];
 }`

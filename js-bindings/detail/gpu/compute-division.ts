@@ -15,27 +15,27 @@ import { DividedBuffers, type Room } from './divided-buffers.js'
 import type { PassName, Passes } from './passes.js'
 import { mapRead, usage, type GpuBuffer, type GpuDevice, type GpuEncoder } from './webgpu.js'
 
-/** The numbers of a view in `DetailViews`, and those in the struct `View`, which is padded. */
+/** The count of numbers of a view in `DetailViews`, and in the struct `View`, which is padded. */
 const [viewSize, paddedViewSize] = [19, 20]
 
 export class ComputeDivision {
-  /** Changes when the buffers of `divided` do. */
+  /** Changes when the buffers of `divided` are replaced. */
   version = 0
   /** `true` if the mesh needs more memory than a buffer can have. */
   isTooLarge = false
-  private readonly groups: Readonly<Record<PassName, number>>
+  private readonly groupCounts: Readonly<Record<PassName, number>>
   private readonly parameters: GpuBuffer
   private readonly inputs: GpuBuffer
-  private readonly reading: GpuBuffer
+  private readonly countsToRead: GpuBuffer
   private views = { array: new Float32Array(), buffer: undefined as GpuBuffer | undefined }
   private bindings: Readonly<Record<PassName, object>> | undefined
   /** The numbers that the last run depended on. */
-  private last: readonly number[] = []
+  private lastInputs: readonly number[] = []
   private isReading = false
-  /** `true` if the counts of the last run were not read, since those of another run were. */
+  /** `true` if the counts of the last run were not read, since those of an earlier run were still being read. */
   private isUnread = false
-  /** The counts for which the last run had too little room. */
-  private missing: Room | undefined
+  /** The room that the last run needed but did not have. */
+  private neededRoom: Room | undefined
 
   private constructor(
     private readonly device: GpuDevice,
@@ -46,7 +46,7 @@ export class ComputeDivision {
   ) {
     const { samples, triangles, edges, sides } = counts
     const items = sides + triangles
-    this.groups = {
+    this.groupCounts = {
       evaluate: Math.ceil(samples / groupSize),
       measure: Math.ceil(triangles / groupSize),
       choose: Math.ceil(edges / groupSize),
@@ -57,7 +57,7 @@ export class ComputeDivision {
     this.parameters = this.make('parameters', parametersBytes, usage.uniform | usage.copyTo)
     const { byteLength } = passes.numbers.array
     this.inputs = this.make('inputs', byteLength, usage.uniform | usage.copyTo)
-    this.reading = this.make('counts', base.state.size, usage.mapRead | usage.copyTo)
+    this.countsToRead = this.make('counts', base.state.size, usage.mapRead | usage.copyTo)
   }
 
   /** Returns `undefined` if the mesh is too large, empty or curved. */
@@ -80,10 +80,11 @@ export class ComputeDivision {
       },
       ...{ views: 0, instances: 1, maxVertices: 0, maxTriangles: 0 },
     }
-    const made = new ComputeDivision(device, passes, counts, base, divided)
+    const division = new ComputeDivision(device, passes, counts, base, divided)
     const { maxComputeWorkgroupsPerDimension } = device.limits
-    if (Math.max(...Object.values(made.groups)) <= maxComputeWorkgroupsPerDimension) return made
-    made.destroy()
+    if (Math.max(...Object.values(division.groupCounts)) <= maxComputeWorkgroupsPerDimension)
+      return division
+    division.destroy()
     return undefined
   }
 
@@ -95,24 +96,24 @@ export class ComputeDivision {
     tolerance: number,
     instances: number,
   ) {
-    const { missing } = this
+    const { neededRoom } = this
     const now = [tolerance, instances, state.length, ...state, ...views]
     const mustRead = this.isUnread && !this.isReading
-    if (!missing && !mustRead && areEqual(now, this.last)) return
-    this.last = now
+    if (!neededRoom && !mustRead && areEqual(now, this.lastInputs)) return
+    this.lastInputs = now
     const encoder = this.device.createCommandEncoder({ label: 'warpjet detail' })
-    if (missing) this.grow(missing, encoder)
+    if (neededRoom) this.grow(neededRoom, encoder)
     this.writeInputs(given, views, tolerance, instances)
     const bindings = (this.bindings ??= this.bind())
     const pass = encoder.beginComputePass({ label: 'warpjet detail' })
     for (const [name, pipeline] of Object.entries(this.passes.pipelines)) {
       pass.setPipeline(pipeline)
       pass.setBindGroup(0, bindings[name as PassName])
-      pass.dispatchWorkgroups(this.groups[name as PassName])
+      pass.dispatchWorkgroups(this.groupCounts[name as PassName])
     }
     pass.end()
     if (!this.isReading)
-      encoder.copyBufferToBuffer(this.base.state, 0, this.reading, 0, this.reading.size)
+      encoder.copyBufferToBuffer(this.base.state, 0, this.countsToRead, 0, this.countsToRead.size)
     this.device.queue.submit([encoder.finish()])
     this.divided.destroyOutgrown()
     this.isUnread = this.isReading
@@ -122,7 +123,7 @@ export class ComputeDivision {
   destroy() {
     destroyAll(this.base)
     this.divided.destroy()
-    for (const buffer of [this.parameters, this.inputs, this.reading, this.views.buffer])
+    for (const buffer of [this.parameters, this.inputs, this.countsToRead, this.views.buffer])
       buffer?.destroy()
   }
 
@@ -155,22 +156,22 @@ export class ComputeDivision {
     this.bindings = undefined
   }
 
-  private grow(missing: Room, encoder: GpuEncoder) {
-    this.missing = undefined
-    this.isTooLarge = !this.divided.grow(missing, encoder)
+  private grow(room: Room, encoder: GpuEncoder) {
+    this.neededRoom = undefined
+    this.isTooLarge = !this.divided.grow(room, encoder)
     if (this.isTooLarge) return
     this.bindings = undefined
     this.version++
   }
 
-  /** Sets `missing` if the last run needed more room than there is. */
+  /** Sets `neededRoom` if the last run needed more room than there is. */
   private async readCounts() {
     this.isReading = true
     try {
-      await this.reading.mapAsync(mapRead)
-      const [isStale, , vertices, triangles] = new Uint32Array(this.reading.getMappedRange())
-      this.reading.unmap()
-      if (isStale) this.missing = { vertices: vertices!, triangles: triangles! }
+      await this.countsToRead.mapAsync(mapRead)
+      const [isStale, , vertices, triangles] = new Uint32Array(this.countsToRead.getMappedRange())
+      this.countsToRead.unmap()
+      if (isStale) this.neededRoom = { vertices: vertices!, triangles: triangles! }
     } catch {
       // The buffer or the device is gone.
     }

@@ -1,4 +1,5 @@
-// Decides in each frame whether compute passes divide a mesh or the CPU has to: until the passes are compiled, and wherever they cannot do it.
+// Decides in each frame whether compute passes divide a mesh, or the CPU has to: it does until the passes are compiled, and wherever they
+// cannot do it.
 import type { HostWarp } from '../../compile/host-warp.js'
 import type { DrawValues } from '../../compile/offset-warp.js'
 import type { DetailViews, DetailedMesh, ToSpace } from '../detailed-mesh.js'
@@ -7,7 +8,7 @@ import { CutWatch } from './cut-watch.js'
 import type { Passes } from './passes.js'
 import type { GpuDevice } from './webgpu.js'
 
-/** A mesh in a frame: see `DetailedMesh.update`. */
+/** The values on which a mesh depends in a frame: see `DetailedMesh.update`. */
 export interface ComputedFrame {
   readonly given: DrawValues
   readonly views: DetailViews
@@ -27,7 +28,7 @@ interface Current {
 export class ComputedDetail {
   /** Present from the first call of `takeOver` on. */
   private compiling: Promise<Passes> | undefined
-  /** `undefined` until they are compiled, and if they cannot divide this mesh. */
+  /** `undefined` until the passes are compiled, and if they cannot divide this mesh. */
   private passes: Passes | undefined
   private current: Current | undefined
 
@@ -78,13 +79,13 @@ export class ComputedDetail {
     this.current = { division, baseVersion: mesh.baseVersion, watch }
   }
 
-  /** Frees its buffers. */
+  /** Frees the buffers of the division. */
   release() {
     this.current?.division.destroy()
     this.current = undefined
   }
 
-  /** A failure leaves everything to the CPU. */
+  /** Compiles the passes. If that fails, the CPU divides the mesh in all frames. */
   private async start() {
     try {
       this.passes = await (this.compiling = this.compile())

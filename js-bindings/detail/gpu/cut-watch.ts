@@ -1,24 +1,24 @@
-// Watches whether a mesh that compute passes divide must be cut anew, on the CPU, by a few of its sides in each frame.
+// Watches whether a mesh that compute passes divide must be cut anew: tests a few of its sides in each frame, on the CPU.
 import type { SurfacePhases } from '../../compile/host-warp.js'
 import type { DrawValues } from '../../compile/offset-warp.js'
 import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
 import { areEqual } from '../arrays.js'
 import type { DetailParts, ToSpace } from '../detailed-mesh.js'
 
-/** About half a millisecond of an expensive noise. */
+/** An expensive noise takes about half a millisecond for 256 sides. */
 const sidesPerFrame = 256
 
-/** The ends of a side and the samples between them. */
+/** The two ends of a side, and the three samples between them. */
 const samplesPerSide = 5
 
-/** Sides that are longer, in steps of a phase, are cut, as in `Detail::cut`. */
+/** Sides that are longer than this, in steps of a phase, are cut, as in `Detail::cut`. */
 const maxLength = 1.1
 
 export class CutWatch {
-  /** The slice of the sides that is next. */
+  /** The index of the slice of the sides that was tested last. */
   private slice = 0
-  /** The slices that have not been tested for the present surface. */
-  private left = 0
+  /** The number of slices that have not been tested for the present surface. */
+  private untested = 0
   private readonly slices: number
   private readonly samples: Vertices
   private readonly inSpace: Float32Array
@@ -42,14 +42,14 @@ export class CutWatch {
     this.phases = new Float32Array((surface?.size ?? 0) * count)
   }
 
-  /** Tests whether some sides are too long now. `state` are the numbers that the warped samples depend on. */
+  /** Tests whether any side of the next slice is too long. `state` are the numbers that the warped samples depend on. */
   isCoarse(given: DrawValues, state: readonly number[], toSpace: ToSpace | undefined): boolean {
     const { surface, samples, phases, inSpace } = this
     if (!surface) return false
-    if (!areEqual(state, this.state)) this.left = this.slices
+    if (!areEqual(state, this.state)) this.untested = this.slices
     this.state = state
-    if (this.left === 0) return false
-    this.left--
+    if (this.untested === 0) return false
+    this.untested--
     this.slice = (this.slice + 1) % this.slices
     const count = this.gather()
     const placed = toSpace ? toSpace(samples, inSpace) : samples

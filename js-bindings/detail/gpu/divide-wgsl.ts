@@ -1,4 +1,4 @@
-// The passes that write the divided mesh for the pieces of the edges, in the order of src/detail/division.cpp.
+// The passes that choose the pieces of the edges and write the divided mesh, in the order of src/detail/division.cpp.
 import { blockSize, groupSize, lanes, parameters, startOf, state } from './common-wgsl.js'
 import type { VertexLayout } from './vertex-layout.js'
 
@@ -60,7 +60,7 @@ ${sumOfBlock}
   if (local == ${blockSize - 1}) { sums[items + block.x] = sum; }
 }`
 
-/** Sums up the blocks, and decides whether the mesh is written. It is not if there is too little room; the mesh of the frame before stays. */
+/** Sums up the blocks, and decides whether the mesh is written. If there is too little room, the mesh of the frame before stays. */
 export const totalPass = () => `${parameters}
 ${plainState}
 @group(0) @binding(1) var<storage, read_write> sums: array<vec2u>;
@@ -129,7 +129,7 @@ var<private> sidesOf: vec3u;
 var<private> counts: vec3u;
 var<private> firsts: vec3u;
 
-/** The vertex of a point of the tessellation: see \`Tessellation\`. */
+/** Returns the vertex of a point of the tessellation: see \`Tessellation\`. */
 fn vertexOf(point: u32, inner: u32) -> u32 {
   var k = point;
   for (var i = 0; i < 3; i++) {
@@ -180,7 +180,7 @@ const levelOf = `fn levelOf(side: u32) -> u32 {
   return pieces[topology[6 * parameters.triangles + 3 * side + 2]];
 }
 
-/** The place of a triangle's tessellation in the table. */
+/** Returns the index of a triangle's tessellation in the table. */
 fn tessellationOf(triangle: u32) -> u32 {
   let at = 6 * triangle + 3;
   let first = levelOf(topology[at] >> 1);
@@ -202,16 +202,16 @@ fn sumUp(local: u32, count: vec2u) -> vec2u {
   return sumsOfBlock[local];
 }`
 
-/** Writes a vertex between others. */
+/** Declares a function that writes a weighted sum of vertices of the base. */
 function blendOf(layout: VertexLayout) {
   const parts = layout.attributes.map(({ size, isUnit }, attribute) => {
     const at = layout.before[attribute]!
     const start = layout.isPlanar ? `${at}u * parameters.maxVertices` : `${at}u`
     const place = `${start} + ${layout.stepOf(attribute)}u * vertex`
     const numbers = Array.from({ length: size }, (_, i) => {
-      const of = (corner: string) =>
+      const weigh = (corner: string) =>
         `weights.${corner} * base[${at}u * parameters.vertices + ${size}u * ends.${corner} + ${i}u]`
-      return `var number${at + i} = ${['x', 'y', 'z'].map(of).join(' + ')};`
+      return `var number${at + i} = ${['x', 'y', 'z'].map(weigh).join(' + ')};`
     })
     const names = Array.from({ length: size }, (_, i) => `number${at + i}`)
     const squares = names.map((name) => `${name} * ${name}`).join(' + ')

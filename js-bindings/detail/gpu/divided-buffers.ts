@@ -1,4 +1,4 @@
-// The buffers that compute passes write and an indirect call draws: the divided mesh.
+// The buffers of a divided mesh, which compute passes write and an indirect call draws.
 import type { DetailedMesh } from '../detailed-mesh.js'
 import type { VertexLayout } from './vertex-layout.js'
 import { usage, type GpuBuffer, type GpuDevice, type GpuEncoder } from './webgpu.js'
@@ -8,8 +8,8 @@ export interface Room {
   readonly triangles: number
 }
 
-/** Room for twice as much as a mesh has now, so that it grows rarely. */
-const spare = 2
+/** Buffers have room for twice as much as the mesh needs, so that they grow rarely. */
+const growth = 2
 
 export class DividedBuffers {
   room: Room = { vertices: 0, triangles: 0 }
@@ -42,12 +42,12 @@ export class DividedBuffers {
     return buffers
   }
 
-  /** Makes room for more. With an encoder, the present mesh is copied. Returns `false` if a buffer would be too large. */
+  /** Replaces the buffers by larger ones. With an encoder, copies the present mesh. Returns `false` if a buffer would be too large. */
   grow({ vertices, triangles }: Room, encoder?: GpuEncoder): boolean {
     const { maxStorageBufferBindingSize, maxBufferSize } = this.device.limits
     const room = {
-      vertices: Math.max(spare * vertices, this.room.vertices),
-      triangles: Math.max(spare * triangles, this.room.triangles),
+      vertices: Math.max(growth * vertices, this.room.vertices),
+      triangles: Math.max(growth * triangles, this.room.triangles),
     }
     const bytes = [4 * this.layout.stride * room.vertices, 12 * room.triangles] as const
     if (Math.max(...bytes) > Math.min(maxStorageBufferBindingSize, maxBufferSize)) return false
@@ -87,7 +87,7 @@ export class DividedBuffers {
     return this.device.createBuffer({ label: `warpjet detail: ${name}`, size, usage: flags })
   }
 
-  /** Returns the numbers of a mesh as the buffer of vertices has them. */
+  /** Returns the values of all attributes of a mesh in the layout of the buffer of vertices. */
   private arrange(mesh: DetailedMesh) {
     const { layout, room } = this
     const array = new Float32Array(layout.stride * room.vertices)

@@ -1,8 +1,9 @@
-// The passes that warp the samples of the base and measure into how many pieces its edges must be divided. They follow src/detail/need.cpp, which explains the formulas.
+// The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/need.cpp explains the
+// formulas.
 import { groupSize, parameters } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
-/** An input of the warp in the buffer of samples, in which the numbers of each input follow each other. */
+/** An input of the warp in the buffer of samples, which contains one array per input. */
 export interface SampleInput {
   readonly input: keyof typeof sampleNames
   readonly size: number
@@ -76,10 +77,10 @@ const toWorld = (hasNormal: boolean, isUnit: boolean) =>
       : ''
   }`
 
-/** The samples of a triangle, by row. */
+/** Returns the index of a sample of a triangle: see src/detail/samples.hpp. */
 const sampleAt = (row: number, i: number) => (row * (row + 1)) / 2 + i
 
-/** Six numbers of samples for each cell: its corners, and the middles of its sides. */
+/** Six indices of samples for each cell: its corners, and the middles of its sides. */
 const cells = [0, 1, 2].flatMap((row) =>
   Array.from({ length: row + 1 }, (_, i) => [
     ...[sampleAt(row, i), sampleAt(row + 2, i), sampleAt(row + 2, i + 2)],
@@ -166,12 +167,12 @@ fn nearestOf(clips: ptr<function, Clips>) -> vec4f {
   return vec4f(clamp(found.xy, vec2f(-limit), vec2f(limit)), found.zw);
 }
 
-/** The Jacobian of the place on the screen, in pixels. */
-fn jacobianOf(view: View, near: vec4f) -> mat3x2f {
+/** Returns the Jacobian of the position on the screen, in pixels. */
+fn jacobianOf(view: View, nearestClip: vec4f) -> mat3x2f {
   var jacobian: mat3x2f;
   for (var k = 0; k < 3; k++) {
     let change = view.clip[k];
-    jacobian[k] = view.halfSize * (change.xy - near.xy * (change.w / near.w)) / near.w;
+    jacobian[k] = view.halfSize * (change.xy - nearestClip.xy * (change.w / nearestClip.w)) / nearestClip.w;
   }
   return jacobian;
 }

@@ -25,12 +25,12 @@ export interface Passes {
   readonly inputs: readonly SampleInput[]
   readonly layout: VertexLayout
   readonly table: GpuBuffer
-  /** The counts of pieces, by level. */
+  /** Maps a level → its number of pieces. */
   readonly pieceCounts: readonly number[]
 }
 
 export interface PassOptions {
-  /** Missing if the offset is in the space of the mesh. */
+  /** Absent if the offset is in the space of the mesh. */
   readonly world?: World | undefined
   /** `true` if each attribute of the divided mesh is an array of its own. Default: `false` */
   readonly isPlanar?: boolean
@@ -44,7 +44,7 @@ interface DeviceCache {
 
 const caches = new WeakMap<GpuDevice, DeviceCache>()
 
-/** Compiles the passes. Rejects if the limits of the device are too low, or if the warp reads what only shaders have. */
+/** Compiles the passes. Rejects if the limits of the device are too low, or if the warp reads an input that samples lack. */
 export async function compilePasses(
   device: GpuDevice,
   warp: HostWarp,
@@ -55,7 +55,7 @@ export async function compilePasses(
   if (maxStorageBuffersPerShaderStage < 8 || maxComputeInvocationsPerWorkgroup < blockSize)
     throw new Error('the limits of the device are too low')
   const text = warpInWgsl(warp)
-  if (!text) throw new Error('the warp reads what only shaders have')
+  if (!text) throw new Error('the warp reads an input that samples lack')
   let shared = caches.get(device)
   if (!shared) caches.set(device, (shared = { pipelines: new Map() }))
   const bound = details.get()

@@ -1,31 +1,31 @@
-// The tessellations of triangles for compute passes, made once per page while it is idle.
+// The tessellations of triangles for compute passes, table once per page while it is idle.
 import { details } from '../../wasm/detail.js'
 
-let made: Promise<Uint32Array<ArrayBuffer>> | undefined
+let table: Promise<Uint32Array<ArrayBuffer>> | undefined
 
 /** Returns the words of src/detail/tessellation_table.hpp: about 0.7 MB, which take more than half a second in total. */
 export const tessellationTable = (): Promise<Uint32Array<ArrayBuffer>> =>
-  (made ??= makeTable().catch((error) => {
-    made = undefined
+  (table ??= makeTable().catch((error) => {
+    table = undefined
     throw error
   }))
 
-/** In milliseconds. One tessellation can take longer. */
+/** The time for which the page is blocked at once, in milliseconds. A single tessellation can take longer. */
 const sliceLength = 4
 
 async function makeTable() {
   const bound = details.get()
-  const table = new bound.TessellationTable()
+  const builder = new bound.TessellationTable()
   try {
     for (let isDone = false; !isDone;) {
       await waitUntilIdle()
       if (bound.isBroken) throw new Error('the wasm module failed')
       const end = performance.now() + sliceLength
-      while (!isDone && performance.now() < end) isDone = !table.makeNext()
+      while (!isDone && performance.now() < end) isDone = !builder.makeNext()
     }
-    return table.words().slice()
+    return builder.words().slice()
   } finally {
-    if (!bound.isBroken) table.delete()
+    if (!bound.isBroken) builder.delete()
   }
 }
 

@@ -13,7 +13,7 @@ export class VertexLayout {
   readonly before: readonly number[]
 
   constructor(
-    /** The first one is positions. */
+    /** The first one has the positions. */
     readonly attributes: readonly VertexAttribute[],
     /** `true` if each attribute is an array of its own; `false` if all numbers of a vertex follow each other. */
     readonly isPlanar: boolean,
@@ -23,12 +23,12 @@ export class VertexLayout {
     this.stride = stride
   }
 
-  /** The place of an attribute's first number in a buffer with room for `vertices`. */
+  /** Returns the index of an attribute's first number in a buffer with room for `vertices`. */
   startOf(attribute: number, vertices: number): number {
     return this.before[attribute]! * (this.isPlanar ? vertices : 1)
   }
 
-  /** The distance between an attribute's numbers of two vertices. */
+  /** Returns the distance between an attribute's first numbers of two adjacent vertices. */
   stepOf(attribute: number): number {
     return this.isPlanar ? this.attributes[attribute]!.size : this.stride
   }

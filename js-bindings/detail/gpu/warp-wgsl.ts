@@ -11,10 +11,10 @@ export interface NamedNumbers {
   readonly read: (given: DrawValues) => readonly number[]
 }
 
-/** Numbers in an array of vec4f, which shader code calls `warpjetInputs`. */
+/** Packs numbers into an array of vec4f, which shader code calls `warpjetInputs`. */
 export class PackedNumbers {
   readonly array: Float32Array<ArrayBuffer>
-  /** Statements that declare the names. */
+  /** Statements that declare a variable for each name. */
   readonly code: string
 
   constructor(private readonly all: readonly NamedNumbers[]) {

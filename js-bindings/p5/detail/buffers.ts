@@ -4,13 +4,13 @@ import { usage, type GpuBuffer, type GpuDevice } from '../../detail/gpu/webgpu.j
 import type { Renderer } from '../host.js'
 import { drawnIndices, type ShapeBase } from './shape.js'
 
-/** The buffers that p5 keeps for a shape, by their name `dst`, and those of indices. */
+/** The buffers that p5 keeps for a shape: those of attributes by their name `dst`, and that of indices. */
 export type ShapeBuffers = Record<string, unknown>
 
 /** Returns the GPUDevice of a WEBGPU canvas. */
 export const deviceOf = ({ device }: Renderer) => device as unknown as GpuDevice | undefined
 
-/** Writes arrays into buffers, which it makes if they are missing or too small. */
+/** Writes arrays into buffers. Makes buffers that are missing or too small. */
 interface Writer {
   attribute(buffers: ShapeBuffers, name: string, values: Float32Array): void
   indices(buffers: ShapeBuffers, values: Uint32Array): void
@@ -23,10 +23,10 @@ export function upload(
   mesh: DetailedMesh,
   buffers: ShapeBuffers,
 ) {
-  const { positionBuffer, buffers: of } = base
+  const { positionBuffer, buffers: attributeBuffers } = base
   const writer = writerOf(renderer)
   writer.attribute(buffers, positionBuffer, mesh.values(-1))
-  of.forEach(({ dst }, i) => writer.attribute(buffers, dst, mesh.values(i)))
+  attributeBuffers.forEach(({ dst }, i) => writer.attribute(buffers, dst, mesh.values(i)))
   writer.indices(buffers, drawnIndices(base, mesh))
 }
 
@@ -66,7 +66,7 @@ function writerOfGpu(device: GpuDevice): Writer {
     if (!buffer || buffer.size < byteLength) {
       // The draws of earlier frames are submitted, and a buffer is written once per frame.
       buffer?.destroy()
-      // Grows by half more than it must, so that it grows rarely.
+      // Makes the buffer half larger than necessary, so that it grows rarely.
       const size = 4 * Math.ceil((1.5 * byteLength) / 4)
       const label = `warpjet detail: ${name}`
       buffers[name] = buffer = device.createBuffer({ label, size, usage: kind | usage.copyTo })
@@ -97,7 +97,7 @@ export function submitEarlierFrames(renderer: Renderer, frame: number) {
   lastFrames.set(renderer, frame)
 }
 
-/** Destroys buffers of WEBGPU, whose draws must be submitted. */
+/** Destroys buffers of WEBGPU. The draws that read them must have been submitted. */
 export function destroyOnGpu(buffers: ShapeBuffers) {
   for (const [name, buffer] of Object.entries(buffers)) {
     if (name === 'geometry' || !(buffer as Partial<GpuBuffer>).destroy) continue

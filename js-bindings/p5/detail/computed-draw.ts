@@ -1,6 +1,6 @@
 /**
  * Shapes on WEBGPU that compute passes divide: each draw of a shape in a frame has a mesh of its own, whose buffers an indirect call
- * draws. The CPU divides it until the passes are compiled, and wherever they cannot do it.
+ * draws. The CPU divides the shape until the passes are compiled, and wherever they cannot do it.
  */
 import { lazily, type HostWarp } from '../../compile/hosts.js'
 import type { DetailedMesh } from '../../detail/detailed-mesh.js'
@@ -15,9 +15,9 @@ import { canDrawIndirectly, type BufferPart } from './indirect.js'
 import type { ShapeBase } from './shape.js'
 import { normalMatrixOf } from './views.js'
 
-/** The passes for all draws of a shape with a shader, which differ in their matrices. */
+/** The passes for all draws of a shape with a shader. The draws differ in their matrices. */
 export class ShapePasses {
-  /** The matrix that brings the present draw into the space of the offset; empty if it is that of the shape. */
+  /** The matrix of the present draw that transforms the shape into the space of the offset; empty if that is the space of the shape. */
   place: readonly number[] = []
   private readonly compile
 
@@ -39,7 +39,7 @@ export class ShapePasses {
     })
   }
 
-  /** Returns `undefined` if the CPU has to divide the shape. Passes would draw the triangles of lines, which follow a group. */
+  /** Returns `undefined` if the CPU has to divide the shape, such as one with groups: passes would also draw the triangles that stand for lines. */
   static of(renderer: Renderer, warp: HostWarp, base: ShapeBase): ShapePasses | undefined {
     const isPossible = deviceOf(renderer) && canDrawIndirectly(renderer) && !base.groups
     return isPossible ? new ShapePasses(renderer, warp, base) : undefined
@@ -55,10 +55,10 @@ export class ShapePasses {
   }
 }
 
-/** A shape for an indirect call. */
+/** A shape that an indirect call draws. */
 export interface IndirectShape {
   readonly buffers: ShapeBuffers
-  /** The numbers of the call. */
+  /** The arguments of the call. */
   readonly drawn: GpuBuffer
 }
 
@@ -73,7 +73,7 @@ export class ComputedDraw {
     private readonly detail: ComputedDetail,
   ) {}
 
-  /** Divides the shape for this draw. Returns `undefined` if the CPU has to, as for warped lines, which follow its triangles. */
+  /** Divides the shape for this draw. Returns `undefined` if the CPU has to, as for warped lines: they follow the triangles that it makes. */
   divide(frame: Omit<ComputedFrame, 'instances'>): IndirectShape | undefined {
     if (drawsWarpedLines(this.renderer)) return undefined
     const division = this.detail.divide({ ...frame, instances: 1 })
@@ -89,7 +89,7 @@ export class ComputedDraw {
     if (!drawsWarpedLines(this.renderer)) this.detail.takeOver()
   }
 
-  /** Frees its buffers. */
+  /** Frees the buffers of the draw. */
   release() {
     this.detail.release()
     this.last = undefined

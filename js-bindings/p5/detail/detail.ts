@@ -25,19 +25,19 @@ export function useDetail(renderer: Renderer, shader: Shader, detail: DetailOfWa
   details.set(shader, detail)
 }
 
-/** The shaders with detail of each renderer that is hooked. */
+/** Maps a renderer whose methods are replaced → its shaders with detail. */
 const shadersOf = new WeakMap<Renderer, WeakRef<Shader>[]>()
 
 type Draw = (shape: DrawnShape, options?: { mode?: unknown; count?: number }) => void
 type DrawBuffers = (name: string) => unknown
 
 interface Drawing {
-  /** 2.x only: it calls the two others. */
+  /** 2.x only: calls the next two. */
   _drawGeometry?: Draw
   _drawFills?: Draw
   _drawStrokes?: Draw
   readonly geometryBufferCache?: BufferCache
-  /** 1.11 only. The others draw shapes between beginShape() and endShape(). */
+  /** 1.11 only. The next two draw shapes between beginShape() and endShape(). */
   drawBuffers?: DrawBuffers
   _drawImmediateFill?: (count?: number) => void
   _drawImmediateStroke?: () => void
@@ -45,25 +45,25 @@ interface Drawing {
 
 interface BufferCache {
   readonly cache: Record<string, ShapeBuffers>
-  /** Frees the buffers of a shape, which its name belongs to. */
+  /** Frees the buffers of the shape with this name. */
   freeBuffers(name: string): void
 }
 
 function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
   const { _drawGeometry, _drawFills, _drawStrokes, geometryBufferCache } = drawing
   const { cache, freeBuffers } = geometryBufferCache
-  /** The division of the shape that is drawn now, which its fill and its strokes share; `undefined` before both. */
+  /** The division of the shape that is drawn now, which its fill and its strokes share; `undefined` before either is drawn. */
   let current: { readonly division: Division | undefined } | undefined
-  const drawDivided = (draw: Draw, own: DrawnShape, options: Parameters<Draw>[1]) => {
-    const obstacle = obstacleOf(own, options?.count)
+  const drawDivided = (draw: Draw, shape: DrawnShape, options: Parameters<Draw>[1]) => {
+    const obstacle = obstacleOf(shape, options?.count)
     if (obstacle) {
-      warn(renderer, draw === _drawStrokes, obstacle)
-      return draw.call(renderer, own, options)
+      warnIfRequested(renderer, draw === _drawStrokes, obstacle)
+      return draw.call(renderer, shape, options)
     }
-    current ??= { division: divideNow(renderer, own) }
+    current ??= { division: divideNow(renderer, shape) }
     const { division } = current
-    if (!division || (draw === _drawStrokes && !divideStrokes(renderer, own, division.divided)))
-      return draw.call(renderer, own, options)
+    if (!division || (draw === _drawStrokes && !divideStrokes(renderer, shape, division.divided)))
+      return draw.call(renderer, shape, options)
     const { buffers, drawn } = division
     const { standIn } = division.divided
     const drawStandIn = () => draw.call(renderer, standIn, options)
@@ -91,15 +91,15 @@ function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
   }
 }
 
-/** On 1.11, renderers map a shape's name to its buffers, of which one is called `model` and is the shape. */
+/** On 1.11, renderers map a shape's name to an object with its buffers, whose property `model` is the shape. */
 function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
   const { drawBuffers: draw, _drawImmediateFill, _drawImmediateStroke } = drawing
   drawing._drawImmediateFill = (count) => {
-    warn(renderer, false, immediateObstacle)
+    warnIfRequested(renderer, false, immediateObstacle)
     _drawImmediateFill.call(renderer, count)
   }
   drawing._drawImmediateStroke = () => {
-    warn(renderer, true, immediateObstacle)
+    warnIfRequested(renderer, true, immediateObstacle)
     _drawImmediateStroke.call(renderer)
   }
   const shapes = renderer.retainedMode!.geometry as Record<string, ShapeBuffers>
@@ -109,7 +109,7 @@ function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
     const isDrawn = before && !renderer.geometryBuilder
     const shape = before?.model as DrawnShape
     const obstacle = isDrawn && obstacleOf(shape)
-    if (obstacle) warn(renderer, !shape.faces?.length, obstacle)
+    if (obstacle) warnIfRequested(renderer, !shape.faces?.length, obstacle)
     const division = isDrawn && !obstacle ? divideNow(renderer, shape) : undefined
     if (!division) return draw.call(this, name)
     const { divided, buffers } = division
@@ -137,22 +137,22 @@ function obstacleOf({ gid, faces }: DrawnShape, instances = 1): string | undefin
   return instances > 1 ? 'instances are not divided' : undefined
 }
 
-/** Says why the shape that is drawn now is not divided, if the present shader asks for it and moves these strokes. */
-function warn(renderer: Renderer, isStroke: boolean, obstacle: string) {
+/** Warns that the shape that is drawn now is not divided, if the present shader asks for detail, and for strokes, if it moves them. */
+function warnIfRequested(renderer: Renderer, isStroke: boolean, obstacle: string) {
   const { userFillShader, userStrokeShader } = stateOf(renderer)
   const detail = userFillShader && details.get(userFillShader)
   if (detail && (!isStroke || isStrokeShader(userStrokeShader)))
     warnOfDetail(detail.warp, 'createWarp', 'a shape', obstacle)
 }
 
-/** Divides a shape for a draw with the present shader. Returns `undefined` if it is to be drawn as it is. */
+/** Divides a shape for a draw with the present shader. Returns `undefined` if the shape is not divided. */
 function divideNow(renderer: Renderer, shape: DrawnShape): Division | undefined {
   const shader = stateOf(renderer).userFillShader
   const detail = shader && details.get(shader)
   return detail ? divide(renderer, shader, shape, detail) : undefined
 }
 
-/** Divides the lines of a shape as its mesh is, and returns `true`; `false` if lines are not drawn by the warp. */
+/** Divides the lines of a shape like its mesh. Returns `false` if the warp does not draw lines. */
 function divideStrokes(renderer: Renderer, shape: DrawnShape, divided: Divided): boolean {
   if (!isStrokeShader(stateOf(renderer).userStrokeShader)) return false
   if (!('lines' in divided)) divided.lines = linesOf(renderer, shape)

@@ -1,4 +1,4 @@
-/** The divisions of shapes: one for each draw of a shape with a shader in a frame, since each has a view of its own. */
+/** Divides shapes: separately for each draw of a shape with a shader in a frame, since each draw has its own view. */
 import type { HostWarp } from '../../compile/hosts.js'
 import { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { GpuBuffer } from '../../detail/gpu/webgpu.js'
@@ -18,7 +18,7 @@ import type { LineBase } from './lines.js'
 import { baseOf, drawnIndices, type DrawnShape, type ShapeBase } from './shape.js'
 import { viewOf } from './views.js'
 
-/** The warp of a shader, for drawing it with detail. */
+/** The warp of a shader that draws shapes with detail. */
 export interface DetailOfWarp extends DetailSettings {
   readonly canvas: Canvas
   readonly warp: HostWarp
@@ -27,16 +27,16 @@ export interface DetailOfWarp extends DetailSettings {
   values: Readonly<Record<string, unknown>>
 }
 
-/** A shape as it is divided for one of its draws in a frame. */
+/** A shape that is divided for one of its draws in a frame. */
 export interface Divided {
   readonly mesh: DetailedMesh
   readonly standIn: DrawnShape
   /** The buffers that the CPU fills. */
   readonly buffers: ShapeBuffers
   readonly computed: ComputedDraw | undefined
-  /** Missing before strokes are drawn, `undefined` if they are not divided. */
+  /** Absent before strokes are drawn; `undefined` if they are not divided. */
   lines?: LineBase | undefined
-  /** The version of the mesh that the lines are of. */
+  /** The version of the mesh for which the lines are divided. */
   version: number
 }
 
@@ -44,7 +44,7 @@ export interface Divided {
 export interface Division {
   readonly divided: Divided
   readonly buffers: ShapeBuffers
-  /** Present if compute passes have divided the shape: the numbers of an indirect call. */
+  /** The arguments of an indirect call; present if compute passes have divided the shape. */
   readonly drawn?: GpuBuffer
 }
 
@@ -55,20 +55,20 @@ interface Draws {
   /** See `changesOf`. */
   readonly changes: number
   readonly passes: ShapePasses | undefined
-  /** The last frame, and the number of draws in it. */
+  /** The frame of the last draw, and the number of draws in that frame. */
   frame: number
   count: number
-  /** `true` if the shape was drawn like this in an earlier frame. */
-  isKept: boolean
+  /** `true` if the shape was drawn in an earlier frame, and has not changed since. */
+  isUnchanged: boolean
   readonly divided: Divided[]
 }
 
-/** More draws of one shape in one frame keep the vertices that the shape has, as each has its own buffers. */
+/** The max number of draws of a shape in a frame that are divided, since each has its own buffers. */
 const maxDrawsPerFrame = 100
 
 const drawsOf = new WeakMap<DrawnShape, WeakMap<Shader, Draws>>()
 
-/** Divides a shape for a draw with its shader. Returns `undefined` if it is to be drawn as it is. */
+/** Divides a shape for a draw with its shader. Returns `undefined` if the shape is not divided. */
 export function divide(
   renderer: Renderer,
   shader: Shader,
@@ -77,7 +77,7 @@ export function divide(
 ): Division | undefined {
   const { canvas, warp, space, tolerance, values: given } = detail
   const draws = drawsFor(renderer, shader, shape, detail)
-  const { base, passes, isKept } = draws
+  const { base, passes, isUnchanged } = draws
   const obstacle = obstacleOf(warp, draws)
   if (obstacle) warnOfDetail(warp, 'createWarp', 'a shape', obstacle)
   if (obstacle || !base.positions.length) return undefined
@@ -93,8 +93,8 @@ export function divide(
   }
   if (mesh.update(given, views, tolerance, toSpace, place) || !buffers.indexBuffer)
     refresh(renderer, shape, base, divided)
-  // A shape that changes in each frame would start anew in each.
-  if (isKept) computed?.takeOver()
+  // For a shape that changes in each frame, compute passes would start anew in each frame.
+  if (isUnchanged) computed?.takeOver()
   return { divided, buffers }
 }
 
@@ -112,15 +112,15 @@ function drawsFor(
   const changes = changesOf(shape)
   if (draws?.changes !== changes || draws.vertices !== shape.vertices.length) {
     freeDraws(renderer, shader, shape)
-    // Compiles the shader, which knows its attributes then.
+    // Compiles the shader, so that its attributes are known.
     ;(shader as { init?: () => void }).init?.()
     const base = baseOf(renderer, shader, shape, isCurved)
     const passes = ShapePasses.of(renderer, warp, base)
     const vertices = shape.vertices.length
-    draws = { base, vertices, changes, passes, frame, count: 0, isKept: false, divided: [] }
+    draws = { base, vertices, changes, passes, frame, count: 0, isUnchanged: false, divided: [] }
     byShader.set(shader, draws)
   }
-  if (draws.frame !== frame) Object.assign(draws, { frame, count: 0, isKept: true })
+  if (draws.frame !== frame) Object.assign(draws, { frame, count: 0, isUnchanged: true })
   draws.count++
   return draws
 }
@@ -128,8 +128,8 @@ function drawsFor(
 const changeCounts = new WeakMap<DrawnShape, number>()
 
 /**
- * Counts how often the sketch has changed an array of the shape, for which it sets a flag to `true`. p5 sets the flag to `false` when it
- * reads the array, which it does not do while it draws a stand-in; `undefined` means that p5 has not read it.
+ * Counts how often the sketch has changed an array of the shape: then the flag of the array is `true`. p5 sets the flag to `false` when it
+ * reads the array, which it does not do while it draws a stand-in. So we set it to `undefined`: changed, but not read by p5.
  */
 function changesOf(shape: DrawnShape): number {
   const changed = Object.keys(shape.dirtyFlags).filter((name) => shape.dirtyFlags[name] === true)
@@ -150,7 +150,7 @@ export function freeDraws(renderer: Renderer, shader: Shader, shape: DrawnShape)
   }
 }
 
-/** Describes why the present draw of a shape keeps the vertices of the shape; `undefined` if it is divided. */
+/** Describes why the present draw of a shape is not divided; `undefined` if it is. */
 function obstacleOf(warp: HostWarp, { base, count }: Draws): string | undefined {
   if (count > maxDrawsPerFrame)
     return `only the first ${maxDrawsPerFrame} draws of a shape in a frame are divided`
@@ -170,7 +170,7 @@ function makeDivided(warp: HostWarp, shape: DrawnShape, { base, passes }: Draws)
   return { mesh, standIn, buffers: { geometry: standIn }, computed, version: 0 }
 }
 
-/** Uploads a divided mesh, and gives its stand-in the lengths of its arrays. p5 reads no more of them, as they are not dirty. */
+/** Uploads a divided mesh, and sets the lengths of the arrays of its stand-in. p5 reads nothing else of these arrays, since they are not dirty. */
 function refresh(renderer: Renderer, shape: DrawnShape, base: ShapeBase, divided: Divided) {
   const { mesh, standIn, buffers } = divided
   upload(renderer, base, mesh, buffers)
@@ -184,13 +184,13 @@ function refresh(renderer: Renderer, shape: DrawnShape, base: ShapeBase, divided
   base.buffers.forEach(({ src, size }) => {
     own.dirtyFlags[src] = false
     Object.defineProperty(standIn, src, {
-      value: Object.assign({ length: size * vertices }, isDefault(shape[src])),
+      value: Object.assign({ length: size * vertices }, copyIsDefault(shape[src])),
       configurable: true,
     })
   })
   Object.assign(standIn, own)
 }
 
-/** p5 2.x marks colors that it has filled in itself. */
-const isDefault = (array: unknown) =>
+/** Copies the mark by which p5 2.x recognizes colors that it has filled in itself. */
+const copyIsDefault = (array: unknown) =>
   (array as { isDefault?: boolean } | undefined)?.isDefault ? { isDefault: true } : {}

@@ -1,6 +1,6 @@
 /**
- * Indirect calls on WEBGPU. p5 2.3 has none: it binds a buffer for each attribute from its start, and draws as many indices as the shape
- * has faces. Both are calls of the render pass, which are replaced while p5 draws one shape; pipelines, uniforms and bind groups stay p5's.
+ * Draws by indirect calls on WEBGPU. p5 2.3 has none: it binds a buffer for each attribute from its start, and draws as many indices as the shape
+ * has faces. Both are methods of the render pass, which we replace while p5 draws one shape; pipelines, uniforms and bind groups stay p5's.
  */
 import type { GpuBuffer } from '../../detail/gpu/webgpu.js'
 import type { Renderer } from '../host.js'
@@ -27,7 +27,7 @@ interface Passes {
 export const canDrawIndirectly = (renderer: Renderer) =>
   '_beginActiveRenderPass' in renderer && 'activeRenderPass' in renderer
 
-/** Calls `draw`, which draws one shape, and lets its numbers of indices be read from `drawn`. */
+/** Calls `draw`, which draws one shape. The GPU reads the number of its indices from `drawn`. */
 export function drawIndirectly(renderer: Renderer, drawn: GpuBuffer, draw: () => void) {
   const passes = renderer as unknown as Passes
   const begin = passes._beginActiveRenderPass
@@ -45,7 +45,7 @@ export function drawIndirectly(renderer: Renderer, drawn: GpuBuffer, draw: () =>
   }
 }
 
-/** Returns a function that undoes it. */
+/** Replaces methods of a render pass. Returns a function that restores them. */
 function replaceCalls(pass: RenderPass, drawn: GpuBuffer): () => void {
   const { setVertexBuffer, drawIndexed } = pass
   pass.setVertexBuffer = (slot, given) =>

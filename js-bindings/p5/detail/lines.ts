@@ -2,9 +2,10 @@
 import type { Renderer } from '../host.js'
 import { buffersOf, valuesOf, type DrawnShape, type FillBuffer } from './shape.js'
 
-/** p5 makes each segment of a line of six vertices, and so each cap; a join has two sixes. */
+/** p5 makes each segment of a line of six vertices, and also each cap; a join has twelve. */
 const group = 6
-const segment = [1, 1, -1, 1, -1, -1]
+/** The sides of the vertices of a segment, by which it differs from caps and joins. */
+const segmentSides = [1, 1, -1, 1, -1, -1]
 const isAtEnd = [false, true, false, true, true, false]
 
 interface Column {
@@ -21,7 +22,7 @@ export interface LineBase {
   readonly ends: readonly number[]
 }
 
-/** Reads the lines of a shape; `undefined` if they are not those of its edges. */
+/** Reads the lines of a shape; `undefined` if they do not follow its edges. */
 export function linesOf(renderer: Renderer, shape: DrawnShape): LineBase | undefined {
   const buffers = buffersOf(renderer, 'stroke')
   const positions = shape.lineVertices as Lines | undefined
@@ -34,7 +35,7 @@ export function linesOf(renderer: Renderer, shape: DrawnShape): LineBase | undef
   // There are segments for some of the edges, in their order.
   let next = 0
   for (let at = 0; at < groups.length; at += group) {
-    if (segment.some((side, i) => groups[at + i] !== side)) {
+    if (segmentSides.some((side, i) => groups[at + i] !== side)) {
       edges.push(-1)
       continue
     }
@@ -54,7 +55,7 @@ export function linesOf(renderer: Renderer, shape: DrawnShape): LineBase | undef
   return { columns, edges, ends }
 }
 
-/** An array of p5, as its DataArray is. */
+/** An array of p5, such as its DataArray. */
 type Lines = ArrayLike<number> & { dataArray?(): Float32Array }
 
 const numbersOf = (values: Lines) => values.dataArray?.() ?? Float32Array.from(values)
@@ -72,7 +73,7 @@ function areAt(
 }
 
 /**
- * Returns the values of each column. `lines` are the divided vertices along each edge: their number, and then the vertices.
+ * Returns the divided values of each column. `lines` has, for each edge, the number of divided vertices along it, then these vertices.
  * `positions` are those of all divided vertices.
  */
 export function divideLines(
@@ -110,7 +111,7 @@ function mix(to: Float32Array, from: Float32Array, end: Float32Array, share: num
   for (let k = 0; k < to.length; k++) to[k] = from[k]! + share * (end[k]! - from[k]!)
 }
 
-/** The distance of a vertex from the start of its line, as a part of the line's length. */
+/** Returns the distance of a vertex from the start of its line, as a share of the line's length. */
 function shareOf(
   positions: Float32Array,
   lines: ArrayLike<number>,

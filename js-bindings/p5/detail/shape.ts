@@ -1,4 +1,4 @@
-/** The arrays of a p5.Geometry that a shader reads, as the base of a `DetailedMesh`. */
+/** Reads the arrays of a p5.Geometry that a shader uses, as the base of a `DetailedMesh`. */
 import type { DetailAttribute, DetailBase, DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { Renderer, Shader, Vector } from '../host.js'
 
@@ -15,17 +15,17 @@ export interface DrawnShape {
 /** p5's RenderBuffer. */
 export interface FillBuffer {
   readonly attr: string
-  /** The name of the array of shapes. */
+  /** The name of the array in a shape. */
   readonly src: string
-  /** The name of the buffer of the GPU. */
+  /** The name of the buffer on the GPU. */
   readonly dst: string
   readonly size: number
   readonly map?: ((values: unknown) => ArrayLike<number>) | undefined
-  /** Returns the values of a shape without this array, on p5 2.x. */
+  /** Returns the values for a shape that lacks this array, on p5 2.x. */
   readonly default?: (shape: DrawnShape) => ArrayLike<number>
 }
 
-/** The arrays that all shapes have, as inputs of the warp. */
+/** Maps attributes of shaders → the input arrays of the warp. */
 const inputs: Record<string, DetailAttribute['input']> = {
   aNormal: 'normals',
   aTexCoord: 'uvs',
@@ -80,8 +80,8 @@ export function baseOf(
 }
 
 /**
- * The faces, and a triangle with two equal corners for each edge that is no side of a face: it is divided as a line, and not drawn. A
- * group begins with the first of them.
+ * Returns the faces, followed by a triangle with two equal corners for each edge that is no side of a face. Such a triangle is divided
+ * as a line, and not drawn. A group begins with the first of them.
  */
 function trianglesOf({ faces, edges = [] }: DrawnShape) {
   const name = (a: number, b: number) => `${Math.min(a, b)} ${Math.max(a, b)}`
@@ -95,12 +95,12 @@ function trianglesOf({ faces, edges = [] }: DrawnShape) {
   return lines.length ? { indices, groups: [faces.length] } : { indices }
 }
 
-/** The indices of the triangles that are drawn. */
+/** Returns the indices of the triangles that are drawn. */
 export function drawnIndices({ groups }: ShapeBase, mesh: DetailedMesh): Uint32Array {
   return groups ? mesh.indices().subarray(0, 3 * mesh.groups()[0]!) : mesh.indices()
 }
 
-/** `counted` is the shape from which p5 computes values that are missing. */
+/** Returns the values of a buffer. `counted` is the shape from which p5 computes values that are missing. */
 export function valuesOf(
   buffer: FillBuffer,
   shape: DrawnShape,

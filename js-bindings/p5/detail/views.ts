@@ -1,4 +1,4 @@
-/** The view of a shape: the matrices, and the size of the canvas or framebuffer that p5 draws on. */
+/** Reads the view of a shape: the matrices, and the size of the canvas or framebuffer that p5 draws on. */
 import type { Vertices } from '../../compile/hosts.js'
 import type { DetailViews, ToSpace } from '../../detail/detailed-mesh.js'
 import type { Canvas, Renderer } from '../host.js'
@@ -27,12 +27,12 @@ const sizeOf = (canvas: Canvas, renderer: Renderer): [number, number] => {
   return [width * density, height * density]
 }
 
-/** Returns the view for `DetailedMesh`, and what brings a shape into the space of the offset. */
+/** Returns the view for `DetailedMesh`, and the transform of a shape into the space of the offset. */
 export function viewOf(canvas: Canvas, renderer: Renderer, space: WarpSpace) {
   const { uModelMatrix, uViewMatrix, uPMatrix } = (renderer.states ??
     renderer) as unknown as Matrices
   const [model, view, projection] = [uModelMatrix.mat4, uViewMatrix.mat4, uPMatrix.mat4]
-  // From the space of the shape to that of the offset, and from there to the screen.
+  // `before` transforms from the space of the shape to that of the offset, `after` from there to clip space.
   const before = space === 'local' ? [] : space === 'world' ? [model] : [view, model]
   const after = [
     projection,
@@ -40,7 +40,7 @@ export function viewOf(canvas: Canvas, renderer: Renderer, space: WarpSpace) {
     ...(space === 'local' ? [model] : []),
   ]
   const [width, height] = sizeOf(canvas, renderer)
-  // p5 draws triangles that face away.
+  // p5 also draws triangles that face away.
   const views: DetailViews = [...product(after), width / 2, height / 2, 0]
   const toSpace = before.length ? product(before) : undefined
   return { views, place: toSpace ?? [], toSpace: toSpace && transform(toSpace) }
@@ -87,18 +87,18 @@ function transform(m: readonly number[]): ToSpace {
           m[8 + row]! * given[i + 2]! +
           m[12 + row]!
     const moved: Vertices = { ...others, positions }
-    if (normals) moved.normals = turn(normals, normalMatrix)
+    if (normals) moved.normals = multiplyAll(normals, normalMatrix)
     return moved
   }
 }
 
 /** Multiplies vectors by a matrix of 3 by 3, by columns. */
-function turn(normals: ArrayLike<number>, m: readonly number[]): Float32Array {
-  const all = new Float32Array(normals.length)
+function multiplyAll(vectors: ArrayLike<number>, m: readonly number[]): Float32Array {
+  const all = new Float32Array(vectors.length)
   for (let i = 0; i < all.length; i += 3) {
     const n = [0, 1, 2].map(
       (row) =>
-        m[row]! * normals[i]! + m[3 + row]! * normals[i + 1]! + m[6 + row]! * normals[i + 2]!,
+        m[row]! * vectors[i]! + m[3 + row]! * vectors[i + 1]! + m[6 + row]! * vectors[i + 2]!,
     )
     all.set(n, i)
   }

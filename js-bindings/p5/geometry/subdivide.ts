@@ -9,11 +9,11 @@ import { emptyModel } from './load-model.js'
 import type { P5Constructors, WarpModel } from './model.js'
 
 /** The function that createWarp returns. */
-type Distort = (uniforms?: never) => void
+type CreatedWarp = (uniforms?: never) => void
 
 /** The options of `subdivide` of 'warpjet/mesh', except that `warp` may also be a function that createWarp returned. */
 export type SubdivideOptions =
-  LevelsOptions | (Omit<AdaptiveOptions, 'warp'> & { warp: Evaluates | Distort })
+  LevelsOptions | (Omit<AdaptiveOptions, 'warp'> & { warp: Evaluates | CreatedWarp })
 
 /** Replaces a warp of createWarp by its CPU version, and adds the current inputs of the sketch to the uniforms. */
 function withWarpOnCpu(options: AdaptiveOptions): AdaptiveOptions {

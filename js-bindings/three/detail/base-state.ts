@@ -1,11 +1,11 @@
-/** Numbers that change when the arrays of a mesh that is divided do. */
+/** Finds out whether the arrays of a divided mesh have changed. */
 import type { Mesh } from 'three'
 import { versionOf } from '../attribute.js'
 import { fillOf } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
 import { isOfInstances } from './base.js'
 
-/** Numbers that change when the arrays of the base do. */
+/** Returns numbers that change when the arrays of the base change. */
 export function baseState(warp: ThreeWarp, object: Mesh): number[] {
   const { geometry, material } = object
   const { index, groups, drawRange, attributes, morphAttributes } = geometry
@@ -29,7 +29,7 @@ export function baseState(warp: ThreeWarp, object: Mesh): number[] {
 const numbers = new WeakMap<object, number>()
 let last = 0
 
-/** A number that no other object has. */
+/** Returns the number of an object, which no other object has. */
 function numberOf(object: object): number {
   let number = numbers.get(object)
   if (!number) numbers.set(object, (number = ++last))

@@ -1,4 +1,4 @@
-/** A geometry of three.js as the base of a `DetailedMesh`, and how the divided arrays become buffers again. */
+/** Reads a geometry of three.js as the base of a `DetailedMesh`, and how its arrays are distributed over buffers. */
 import type { BufferAttribute, BufferGeometry, InterleavedBuffer, Mesh } from 'three'
 import { attributeNumbers } from '../../compile/hosts.js'
 import type { DetailAttribute, DetailBase } from '../../detail/detailed-mesh.js'
@@ -7,11 +7,11 @@ import { isSkinned, poseArrays, verticesOf, type Poseable } from '../pose.js'
 import { fillOf } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
 
-/** An attribute in a buffer. */
+/** An attribute of a buffer. */
 export interface Column {
   readonly name: string
   readonly size: number
-  /** Its place in `DetailBase.attributes`; -1 is positions. */
+  /** Its index in `DetailBase.attributes`; -1 is positions. */
   readonly attribute: number
 }
 
@@ -22,13 +22,13 @@ export interface Group {
 
 export interface GeometryBase extends DetailBase {
   readonly positions: Float32Array
-  /** The columns of each buffer. Those that share one in the user's geometry do here: WebGPU allows 8 buffers. */
+  /** The columns of each buffer. Attributes that share a buffer in the user's geometry also share one here: WebGPU allows 8 buffers. */
   readonly buffers: readonly (readonly Column[])[]
   /** The attributes of instances, which stay as they are. */
   readonly ofInstances: Readonly<Record<string, Attribute>>
   /** One for each entry of `groups`; empty for a mesh with one material. */
   readonly materials: readonly Group[]
-  /** The number of each triangle in the user's geometry. */
+  /** Maps a triangle → its index in the user's geometry. */
   readonly faces: readonly number[]
 }
 
@@ -37,7 +37,7 @@ const sizes: Record<string, number> = { position: 3, normal: 3, uv: 2 }
 
 const inputs: Record<string, DetailAttribute['input']> = { normal: 'normals', uv: 'uvs' }
 
-/** Reads the arrays of a mesh at rest. Bones move it before it is divided, so that theirs are left out. All numbers become floats; a tangent is interpolated as four plain numbers, as shaders give it length 1. */
+/** Reads the arrays of a mesh at rest. Bones move the mesh before it is divided, so the attributes of bones are left out. All numbers become floats. A tangent is interpolated as four plain numbers, since shaders normalize it. */
 export function baseOf(warp: ThreeWarp, object: Mesh): GeometryBase {
   const { geometry, material } = object
   const positions = attributeNumbers(geometry.attributes.position!, 3)
@@ -72,22 +72,22 @@ export function baseOf(warp: ThreeWarp, object: Mesh): GeometryBase {
   }
 }
 
-/** Tests for an attribute that says how bones move vertices. */
+/** Tests for an attribute that determines how bones move vertices. */
 export const isOfBones = (name: string) => name === 'skinIndex' || name === 'skinWeight'
 
 /** Returns the mesh as morph targets and bones have moved it. */
 export function poseBase(base: GeometryBase, object: Mesh): GeometryBase {
-  const places = new Map(base.buffers.flat().map(({ name, attribute }) => [name, attribute]))
+  const indices = new Map(base.buffers.flat().map(({ name, attribute }) => [name, attribute]))
   const rest: Poseable = { position: base.positions }
   for (const name of posedNames) {
-    const values = base.attributes[places.get(name) ?? -1]?.values
+    const values = base.attributes[indices.get(name) ?? -1]?.values
     if (values) rest[name] = values as Float32Array
   }
   const { position, ...others } = poseArrays(object, rest)
   const attributes = [...base.attributes]
   for (const [name, values] of Object.entries(others)) {
-    const place = places.get(name)!
-    attributes[place] = { ...attributes[place]!, values }
+    const index = indices.get(name)!
+    attributes[index] = { ...attributes[index]!, values }
   }
   return { ...base, positions: position!, attributes }
 }
@@ -101,7 +101,7 @@ export const isOfInstances = (attribute: Attribute) =>
 
 type Flags = Partial<Record<`isInstanced${'Interleaved' | ''}Buffer${'Attribute' | ''}`, boolean>>
 
-/** The triangles that three.js draws: of each group if there are several materials, which may overlap. */
+/** Returns the triangles that three.js draws: those of each group if there are several materials. Groups may overlap. */
 function trianglesOf({ index, attributes, groups, drawRange }: BufferGeometry, hasGroups: boolean) {
   const all = index ? attributeNumbers(index, 1) : undefined
   const count = all?.length ?? attributes.position!.count

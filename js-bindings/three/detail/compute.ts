@@ -15,10 +15,10 @@ export interface ComputeInput {
 }
 
 export interface ComputeDetail {
-  /** Divides the mesh for a render call. `undefined` if the CPU has to. */
+  /** Divides the mesh for a render call. Returns `undefined` if the CPU has to. */
   geometryFor(render: Render, views: DetailViews): BufferGeometry | undefined
   /** Called when the CPU has divided the mesh for a render call. Compute passes take over with the next one, if they can. */
   takeOver(render: Render): void
-  /** Frees its buffers. */
+  /** Frees the buffers of the divided mesh. */
   dispose(): void
 }

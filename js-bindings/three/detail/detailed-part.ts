@@ -1,4 +1,4 @@
-/** The option `detail` of `warp`: one object that is drawn with as many triangles as its warped surface needs on the screen. */
+/** The option `detail` of `warp`: draws one object with as many triangles as its warped surface needs on the screen. */
 import type { BufferGeometry, Mesh } from 'three'
 import { DetailedMesh, type DetailViews, type ToSpace } from '../../detail/detailed-mesh.js'
 import { warnOfDetail } from '../../detail/warnings.js'
@@ -18,7 +18,7 @@ import type { Render } from './render.js'
 import { addToScene, sceneOf, type Divisible } from './scenes.js'
 import { placeOf, viewsOf } from './views.js'
 
-/** The object with its own vertices, also while it is drawn with others. */
+/** Returns the object with its own vertices, even while it is drawn with others. */
 const withOwnGeometry = (object: Warpable, geometry: () => BufferGeometry) =>
   Object.create(object, {
     geometry: { get: geometry },
@@ -38,7 +38,7 @@ export class DetailedPart implements Divisible {
   readonly undivided: Warpable
   /** The user's geometry, while the object has another one. */
   private own: BufferGeometry | undefined
-  /** The geometry that it has instead. */
+  /** The geometry that the object has instead. */
   private exchanged: BufferGeometry | undefined
   private divided: Divided | undefined
   private leave: (() => void) | undefined
@@ -63,7 +63,7 @@ export class DetailedPart implements Divisible {
     if (warp.settings.space === 'world') this.toWorld = toWorldOf(warp, object)
   }
 
-  /** Divides the object when the scene that it is in now is rendered. */
+  /** Finds the scene that the object is in now, so that the object is divided when that scene is rendered. */
   enterScene() {
     const scene = sceneOf(this.object)
     if (scene === this.scene) return
@@ -109,7 +109,7 @@ export class DetailedPart implements Divisible {
     return base
   }
 
-  /** The surface as the last frame would show it now; `undefined` if none has shown it divided. */
+  /** Returns the surface as the views of the last frame would show it now; `undefined` if no frame has shown it divided. */
   surfaceNow(): DrawnSurface | undefined {
     if (!this.own) this.update()
     const { divided } = this
@@ -124,7 +124,7 @@ export class DetailedPart implements Divisible {
   restore() {
     if (!this.own) return
     if (isSkinned(this.undivided)) Object.assign(this.object, { isSkinnedMesh: true })
-    // The user may have assigned another one meanwhile.
+    // The user may have assigned another geometry meanwhile.
     if (this.object.geometry === this.exchanged) this.object.geometry = this.own
     this.own = this.exchanged = undefined
   }
@@ -169,7 +169,7 @@ export class DetailedPart implements Divisible {
       ? undefined
       : computeDivision({ warp, object, mesh, base, toWorld: this.toWorld })
     this.divided = { mesh, drawn, pose, compute }
-    // Like three.js, which makes its buffers anew when a disposed geometry is drawn again.
+    // Buffers are made anew if a disposed geometry is drawn again, as in three.js.
     const onDispose = () => {
       drawn.dispose()
       compute?.dispose()
@@ -188,12 +188,12 @@ function isShown(object: Warpable, { camera }: Render): boolean {
   return true
 }
 
-/** Brings samples into the world as the object is now. */
+/** Returns a function that transforms samples into world space by the present matrix of the object. */
 function toWorldOf(warp: ThreeWarp, object: Warpable): ToSpace {
-  const readsOthers = warp.reads('normal')
+  const readsNormals = warp.reads('normal')
   return (samples, positions) => {
     const { normals, ...others } = samples
-    const placed = inWorld({ ...others, ...(readsOthers && { normals }) }, object.matrixWorld)
+    const placed = inWorld({ ...others, ...(readsNormals && { normals }) }, object.matrixWorld)
     positions.set(placed.positions)
     return { ...placed, positions }
   }

@@ -1,4 +1,4 @@
-/** The geometry that is drawn in place of the user's: buffers with room for more vertices, which are written when the division changes. */
+/** The geometry that is drawn in place of the user's. Its buffers have room for more vertices, and are written when the division changes. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -18,7 +18,7 @@ export class DividedGeometry {
   private buffers: { readonly columns: readonly Column[]; readonly buffer: Buffer }[] = []
   private index = new BufferAttribute(new Uint32Array(), 1)
   private vertices = 0
-  /** That of the mesh of which it has the arrays; 0 for none. */
+  /** The version of the mesh whose arrays it has; 0 for none. */
   private version = 0
 
   /** `own` is the user's geometry. */
@@ -27,7 +27,7 @@ export class DividedGeometry {
     private readonly own: BufferGeometry,
   ) {}
 
-  /** Takes over the arrays of the divided mesh, if they have changed. */
+  /** Copies the arrays of the divided mesh, if they have changed. */
   write(mesh: DetailedMesh) {
     if (mesh.version === this.version) return
     const vertices = mesh.values(-1).length / 3
@@ -41,10 +41,10 @@ export class DividedGeometry {
         copy(mesh.values(attribute), size, buffer.array as Float32Array, offset, stride)
         offset += size
       }
-      changed(buffer, stride * vertices)
+      markChanged(buffer, stride * vertices)
     }
     ;(this.index.array as Uint32Array).set(mesh.indices())
-    changed(this.index, indices)
+    markChanged(this.index, indices)
     this.geometry.setDrawRange(0, indices)
     addGroups(this.geometry, this.base, mesh)
     this.version = mesh.version
@@ -52,14 +52,14 @@ export class DividedGeometry {
 
   dispose() {
     if (!this.vertices) return
-    // Disposing of a geometry frees its attributes, and those of instances are the user's.
+    // Disposing of a geometry frees its attributes, but the attributes of instances belong to the user.
     for (const name of Object.keys(this.base.ofInstances)) this.geometry.deleteAttribute(name)
     this.geometry.dispose()
     this.vertices = this.version = 0
     this.index = new BufferAttribute(new Uint32Array(), 1)
   }
 
-  /** Makes larger buffers. Those of a geometry cannot grow, so there is another geometry then. */
+  /** Makes larger buffers. Buffers of a geometry cannot grow, so this makes another geometry. */
   private grow(vertices: number, indices: number) {
     this.dispose()
     this.vertices = capacityFor(vertices)
@@ -107,8 +107,8 @@ function copy(from: Float32Array, size: number, to: Float32Array, offset: number
     for (let k = 0; k < size; k++) to[at + k] = from[i + k]!
 }
 
-/** Uploads the first `count` numbers. */
-function changed(buffer: Buffer, count: number) {
+/** Lets three.js upload the first `count` numbers. */
+function markChanged(buffer: Buffer, count: number) {
   buffer.clearUpdateRanges()
   buffer.addUpdateRange(0, count)
   buffer.needsUpdate = true

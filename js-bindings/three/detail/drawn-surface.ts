@@ -1,4 +1,4 @@
-/** The divided mesh of the last frame, which rays meet: hits on its triangles become hits on the user's. */
+/** The divided mesh of the last frame, which rays meet. Converts hits on its triangles to hits on the user's triangles. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -12,12 +12,12 @@ import type { Warpable } from '../pose.js'
 import type { GeometryBase } from './base.js'
 
 export interface DrawnSurface {
-  /** The object with the divided geometry, which morph targets and bones have moved already. */
+  /** The object with its divided geometry, which morph targets and bones have moved already. */
   readonly object: Warpable
   toOwnTriangle(hit: Intersection): Intersection
 }
 
-/** `base` is the mesh that was divided, after morph targets and bones. */
+/** `base` is the mesh that was divided, as morph targets and bones have moved it. */
 export function drawnSurfaceOf(
   object: Warpable,
   base: GeometryBase,
@@ -53,7 +53,7 @@ type Corners = [number, number, number]
 
 const triangle = new Triangle()
 
-/** The point in a triangle before it is warped. */
+/** Returns the point of a triangle before the triangle is warped. */
 function pointOf(positions: object, { a, b, c }: { a: number; b: number; c: number }, at: Vector3) {
   triangle.setFromAttributeAndIndices(positions as BufferAttribute, a, b, c)
   return new Vector3()

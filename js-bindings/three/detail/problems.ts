@@ -1,4 +1,4 @@
-/** The objects that are not divided, and why. */
+/** Finds out whether an object can be divided. */
 import {
   IntType,
   type BatchedMesh,
@@ -34,11 +34,11 @@ export function problemOf(warp: ThreeWarp, object: Warpable): string | undefined
   for (const name of ['position', 'normal', 'uv'] as const)
     if ((name === 'position' || warp.reads(name)) && !attributes[name])
       return `its geometry lacks the attribute "${name}"`
-  const whole = Object.entries(attributes).find(
-    ([name, each]) => isWhole(each) && !(isSkinned(object) && isOfBones(name)),
+  const integers = Object.entries(attributes).find(
+    ([name, each]) => isInteger(each) && !(isSkinned(object) && isOfBones(name)),
   )
-  return whole && `the attribute "${whole[0]}" consists of whole numbers`
+  return integers && `the attribute "${integers[0]}" consists of whole numbers`
 }
 
-/** Tests whether shaders read the attribute as whole numbers, between which there are none. */
-const isWhole = (attribute: object) => (attribute as { gpuType?: number }).gpuType === IntType
+/** Tests whether shaders read the attribute as whole numbers, which cannot be interpolated. */
+const isInteger = (attribute: object) => (attribute as { gpuType?: number }).gpuType === IntType

@@ -1,4 +1,4 @@
-/** A render call of three.js, as the hooks of a scene get it. */
+/** A render call of three.js, as it is passed to the hooks of a scene. */
 import type { Camera, Scene, Vector2 } from 'three'
 
 /** The members that this folder needs of both renderers. */

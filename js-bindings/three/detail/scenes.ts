@@ -1,6 +1,6 @@
 /**
  * Draws the objects of a scene divided: their geometries are exchanged when a render call begins, before three.js lists what it draws,
- * and restored when it ends. Its shadows are drawn in between.
+ * and restored when it ends. The shadows are drawn in between.
  */
 import type { Camera, Object3D, Scene } from 'three'
 import { wrapMethod } from '../properties.js'
@@ -9,7 +9,7 @@ import type { Render, Renderer } from './render.js'
 /** An object that is drawn divided. */
 export interface Divisible {
   readonly object: Object3D
-  /** Exchanges its geometry for the divided one. */
+  /** Exchanges the geometry of the object for the divided one. */
   divide(render: Render): void
   restore(): void
 }
@@ -38,7 +38,7 @@ export function addToScene(scene: Scene, part: Divisible): () => void {
   }
 }
 
-/** The outermost scene that an object is in. */
+/** Returns the outermost scene that contains an object. */
 export function sceneOf(object: Object3D): Scene | undefined {
   let scene: Scene | undefined
   for (let each: Object3D | null = object; each; each = each.parent)
@@ -58,7 +58,7 @@ class SceneHooks {
     const stops = [
       wrapMethod<Hook>(scene, 'onBeforeRender', (own) => {
         return function (renderer, rendered, camera, target) {
-          // The user's own is first, since it may move things.
+          // The user's own function is called first, since it may move objects.
           own.call(this, renderer, rendered, camera, target)
           begin({ renderer, scene, camera, target })
         }
@@ -77,7 +77,7 @@ class SceneHooks {
   private begin(render: Render) {
     if (this.current) return
     this.current = render
-    // Three.js calls onAfterRender neither when it throws nor after `compileAsync`.
+    // Three.js does not call onAfterRender after a render call that throws, nor after `compileAsync`.
     queueMicrotask(() => this.current === render && this.restore())
     for (const part of this.parts) part.divide(render)
   }

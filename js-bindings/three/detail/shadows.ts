@@ -1,4 +1,4 @@
-/** The cameras of lights that cast shadows: a mesh that is out of the picture may cast one into it. */
+/** Finds the cameras of lights that cast shadows: a mesh outside of the picture may cast a shadow into it. */
 import {
   PerspectiveCamera,
   Vector3,
@@ -11,42 +11,42 @@ import {
 import type { Render } from './render.js'
 
 /** A camera, and the size of its picture in pixels. */
-export interface Seen {
-  readonly seen: Camera
+export interface SizedCamera {
+  readonly camera: Camera
   readonly width: number
   readonly height: number
 }
 
-const found = new WeakMap<Render, Seen[]>()
+const camerasByRender = new WeakMap<Render, SizedCamera[]>()
 
-/** The cameras of all shadows of a render call, with the sizes of their maps. */
-export function shadowCamerasOf(render: Render): Seen[] {
-  let cameras = found.get(render)
+/** Returns the cameras of all shadows of a render call, with the sizes of their maps. */
+export function shadowCamerasOf(render: Render): SizedCamera[] {
+  let cameras = camerasByRender.get(render)
   if (cameras) return cameras
   cameras = []
   render.scene.traverseVisible((object) => {
     const light = object as Light & Partial<DirectionalLight & PointLight & SpotLight>
     if (light.isLight && light.castShadow && light.shadow) cameras!.push(...camerasOf(light as Lit))
   })
-  found.set(render, cameras)
+  camerasByRender.set(render, cameras)
   return cameras
 }
 
 type Lit = DirectionalLight | SpotLight | PointLight
 
-function camerasOf(light: Lit): Seen[] {
+function camerasOf(light: Lit): SizedCamera[] {
   const { x: width, y: height } = light.shadow.mapSize
   if ((light as PointLight).isPointLight)
-    return around(light as PointLight).map((seen) => ({ seen, width, height }))
+    return cubeCamerasOf(light as PointLight).map((camera) => ({ camera, width, height }))
   const { shadow } = light as SpotLight
   shadow.updateMatrices(light as SpotLight)
-  return [{ seen: shadow.camera, width, height }]
+  return [{ camera: shadow.camera, width, height }]
 }
 
 const aroundLights = new WeakMap<PointLight, PerspectiveCamera[]>()
 
-/** The cameras to the six sides of a cube around the light. */
-function around(light: PointLight): PerspectiveCamera[] {
+/** Returns cameras that look from the light at the six sides of a cube. */
+function cubeCamerasOf(light: PointLight): PerspectiveCamera[] {
   let cameras = aroundLights.get(light)
   if (!cameras)
     aroundLights.set(light, (cameras = sides.map(() => new PerspectiveCamera(90, 1, 0.1, 1))))

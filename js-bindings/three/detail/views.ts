@@ -1,4 +1,4 @@
-/** How an object is seen in a render call: the views of a `DetailedMesh`. */
+/** Computes the views of a `DetailedMesh` in a render call. */
 import {
   BackSide,
   FrontSide,
@@ -16,9 +16,9 @@ import {
 import type { DetailViews } from '../../detail/detailed-mesh.js'
 import type { ThreeWarp } from '../three-warp.js'
 import type { Render } from './render.js'
-import { shadowCamerasOf, type Seen } from './shadows.js'
+import { shadowCamerasOf, type SizedCamera } from './shadows.js'
 
-/** More instances of a mesh share the division that the nearest ones need. One far away may need more, if it is seen from another side. */
+/** The max number of instances that have views. The others share the division that the nearest ones need, although one that is seen from another side may need more. */
 const maxInstances = 16
 
 const size = new Vector2()
@@ -27,7 +27,7 @@ const instanceMatrix = new Matrix4()
 const place = new Vector3()
 const eye = new Vector3()
 
-/** The numbers that samples depend on beside the inputs of the warp. */
+/** Returns the numbers that samples depend on, other than the inputs of the warp. */
 export const placeOf = ({ settings }: ThreeWarp, { matrixWorld }: Object3D): readonly number[] =>
   settings.space === 'world' ? matrixWorld.elements : []
 
@@ -37,9 +37,9 @@ export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailVi
   const facing = facingOf(warp, object, render, instances)
   const views: DetailViews = []
   const shadowCameras = castsShadow(object, render) ? shadowCamerasOf(render) : []
-  for (const { seen, width, height } of [...camerasOf(render), ...shadowCameras])
+  for (const { camera: shownBy, width, height } of [...camerasOf(render), ...shadowCameras])
     for (const instance of instances) {
-      matrix.multiplyMatrices(seen.projectionMatrix, seen.matrixWorldInverse)
+      matrix.multiplyMatrices(shownBy.projectionMatrix, shownBy.matrixWorldInverse)
       if (warp.settings.space !== 'world') {
         matrix.multiply(object.matrixWorld)
         if (instance !== undefined) {
@@ -52,23 +52,23 @@ export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailVi
   return views
 }
 
-/** The cameras of a render call, and the sizes of their pictures in pixels. */
-function camerasOf({ renderer, camera, target }: Render): Seen[] {
+/** Returns the cameras of a render call, and the sizes of their pictures in pixels. */
+function camerasOf({ renderer, camera, target }: Render): SizedCamera[] {
   if (target) size.set(target.width, target.height)
   else renderer.getDrawingBufferSize(size)
   const { x: width, y: height } = size
   const { isArrayCamera, cameras } = camera as ArrayCamera
-  if (!isArrayCamera) return [{ seen: camera, width, height }]
+  if (!isArrayCamera) return [{ camera, width, height }]
   const ratio = renderer.isWebGPURenderer && !target ? renderer.getPixelRatio() : 1
-  return cameras.map((seen) => {
-    const { viewport } = seen as PerspectiveCamera & { viewport?: { z: number; w: number } }
+  return cameras.map((camera) => {
+    const { viewport } = camera as PerspectiveCamera & { viewport?: { z: number; w: number } }
     return viewport
-      ? { seen, width: ratio * viewport.z, height: ratio * viewport.w }
-      : { seen, width, height }
+      ? { camera, width: ratio * viewport.z, height: ratio * viewport.w }
+      : { camera, width, height }
   })
 }
 
-/** The numbers of up to 16 instances; one that is `undefined` for a mesh without instances. */
+/** Returns the indices of up to 16 instances; `[undefined]` for a mesh without instances. */
 function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] {
   const { isInstancedMesh, count } = object as InstancedMesh
   if (!isInstancedMesh) return [undefined]
@@ -78,7 +78,7 @@ function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] 
   const distances = all.map((i) => {
     ;(object as InstancedMesh).getMatrixAt(i, instanceMatrix)
     place.setFromMatrixPosition(instanceMatrix).applyMatrix4(object.matrixWorld)
-    // A larger instance is seen as a nearer one is.
+    // A larger instance looks like a nearer one.
     return place.distanceToSquared(eye) / Math.abs(instanceMatrix.determinant()) ** (2 / 3)
   })
   return all.sort((a, b) => distances[a]! - distances[b]!).slice(0, maxInstances)
@@ -87,7 +87,7 @@ function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] 
 const castsShadow = ({ castShadow }: Mesh, { renderer }: Render) =>
   castShadow && renderer.shadowMap.enabled
 
-/** 1 or -1 if triangles on one side are never drawn: see `DetailViews`. */
+/** Returns 1 or -1 if triangles that show one side are never drawn, otherwise 0: see `DetailViews`. */
 function facingOf(
   warp: ThreeWarp,
   object: Mesh,

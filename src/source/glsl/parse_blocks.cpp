@@ -48,7 +48,7 @@ void Parser::declareUniform(const Token& name, Type type) {
 }
 
 Structure Parser::blockMembers(std::string_view name) {
-  Structure made{.name = name, .isBlock = true};
+  Structure structure{.name = name, .isBlock = true};
   expect("{", "a block of uniforms");
   while (!peek().is("}") && peek().kind != Kind::End) {
     const Qualifiers given = qualifiers();
@@ -59,15 +59,15 @@ Structure Parser::blockMembers(std::string_view name) {
     const std::string_view storage = given.word(Role::Storage);
     if (!storage.empty() && storage != "uniform")
       fail(peek().location, "a member of a block is a uniform; remove " + quote(storage));
-    fields(given, made);
+    fields(given, structure);
   }
   const Location end = peek().location;
   expect("}", "the members of a block");
-  if (made.fields.empty()) fail(end, "a block must have a member");
-  for (const Field& each : made.fields)
+  if (structure.fields.empty()) fail(end, "a block must have a member");
+  for (const Field& each : structure.fields)
     if (tree_.types.hasSampler(each.type))
       fail(end, "a block holds numbers; declare the image " + quote(each.name) + " outside of it");
-  return made;
+  return structure;
 }
 
 }  // namespace warpjet::source::glsl

@@ -49,7 +49,7 @@ constexpr BuiltInVariable variables[]{
     {"gl_PointCoord", vectorType(Base::Float, 2), Variable::Kind::Fragment},
 };
 
-bool is100(std::string_view name) { return versionProblem(100, name).empty(); }
+bool existsIn100(std::string_view name) { return versionProblem(100, name).empty(); }
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void Parser::findStage() {
   constexpr std::array ofVertices{std::string_view("gl_Position"), std::string_view("gl_PointSize"),
                                   std::string_view("gl_VertexID"),
                                   std::string_view("gl_InstanceID"), std::string_view("attribute")};
-  const Token* decides = nullptr;
+  const Token* stageToken = nullptr;
   for (const Token& token : text_.tokens) {
     const bool isOfVertex =
         std::find(ofVertices.begin(), ofVertices.end(), token.text) != ofVertices.end();
@@ -65,13 +65,13 @@ void Parser::findStage() {
                               token.text == "discard";
     if (!isOfVertex && !isOfFragment) continue;
     const Stage stage = isOfVertex ? Stage::Vertex : Stage::Fragment;
-    if (decides && stage != stage_)
+    if (stageToken && stage != stage_)
       return fail(token.location,
-                  quote(token.text) + " and " + quote(decides->text) +
+                  quote(token.text) + " and " + quote(stageToken->text) +
                       " cannot be used in one shader: one is of vertex shaders, the other "
                       "of fragment shaders");
     stage_ = stage;
-    decides = &token;
+    stageToken = &token;
   }
 }
 
@@ -84,12 +84,12 @@ void Parser::declareBuiltIns() {
     if (named.contains(name)) tree_.variables[declareBuiltIn(name, type, kind)].isOutput = isOutput;
   for (const auto& [name, in100, in300] : limits) {
     if (!named.contains(name)) continue;
-    const int value = text_.version == 300 || !is100(name) ? in300 : in100;
+    const int value = text_.version == 300 || !existsIn100(name) ? in300 : in100;
     const VariableId variable = declareBuiltIn(name, intType, Variable::Kind::Constant);
-    const ExpressionId start = add(Expression{
+    const ExpressionId initializer = add(Expression{
         .kind = Code::Constant, .type = intType, .value = 1.0 * value, .location = end_.location});
-    tree_.variables[variable].start = start;
-    declareGlobally(variable, start);
+    tree_.variables[variable].start = initializer;
+    declareGlobally(variable, initializer);
   }
   if (named.contains("gl_FragData")) {
     Type type = vectorType(Base::Float, 4);
@@ -97,20 +97,20 @@ void Parser::declareBuiltIns() {
     declareBuiltIn("gl_FragData", type, Variable::Kind::Global);
   }
   if (named.contains("gl_DepthRange")) {
-    Structure made{.name = "gl_DepthRangeParameters"};
+    Structure structure{.name = "gl_DepthRangeParameters"};
     for (const std::string_view field : {"near", "far", "diff"})
-      made.add({field, floatType, made.size++});
+      structure.add({field, floatType, structure.size++});
     Type type;
     type.base = Base::Struct;
-    type.structure = tree_.types.add(made);
+    type.structure = tree_.types.add(structure);
     declareGlobally(declareBuiltIn("gl_DepthRange", type, Variable::Kind::Uniform), nothing);
   }
 }
 
-void Parser::declareGlobally(VariableId variable, ExpressionId start) {
+void Parser::declareGlobally(VariableId variable, ExpressionId initializer) {
   tree_.globals.push_back(add(Statement{.kind = Statement::Kind::Declare,
                                         .index = variable,
-                                        .expression = start,
+                                        .expression = initializer,
                                         .location = tree_.variables[variable].location}));
 }
 

@@ -134,20 +134,20 @@ ExpressionId Parser::primary() {
 
 ExpressionId Parser::number() {
   const Token token = take();
-  Expression made{.kind = Code::Constant, .location = token.location};
+  Expression parsed{.kind = Code::Constant, .location = token.location};
   if (token.kind == Kind::Float) {
-    made.type = floatType;
-    made.value = floatValue(token);
+    parsed.type = floatType;
+    parsed.value = floatValue(token);
     if (token.text.back() == 'f' || token.text.back() == 'F')
       requireVersion("a number with an f", token.location);
   } else {
     if (token.kind == Kind::Uint) requireVersion("a whole number with a u", token.location);
     const std::uint32_t bits = intValue(token, problems_);
-    made.type = token.kind == Kind::Int ? intType : uintType;
-    made.value =
+    parsed.type = token.kind == Kind::Int ? intType : uintType;
+    parsed.value =
         token.kind == Kind::Int ? static_cast<std::int32_t>(bits) : static_cast<double>(bits);
   }
-  return add(std::move(made));
+  return add(std::move(parsed));
 }
 
 ExpressionId Parser::named() {
@@ -161,8 +161,8 @@ ExpressionId Parser::named() {
   }
   if (startsType()) {
     if (peek(1).is("[")) requireVersion("an array made in one expression", name.location);
-    const Type made = type();
-    return construct(made, name.location);
+    const Type parsed = type();
+    return construct(parsed, name.location);
   }
   if (peek(1).is("(")) {
     take();
@@ -228,9 +228,9 @@ ExpressionId Parser::call(const Token& name) {
   std::vector<Type> types;
   for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (meaning.kind == Meaning::Kind::Function) {
-    const ExpressionId made = callFunction(name, operands, types);
+    const ExpressionId parsed = callFunction(name, operands, types);
     if (problems_.any()) return failExpression(name.location, "");
-    if (made != nothing) return made;
+    if (parsed != nothing) return parsed;
   }
   if (meaning.kind == Meaning::Kind::Variable)
     return failExpression(name.location, quote(name.text) + " is a variable and cannot be called");

@@ -36,7 +36,7 @@ StatementId Parser::statement(bool opensScope) {
   if (!goDeeper()) return nothing;
   ++depth_;
   const Token& token = peek();
-  const StatementId made = [&] {
+  const StatementId parsed = [&] {
     if (token.is("{")) {
       if (opensScope) scope_.open();
       const StatementId inner = block();
@@ -57,7 +57,7 @@ StatementId Parser::statement(bool opensScope) {
     return simpleStatement();
   }();
   --depth_;
-  return made;
+  return parsed;
 }
 
 // Parses a declaration or an expression, up to its semicolon.
@@ -93,9 +93,9 @@ StatementId Parser::ifStatement() {
   const ExpressionId test = condition("if");
   const auto branch = [&] {
     scope_.open();
-    const StatementId made = statement(false);
+    const StatementId parsed = statement(false);
     scope_.close();
-    return made;
+    return parsed;
   };
   std::vector<StatementId> children{branch()};
   if (accept("else")) children.push_back(branch());

@@ -157,31 +157,32 @@ Type Parser::arrayOf(Type element) {
 }
 
 Type Parser::structure() {
-  Structure made;
+  Structure structure;
   const Token& name = peek();
   if (name.kind == Kind::Name) {
     if (!checkFree(name)) return voidType;
-    made.name = take().text;
+    structure.name = take().text;
   }
   expect("{", "struct");
   while (!peek().is("}") && peek().kind != Kind::End) {
     const Qualifiers given = qualifiers();
     allowOnly(given, {QualifierRole::Precision}, "a field of a structure");
-    fields(given, made);
+    fields(given, structure);
   }
   const Location end = peek().location;
   expect("}", "the fields of a structure");
-  if (made.fields.empty()) fail(end, "a structure must have a field");
+  if (structure.fields.empty()) fail(end, "a structure must have a field");
   if (problems_.any()) return voidType;
   Type type;
   type.base = Base::Struct;
-  type.structure = tree_.types.add(made);
-  if (!made.name.empty()) scope_.add(made.name, {Meaning::Kind::Structure, type.structure});
+  type.structure = tree_.types.add(structure);
+  if (!structure.name.empty())
+    scope_.add(structure.name, {Meaning::Kind::Structure, type.structure});
   return type;
 }
 
 // Parses `float x, y[2];` up to its semicolon.
-void Parser::fields(const Qualifiers& given, Structure& made) {
+void Parser::fields(const Qualifiers& given, Structure& structure) {
   if (peek().is("struct"))
     return fail(peek().location, "a structure cannot be declared inside another; declare it above");
   const Type base = type();
@@ -195,13 +196,14 @@ void Parser::fields(const Qualifiers& given, Structure& made) {
     const Type each = peek().is("[") ? arrayOf(base) : base;
     if (each == voidType || each.length == 0)
       fail(name.location, "a field cannot be " + tree_.types.name(each));
-    if (made.find(field))
-      fail(name.location, quote(field) + (made.isBlock ? " is already a member of this block"
-                                                       : " is already a field of this structure"));
+    if (structure.find(field))
+      fail(name.location,
+           quote(field) + (structure.isBlock ? " is already a member of this block"
+                                             : " is already a field of this structure"));
     if (problems_.any()) return;
-    made.add({field, each, made.size});
-    made.size += tree_.types.size(each);
-    if (made.size > maxValueSize) fail(name.location, "this structure is too large");
+    structure.add({field, each, structure.size});
+    structure.size += tree_.types.size(each);
+    if (structure.size > maxValueSize) fail(name.location, "this structure is too large");
   } while (accept(","));
   expect(";", "a field");
 }

@@ -55,7 +55,7 @@ class Parser {
   bool startsType(std::size_t ahead = 0) const;
   Type type();
   Type structure();
-  void fields(const Qualifiers& given, Structure& made);
+  void fields(const Qualifiers& given, Structure& structure);
   Type arrayOf(Type element);
   bool checkFree(const Token& name);
   VariableId addVariable(const Token& name, Type type, Variable::Kind kind);
@@ -76,7 +76,7 @@ class Parser {
   void findStage();
   void declareBuiltIns();
   VariableId declareBuiltIn(std::string_view name, Type type, Variable::Kind kind);
-  void declareGlobally(VariableId variable, ExpressionId start);
+  void declareGlobally(VariableId variable, ExpressionId initializer);
 
   // parse_blocks.cpp
   bool startsBlock() const;

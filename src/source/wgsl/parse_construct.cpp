@@ -36,13 +36,13 @@ Operand Parser::construct(Location location) {
     const int columns = isVector ? 1 : word.text[3] - '0';
     return inferred(word, columns, word.text[isVector ? 3 : 5] - '0', std::move(operands));
   }
-  const Type made = type();
+  const Type parsed = type();
   if (problems_.any()) return failOperand(location, "");
   if (!peek().is("(")) return failOperand(location, "expected a value, got a type");
   Operands operands = arguments();
   if (problems_.any()) return failOperand(location, "");
-  if (operands.empty()) return zero(made, location);
-  return constructType(made, std::move(operands), location);
+  if (operands.empty()) return zero(parsed, location);
+  return constructType(parsed, std::move(operands), location);
 }
 
 // Returns the type of numbers that all operands have or can get; nullopt if there is none.

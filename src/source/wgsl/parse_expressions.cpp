@@ -100,10 +100,10 @@ Operand Parser::shift(Operand first) {
   if (symbol == "<<" || symbol == ">>") {
     const Location location = peek().location;
     takeOperator(symbol);
-    const Operand made = makeBinary(findOperator(symbol)->op, first, unary(), location);
+    const Operand parsed = makeBinary(findOperator(symbol)->op, first, unary(), location);
     const std::string_view next = operatorHere();
     if (!isOneOf(relations, next) && next != "&&" && next != "||") rejectMixed(symbol);
-    return made;
+    return parsed;
   }
   const Operand left = additive(first);
   const std::string_view next = operatorHere();

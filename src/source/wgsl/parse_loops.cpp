@@ -108,14 +108,15 @@ StatementId Parser::loopStatement() {
           ? nothing
           : add(Expression{
                 .kind = Code::Not, .type = boolType, .location = location, .operands = {breakIf}});
-  const StatementId made = add({.kind = Statement::Kind::Loop,
-                                .isLate = breakIf != nothing,
-                                .expression = test,
-                                .location = location,
-                                .children = {before, step, makeBlock(location, std::move(body))}});
-  if (!problems_.any() && !(behaviorOf(made) & 3u))
+  const StatementId parsed =
+      add({.kind = Statement::Kind::Loop,
+           .isLate = breakIf != nothing,
+           .expression = test,
+           .location = location,
+           .children = {before, step, makeBlock(location, std::move(body))}});
+  if (!problems_.any() && !(behaviorOf(parsed) & 3u))
     fail(location, "this loop never ends; write break, return or break if");
-  return made;
+  return parsed;
 }
 
 StatementId Parser::forStatement() {

@@ -70,9 +70,9 @@ StatementId Parser::statement() {
                : quote(token.text) + " belongs to no " + (token.is("else") ? "if" : "switch"));
       return nothing;
     }
-    const StatementId made = simpleStatement();
+    const StatementId parsed = simpleStatement();
     expect(";", "a statement");
-    return made;
+    return parsed;
   });
 }
 

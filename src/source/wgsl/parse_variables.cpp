@@ -73,9 +73,9 @@ Operand Parser::freeze(const Operand& reference, std::vector<StatementId>& befor
     node.operands[1] =
         add({.kind = Code::Variable, .type = type, .index = index, .location = node.location});
   }
-  Operand made = reference;
-  made.id = add(std::move(node));
-  return made;
+  Operand parsed = reference;
+  parsed.id = add(std::move(node));
+  return parsed;
 }
 
 StatementId Parser::letStatement() {
@@ -117,9 +117,9 @@ StatementId Parser::constStatement() {
   if (accept(":")) declared = declaredType();
   if (!accept("=")) fail(name.location, "the constant " + quote(name.text) + " needs a value");
   Operand start = value();
-  StatementId made = nothing;
-  declare(name, constant(name, declared, std::move(start), &made));
-  return made;
+  StatementId parsed = nothing;
+  declare(name, constant(name, declared, std::move(start), &parsed));
+  return parsed;
 }
 
 // Parses a statement that a `for` may have in its head.
@@ -131,16 +131,16 @@ StatementId Parser::simpleStatement() {
   const bool isCall = token.kind == Token::Kind::Name && peek(1).is("(");
   if (!isCall) return assignment();
   const Entity known = resolve(token.text);
-  const Operand made = value();
+  const Operand parsed = value();
   if (problems_.any()) return nothing;
-  if (peek().is("=") || !made.host.empty()) fail(peek().location, "a value cannot be assigned");
+  if (peek().is("=") || !parsed.host.empty()) fail(peek().location, "a value cannot be assigned");
   const bool isUnsupported =
-      made.id != nothing && tree_.expressions[made.id].kind == Code::Unsupported;
-  if (known.kind != Entity::Kind::Function && !(isUnsupported && made.type == voidType) &&
+      parsed.id != nothing && tree_.expressions[parsed.id].kind == Code::Unsupported;
+  if (known.kind != Entity::Kind::Function && !(isUnsupported && parsed.type == voidType) &&
       !token.text.starts_with("atomic"))
     fail(token.location,
          "the result of " + quote(token.text) + " must be used; write _ = before it");
-  return evaluate(made.id, token.location);
+  return evaluate(parsed.id, token.location);
 }
 
 StatementId Parser::assignment() {
@@ -148,8 +148,8 @@ StatementId Parser::assignment() {
   if (start.is("_") && peek(1).is("=")) {
     take();
     take();
-    const Operand made = concrete(value(), start.location);
-    return problems_.any() ? nothing : evaluate(made.id, start.location);
+    const Operand parsed = concrete(value(), start.location);
+    return problems_.any() ? nothing : evaluate(parsed.id, start.location);
   }
   // People who know GLSL write `float x = 1.0;`.
   if (start.kind == Token::Kind::Name && peek(1).kind == Token::Kind::Name &&
@@ -211,14 +211,14 @@ StatementId Parser::assignment() {
     right = convert(given, type, location);
   } else {
     // Only for its type and its converted right operand; the node itself is unused.
-    const Operand made = makeBinary(row->op, target, given, location);
+    const Operand parsed = makeBinary(row->op, target, given, location);
     if (problems_.any()) return nothing;
-    if (made.type != type) {
+    if (parsed.type != type) {
       fail(location,
            quote(symbol) + " does not take " + describe(type) + " and " + describe(given));
       return nothing;
     }
-    right = tree_.expressions[made.id].operands[1];
+    right = tree_.expressions[parsed.id].operands[1];
   }
   if (tree_.expressions[target.id].kind == Code::Unsupported) return evaluate(target.id, location);
   return evaluate(add({.kind = Code::Assign,

@@ -78,7 +78,7 @@ class Parser {
   Entity globalVariable();
   Entity globalConstant();
   Entity overrideConstant();
-  void declareGlobally(VariableId variable, ExpressionId start);
+  void declareGlobally(VariableId variable, ExpressionId initializer);
   Type initialType(const std::optional<DeclaredType>& declared, const Operand& value,
                    Location location, std::string_view name);
   Entity constant(const Token& name, const std::optional<DeclaredType>& declared, Operand value,

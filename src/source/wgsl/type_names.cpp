@@ -11,8 +11,8 @@ std::string Parser::nameOf(Type type) const {
            ">";
   }
   if (type.base == Base::Struct) {
-    const Structure& made = tree_.types.structure(type);
-    return made.name.empty() ? nameOf(made.fields[0].type) : std::string(made.name);
+    const Structure& structure = tree_.types.structure(type);
+    return structure.name.empty() ? nameOf(structure.fields[0].type) : std::string(structure.name);
   }
   if (type.base == Base::Void) return "nothing";
   if (type.base == Base::Sampler) return "texture_2d<f32>";

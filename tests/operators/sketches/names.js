@@ -1,4 +1,4 @@
-// Sketches with variables in functions around the offset function, or with the names of globals.
+// Sketches whose offset function reads variables of enclosing functions, or variables named like globals.
 export const sketches = {
   'a parameter named height, without operators': {
     top: `function makeWave(height) {
@@ -13,7 +13,7 @@ export const sketches = {
     }`,
     setup: `wave = makeWave(0.3)`,
     error:
-      /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope: \{ height \} \}/,
+      /cannot access "height" of the enclosing scope, where it is a local variable, not the global one; add the option \{ scope: \{ height \} \}/,
   },
   'a parameter named height, with the option scope': {
     top: `function makeWave(height) {
@@ -22,7 +22,7 @@ export const sketches = {
     setup: `wave = makeWave(0.3)`,
     twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(0.3), 0),
   },
-  'operators on numbers around methods': {
+  'operators on plain numbers in arguments of methods': {
     top: `function makeWave(width, key) {
       const half = width / 2
       return createWarp(({ glsl, position }) => glsl.vec3(position.y.mult(half * 8 + key).sin().mult(0.2), 0, 0))

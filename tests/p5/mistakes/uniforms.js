@@ -42,7 +42,7 @@ export default [
         'plain({ amount: 2 })':
           /no uniform "amount"; createWarp's option "uniforms" must declare it: \{ uniforms: \{ amount: 0\.5 \} \}/,
         'now = [1, 2, 3]; try { distort() } finally { now = [1, 2] }':
-          /for the uniform "at", got an array of 3; its function must always return what it returned at first/,
+          /for the uniform "at", got an array of 3; its function must always return a value of the same type/,
       },
     }),
   },

@@ -15,7 +15,7 @@ export const tarball = () => readdirSync(project).find((name) => name.endsWith('
 /** Imports a module from the project's node_modules. */
 export const load = (name) => import(pathToFileURL(require.resolve(name)).href)
 
-/** Runs a program in the project → { output, status }. */
+/** Runs a program in the project. Returns { output, status }. */
 export function runIn(command, args, env = {}) {
   const { stdout, stderr, status, error } = spawnSync(command, args, {
     cwd: project,

@@ -46,8 +46,8 @@ export const withAccurateSine = (compiled) => ({
 /** Since each sine becomes a polynomial, SwiftShader takes too long to compile more of them. */
 const maxSines = 100
 
-/** Returns the accurate statements if they compile in reasonable time, otherwise the original ones. */
-export const asAccurateAsCanBe = (compiled) =>
+/** Returns statements with an accurate sine if they compile in reasonable time, otherwise the original ones. */
+export const withAccurateSineIfShort = (compiled) =>
   (compiled.code.match(/\b(sin|cos|tan)\(/g)?.length ?? 0) <= maxSines
     ? withAccurateSine(compiled)
     : compiled

@@ -1,8 +1,7 @@
 // Checks that a baked mesh equals what the GPU draws: compares `evaluate` with a vertex shader.
 //
-// Positions agree to 1e-5 of `reach`, the size of the numbers in the formula, normals to 0.02° or the bound of the warp, with an accurate
-// sine in
-// GLSL instead of the built-in one. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,
+// With an accurate sine in GLSL instead of the built-in one, positions agree to 1e-5 of `reach`, the size of the numbers in the formula,
+// and normals to `degrees` of the warp. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,
 // positions agree to 2e-5, as they do with the oracle in double. SwiftShader's built-in sine is 2e-4 off, and with it positions
 // agree to 1e-3. We skip vertices where the oracle finds a kink nearby, since two roundings may be on different sides, and
 // those where the surface is almost collapsed.
@@ -18,7 +17,7 @@ const positionBound = { exact: 1e-5, late: 2e-5, builtIn: 1e-3 }
  * the same list if there is none). Each list has six numbers per vertex, for each of `draws`. Differences of positions are relative to the
  * bound, except with the built-in sine. `expected`, if present, has the results of the oracle.
  */
-export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected) {
+export function compareCpuWithGpu(warp, mesh, draws, baked, { builtIn, exact }, expected) {
   const { offset, reach, step, degrees, mirrors } = warp
   const worst = { position: 0, angle: 0, builtIn: 0, leftOut: 0 }
   const vertexCount = mesh.length / stride
@@ -50,7 +49,7 @@ export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expec
   return { ...worst, count: draws.length * vertexCount }
 }
 
-export function assertBaked({ position, angle, builtIn, leftOut, count }, degrees) {
+export function assertCpuEqualsGpu({ position, angle, builtIn, leftOut, count }, degrees) {
   assert.ok(position <= 1, `bake and screen: positions are ${position} times as far off as allowed`)
   assert.ok(angle <= degrees, `bake and screen: normals are ${angle}° off`)
   assert.ok(

@@ -30,7 +30,7 @@ const opened = new WeakMap()
 /** Maps a context to its page that is free for reuse. */
 const unused = new WeakMap()
 
-/** Opens `url` → { page, messages }; `messages` collects console lines and uncaught errors, in order. */
+/** Opens `url`. Returns { page, messages }; `messages` collects console lines and uncaught errors, in order. */
 export async function openPage(browser, url) {
   const page = unused.get(browser) ?? (await newPage(browser))
   unused.delete(browser)

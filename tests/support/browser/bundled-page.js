@@ -7,7 +7,7 @@ import { servePages } from './server.js'
 const root = fileURLToPath(new URL('../../../', import.meta.url))
 
 /**
- * Opens a page that runs `script`, a file of this folder that sets the title "ready" when it has loaded → { page, messages, close() };
+ * Opens a page that runs `script`, a file of this folder that sets the title "ready" when it has loaded. Returns { page, messages, close() };
  * `messages` collects the console messages of the page.
  */
 export async function bundledPage(script, { hasWebGPU = false } = {}) {

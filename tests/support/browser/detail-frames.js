@@ -26,24 +26,24 @@ async function measureBatch({ gl, frame }, first, { distance, millis, moves }) {
   return (performance.now() - begin) / framesPerBatch
 }
 
-/** `pieces` are those of each side in the uniform mesh. */
+/** Measures a mesh with detail, and a uniform one, each side of which has `pieces` pieces. */
 async function measureCase(start, offset, { mesh, pieces, sizes, uniforms, normals, ...settings }) {
   const { millis = 0, ...own } = uniforms
   const options = { normals, ...(Object.keys(own).length && { uniforms: own }) }
   const extent = Math.max(...sizes)
-  const ways = {
+  const meshes = {
     divided: start(mesh, offset, { ...options, detail: 1 }, extent),
     uniform: start(splitUniformly(mesh, pieces), offset, options, extent),
   }
   const times = { divided: [], uniform: [] }
   const triangles = {}
   for (let i = -2; i < batches; i++)
-    for (const [name, way] of Object.entries(ways)) {
-      const time = await measureBatch(way, (i + 2) * framesPerBatch, { millis, ...settings })
+    for (const [name, each] of Object.entries(meshes)) {
+      const time = await measureBatch(each, (i + 2) * framesPerBatch, { millis, ...settings })
       if (i >= 0) times[name].push(time)
-      triangles[name] = way.triangles()
+      triangles[name] = each.triangles()
     }
-  for (const { dispose } of Object.values(ways)) dispose()
+  for (const { dispose } of Object.values(meshes)) dispose()
   return {
     divided: median(times.divided),
     uniform: median(times.uniform),
@@ -53,8 +53,8 @@ async function measureCase(start, offset, { mesh, pieces, sizes, uniforms, norma
 }
 
 /**
- * Lets the page measure: `start(mesh, offset, options, extent)` warps a mesh → { gl, frame(place, millis), triangles(), dispose() }, which
- * draws a frame seen from a place and returns how many triangles it had.
+ * Lets the page measure: `start(mesh, offset, options, extent)` warps a mesh and returns { gl, frame(place, millis), triangles(),
+ * dispose() }. `frame` draws a frame as seen from `place`, and `triangles` returns how many triangles it had.
  */
 export function offerFrames(start) {
   globalThis.startFrames = async (folders) => {

@@ -6,7 +6,7 @@ import { breakEdge, countHoles } from './holes.js'
 const size = 128
 
 /**
- * Draws frames → { holes, framesWithHoles, least, changes, broken }: the number of pixels in holes, the number of frames with holes, the
+ * Draws frames. Returns { holes, framesWithHoles, least, indexUploads, broken }: the number of pixels in holes, the number of frames with holes, the
  * smallest number of pixels that the shapes cover, how often indices were uploaded, and how many of these uploads had an edge that
  * `isBroken` breaks on purpose. The shapes are white, and everything behind and inside of them is magenta.
  */
@@ -17,14 +17,14 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
     const isWebGPU = ${host.isWebGPU}
     ${countHoles}
     ${breakEdge}
-    let moving, uploads = [], changes = 0, broken = 0
+    let moving, uploads = [], indexUploads = 0, broken = 0
 
     /** Returns the indices to upload. */
     function changeIndices(values) {
-      changes++
+      indexUploads++
       if (!${isBroken}) return values
       const copy = values.slice()
-      if (breakEdge(copy, uploads[0], 3, 53 * changes)) broken++
+      if (breakEdge(copy, uploads[0], 3, 53 * indexUploads)) broken++
       return copy
     }
 
@@ -126,7 +126,7 @@ export async function watchHoles(host, { frames, isBroken = false, tolerance = 1
         for (let i = 0; i < size * size; i++) white += !isOpen(i)
         found.least = Math.min(found.least, white)
       }
-      return { ...found, changes, broken }
+      return { ...found, indexUploads, broken }
     }`)
   assert.deepEqual(messages, [])
   const found = await page.evaluate((frames) => watchFrames(frames), frames)

@@ -7,7 +7,7 @@ export const glslAddon = '/dist/warpjet.glsl.min.js'
 export const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
 
 /**
- * Opens the browsers of the hosts until the tests of the calling file have finished → an object for each host. `hosts` are rows of the
+ * Opens the browsers of the hosts until the tests of the calling file have finished. Returns an object for each host. `hosts` are rows of the
  * table in sketch.js, and the scripts `more` are loaded after p5 and the addon. The code of a sketch starts with `async function setup() {
  * ${host.canvas(100, 100)}`.
  */
@@ -28,7 +28,7 @@ export async function openP5Hosts({ hosts = p5HostsInThisRun, more = [] } = {}) 
         `${renderer === 'WEBGPU' ? 'await ' : ''}createCanvas(${width}, ${height}, ${renderer})`,
       draw: ({ files = scripts, ...options }) =>
         drawScenes(browser, server, files, { renderer, ...options }),
-      /** Runs a sketch that sets `result` → { result, messages }, the result and the lines on the console. */
+      /** Runs a sketch that sets `result`. Returns { result, messages }, the result and the lines on the console. */
       async run(code, files) {
         const { page, messages } = await open(code, files)
         const result = await page.evaluate('window.result')

@@ -38,7 +38,7 @@ export const targetsInThisRun = targets.filter(
 )
 
 /**
- * Starts a browser → { run, close }.
+ * Starts a browser. Returns { run, close }.
  *
  * `run(target, program, points)` runs a program at many points at once. The program is { code, declarations, inputs, outputs, images }.
  * `images`, which is optional, maps names to { width, height, data }, with four bytes per texel. Inputs are the variables that the code

@@ -1,6 +1,6 @@
 // Reads the pixels of a WebGL canvas.
 
-/** Reads the first canvas of the page → { width, height, data }: bytes of red, green, blue and alpha, from the top left. */
+/** Reads the first canvas of the page. Returns { width, height, data }: bytes of red, green, blue and alpha, from the top left. */
 export async function readPixels(page) {
   const { width, height, bytes } = await page.$eval('canvas', (canvas) => {
     const gl = canvas.getContext('webgl2') ?? canvas.getContext('webgl')

@@ -92,7 +92,7 @@ warp(mesh, ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4
 renderer.setAnimationLoop(() => renderer.render(scene, camera))
 `
 
-/** Saves by the button `title` of the menu → Playwright's download. */
+/** Saves by the button `title` of the menu. Returns Playwright's download. */
 export async function downloadFromMenu(page, title) {
   await page.getByText('Save', { exact: true }).click()
   const [download] = await Promise.all([
@@ -102,7 +102,7 @@ export async function downloadFromMenu(page, title) {
   return download
 }
 
-/** Saves the page that opens anywhere as `file`, and opens it from the disk → { page, messages }. */
+/** Saves the page that opens anywhere as `file`, and opens it from the disk. Returns { page, messages }. */
 export async function openFromDisk(page, file, isReady = () => window.frameCount > 1) {
   await (await downloadFromMenu(page, 'Page that opens anywhere')).saveAs(file)
   const opened = await openPage(page.context(), pathToFileURL(file).href)
@@ -110,7 +110,7 @@ export async function openFromDisk(page, file, isReady = () => window.frameCount
   return opened
 }
 
-/** Opens a playground with its own server, and waits until it is idle → { page, messages, context, close }. */
+/** Opens a playground with its own server, and waits until it is idle. Returns { page, messages, context, close }. */
 export async function openPlayground(port, browser) {
   const server = await serveSources(port)
   const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })

@@ -18,7 +18,7 @@ const cacheHeaders = (pathname) =>
   pathname.startsWith('/node_modules/') ? { 'cache-control': 'max-age=86400' } : {}
 
 /**
- * Starts a server → { url, page(html), close() }. `page` returns the address of a page with that source; `/` is an empty page,
+ * Starts a server. Returns { url, page(html), close() }. `page` returns the address of a page with that source; `/` is an empty page,
  * and every other path is a file of the repository, such as `/dist/p5.js`.
  */
 export async function servePages() {

@@ -27,7 +27,7 @@ export const p5HostsInThisRun = [
 ]
 
 /**
- * Opens a server of pages and the browsers that `hosts` need, until the tests of the calling file have finished → { server, browsers };
+ * Opens a server of pages and the browsers that `hosts` need, until the tests of the calling file have finished. Returns { server, browsers };
  * `browsers` maps a renderer to its browser.
  */
 export async function openHosts(hosts) {
@@ -49,7 +49,7 @@ export async function openHost(renderer = 'WEBGL') {
   return { browser: browsers[renderer], server }
 }
 
-/** Opens a page with `scripts` (addresses) and then `code`, and waits until `code` sets `window.done` or fails → { page, messages }. */
+/** Opens a page with `scripts` (addresses) and then `code`, and waits until `code` sets `window.done` or fails. Returns { page, messages }. */
 export async function runSketch(browser, server, scripts, code, type = '') {
   const html = `<!doctype html>
 <meta charset="utf-8">

@@ -47,7 +47,7 @@ export async function openPipeline(browser, contextName = 'webgl2') {
     await page.evaluate(() => pipeline.load())
   }
 
-  /** Draws once for each set of uniforms → for each a Float32Array with six numbers per vertex. */
+  /** Draws once for each set of uniforms. Returns for each a Float32Array with six numbers per vertex. */
   async function run(source, draws) {
     await page.evaluate(([source, draws]) => pipeline.run(source, draws), [source, draws])
     const numbers = new Float32Array(server.take())

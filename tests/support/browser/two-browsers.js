@@ -13,7 +13,7 @@ const launchChromium = async () =>
     args: testFlags,
   })
 
-/** Starts a virtual display → { name, stop() }. */
+/** Starts a virtual display. Returns { name, stop() }. */
 async function startDisplay() {
   const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],

@@ -1,5 +1,5 @@
 // Measures the accuracy of a warp's code after a page has run for a long time.
-import { asAccurateAsCanBe } from './accurate.js'
+import { withAccurateSineIfShort } from './accurate.js'
 import { compare, moments } from './compare.js'
 import { denseMesh, vertices } from './dense-mesh.js'
 import { warpVertex } from './oracle.js'
@@ -30,7 +30,7 @@ export async function measureAfterAWeek(gpu, warp, options) {
     return { ...draw, ...compiled.frameUniforms(inputs) }
   })
   const { mouse, size: canvas, pixelDensity, millis, ...declared } = uniformsOfDraws[0]
-  const shader = vertexShader(asAccurateAsCanBe(compiled), 'glsl300', declared)
+  const shader = vertexShader(withAccurateSineIfShort(compiled), 'glsl300', declared)
   const results = await gpu.run(shader, uniformsOfDraws)
   const expected = draws.map((draw) =>
     points.map((vertex) => warpVertex(offset, vertex, draw, step, mirrors)),

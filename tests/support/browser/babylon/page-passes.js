@@ -339,7 +339,7 @@ window.compareCopy = async (backend, kind, how) => {
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** Parses a material that another page has serialized → whether it has no warp, as expected. */
+/** Parses a material that another page has serialized. Returns whether it has no warp, as expected. */
 window.parseForeign = async () => {
   const scene = await makeScene('webgl')
   const material = materials.Standard(scene)

@@ -1,4 +1,4 @@
-// Compares pictures and meshes by compute passes with those that the CPU divides, and with dense shapes.
+// Compares pictures and meshes that compute passes divide with those that the CPU divides, and with dense shapes.
 import { beyondEdges, differingPixels } from '../pixels.js'
 import { countOpenSides } from '../three/detail/sides.js'
 import { buffers, errors, startSketch, wait } from './sketches.js'
@@ -7,10 +7,10 @@ import { around, sketch, turn } from './warped-shapes.js'
 const triangles = async ({ read }, { draws }) =>
   Promise.all(draws.map(async (draw) => (await read(draw)).indices.length / 3))
 
-/** Counts the vertices of one mesh that are not at the same place in another one with the same indices. */
-const countMoved = (a, b) => a.filter((x, i) => Math.abs(x - b[i]) > 1e-6).length
+/** Counts the coordinates of two meshes with the same indices that differ. */
+const countDiffering = (a, b) => a.filter((x, i) => Math.abs(x - b[i]) > 1e-6).length
 
-/** Counts the vertices of one mesh that another one lacks. */
+/** Counts the vertices of mesh a at whose places mesh b has none. */
 function countStrays(a, b) {
   const keysOf = (places) =>
     Array.from({ length: places.length / 3 }, (_, i) => places.subarray(3 * i, 3 * i + 3).join())
@@ -20,7 +20,7 @@ function countStrays(a, b) {
 
 const sum = (numbers) => numbers.reduce((a, b) => a + b, 0)
 
-/** Draws with passes and by the CPU → what differs in each draw of each picture. */
+/** Draws pictures with passes and by the CPU. Returns what differs in each draw of each picture. */
 export async function divide({ frames = 6, hasPlaces, ...given }) {
   const options = { ...given, ...(hasPlaces && { places: around }) }
   const byPasses = await startSketch(sketch(options))
@@ -29,7 +29,7 @@ export async function divide({ frames = 6, hasPlaces, ...given }) {
   await byCpu.picture()
   const found = []
   for (let i = 0; i < frames; i++) {
-    // There may be too little room at first.
+    // The buffers may be too small at first.
     for (let k = 0; k < 3; k++) {
       await byPasses.picture(i)
       await wait(30)
@@ -42,12 +42,12 @@ export async function divide({ frames = 6, hasPlaces, ...given }) {
       const [ours, right] = [await byPasses.read(draw), await byCpu.read(expected.draws[k])]
       const isEqual = `${ours.indices}` === `${right.indices}`
       found.push({
-        isIndirect: !!draw.numbers && !expected.draws[k].numbers,
+        isIndirect: !!draw.indirectBuffer && !expected.draws[k].indirectBuffer,
         triangles: ours.indices.length / 3,
         expected: right.indices.length / 3,
         vertices: right.places.length / 3,
         strays: isEqual
-          ? countMoved(ours.places, right.places)
+          ? countDiffering(ours.places, right.places)
           : countStrays(ours.places, right.places),
         isEqual,
         openSides: countOpenSides(ours.indices, ours.places),
@@ -60,19 +60,19 @@ export async function divide({ frames = 6, hasPlaces, ...given }) {
   return { found, errors: errors.splice(0) }
 }
 
-/** Pixels at which a coarse shape by passes, and without detail, differs from a dense one. */
+/** Counts the pixels at which a coarse shape differs from a dense one: without detail (`before`), and divided by passes (`after`). */
 export async function resemble({ name, coarse, dense }) {
   const [coarseShape, denseShape] = [coarse, dense].map(
     ([call, ...numbers]) =>
       (p) =>
         p[call](...numbers),
   )
-  const at = { places: [(p) => turn(p, 0)] }
-  const byPasses = await startSketch(sketch({ ...at, name, shape: coarseShape }))
+  const atRest = { places: [(p) => turn(p, 0)] }
+  const byPasses = await startSketch(sketch({ ...atRest, name, shape: coarseShape }))
   await byPasses.begin()
   const { image } = await byPasses.picture()
   const pictureOf = async (shape) => {
-    const one = await startSketch(sketch({ ...at, name, shape, detail: false }))
+    const one = await startSketch(sketch({ ...atRest, name, shape, detail: false }))
     const { image } = await one.picture()
     one.remove()
     return image
@@ -86,7 +86,7 @@ export async function resemble({ name, coarse, dense }) {
   }
 }
 
-/** Comes close to a shape that was small, so that its buffers have to grow. */
+/** Moves the camera close to a shape that was small, so that its buffers have to grow. */
 export async function approach() {
   const places = [(p, i) => p.scale(i ? 1.4 : 0.1)]
   const byPasses = await startSketch(sketch({ shape: 'ball', name: 'noise', places }))
@@ -96,11 +96,11 @@ export async function approach() {
   await byPasses.begin()
   const far = await byPasses.picture(0)
   const before = sum(await triangles(byPasses, far))
-  const held = buffers.size
+  const bufferCount = buffers.size
   const beyond = []
   let near
   const expected = await byCpu.picture(1)
-  const heldByCpu = buffers.size - held
+  const addedByCpu = buffers.size - bufferCount
   for (let k = 0; k < 6; k++) {
     near = await byPasses.picture(1)
     beyond.push(beyondEdges(near.image, expected.image, 24))
@@ -110,7 +110,7 @@ export async function approach() {
     ...{ before, beyond },
     after: sum(await triangles(byPasses, near)),
     isSame: near.draws[0].index === far.draws[0].index,
-    left: buffers.size - held - heldByCpu,
+    left: buffers.size - bufferCount - addedByCpu,
     errors: errors.splice(0),
   }
   byPasses.remove()
@@ -118,7 +118,7 @@ export async function approach() {
   return result
 }
 
-/** Waves that become shorter, so that the shape has to be cut anew. */
+/** Makes waves shorter, so that the shape has to be cut anew. */
 export async function refine() {
   const places = [(p) => p.rotateX(-0.4)]
   const byPasses = await startSketch(sketch({ shape: 'box', name: 'waves', places }))
@@ -139,7 +139,7 @@ export async function refine() {
   return result
 }
 
-/** Draws three pictures by one call of `redraw`, in which a shape grows, and by three calls → how the last pictures differ. */
+/** Draws three pictures of a growing shape, by one call of `redraw` and by three. Returns how the last pictures differ. */
 export async function redrawOften({ hasPasses }) {
   const places = [(p, i) => p.scale([0.1, 0.7, 1.4][i])]
   const start = () => startSketch(sketch({ shape: 'ball', name: 'noise', places, hasPasses }))

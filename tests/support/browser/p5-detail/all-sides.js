@@ -1,9 +1,9 @@
-// Pictures from all sides of a box that compute passes divide.
+// Draws a box that compute passes divide, seen from all sides.
 import { beyondPixel, litPixels } from '../pixels.js'
 import { paintSquares, swell } from '../swollen-box.js'
 import { errors, startSketch, wait } from './sketches.js'
 
-/** Draws a box from all places → pictures. */
+/** Draws a box from all positions of the camera. Returns the pictures. */
 async function picturesOf(places, shape, detail = false) {
   let warp, squares
   const one = await startSketch({
@@ -27,20 +27,20 @@ async function picturesOf(places, shape, detail = false) {
   if (detail) await one.begin()
   const pictures = []
   for (const i of places.keys()) {
-    // There may be too little room at first.
+    // The buffers may be too small at first.
     for (let k = 0; detail && k < 3; k++) {
       await one.picture(i)
       await wait(10)
     }
     const { image, draws } = await one.picture(i)
-    if (detail && !draws[0]?.numbers) throw new Error('the CPU divided it')
+    if (detail && !draws[0]?.indirectBuffer) throw new Error('the CPU divided it')
     pictures.push(image)
   }
   one.remove()
   return pictures
 }
 
-/** Draws a box with detail and without against a dense one → numbers of pixels, for `checkPictures`. */
+/** Compares a box, with and without detail, with a dense one. Returns the numbers of pixels for `checkPictures`. */
 export async function compareAround({ places }) {
   const box = (p) => p.box(120)
   const dense = await picturesOf(places, (p) => p.warpBox(120, 120, 120, 100))

@@ -1,4 +1,4 @@
-// Measures compute passes in p5: sketches that use them, beside sketches that leave all to the CPU.
+// Compares sketches of p5 that use compute passes with sketches that use only the CPU.
 import { approach, divide, redrawOften, refine, resemble } from './against-cpu.js'
 import { compareAround } from './all-sides.js'
 import { begin, leave, life } from './takeover.js'

@@ -34,11 +34,11 @@ const draws = []
 /** Records the calls of all render passes. */
 function recordDraws() {
   const bound = new WeakMap()
-  const of = (pass) => bound.get(pass) ?? bound.set(pass, {}).get(pass)
+  const stateOf = (pass) => bound.get(pass) ?? bound.set(pass, {}).get(pass)
   const replace = (name, record) => {
     const call = GPURenderPassEncoder.prototype[name]
     GPURenderPassEncoder.prototype[name] = function (...given) {
-      record(of(this), ...given)
+      record(stateOf(this), ...given)
       return call.apply(this, given)
     }
   }
@@ -48,13 +48,13 @@ function recordDraws() {
   })
   const add = (now, drawn) => isOurs(now.index) && draws.push({ ...now, ...drawn })
   replace('drawIndexed', (now, count) => add(now, { count }))
-  replace('drawIndexedIndirect', (now, numbers) => add(now, { numbers }))
+  replace('drawIndexedIndirect', (now, indirectBuffer) => add(now, { indirectBuffer }))
 }
 recordDraws()
 
 export const wait = (time) => new Promise((resolve) => setTimeout(resolve, time))
 
-/** Copies the picture of a canvas, which is gone when the page continues. */
+/** Copies the picture of a canvas, which is lost when the page continues. */
 function copyOf(canvas) {
   const { width, height } = canvas
   const copy = new OffscreenCanvas(width, height).getContext('2d')
@@ -63,12 +63,12 @@ function copyOf(canvas) {
 }
 
 /**
- * Starts a sketch with a canvas of its own. `draw(p, i)` draws picture i. Without passes, the CPU divides all shapes; a sharp picture has
- * no antialiasing.
+ * Starts a sketch with a canvas of its own. `draw(p, i)` draws picture i. Without passes, the CPU divides all shapes. If
+ * `isSharp`, the canvas has no antialiasing.
  * Returns { p, picture(i), read(draw), begin(i), remove() }.
  */
 export async function startSketch({ setup = () => {}, draw, hasPasses = true, isSharp }) {
-  let numbers
+  let pending
   const p = await new Promise((resolve) => {
     new p5((p) => {
       p.setup = async () => {
@@ -82,10 +82,10 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true, is
         setup(p)
       }
       p.draw = () => {
-        if (!numbers) return resolve(p)
+        if (!pending) return resolve(p)
         p.background(0)
         p.push()
-        draw(p, numbers.shift())
+        draw(p, pending.shift())
         p.pop()
       }
     })
@@ -101,22 +101,22 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true, is
     encoder.copyBufferToBuffer(buffer, offset, copy, 0, bytes)
     device.queue.submit([encoder.finish()])
     await copy.mapAsync(GPUMapMode.READ)
-    const numbers = new Numbers(copy.getMappedRange().slice())
+    const values = new Numbers(copy.getMappedRange().slice())
     copy.destroy()
-    return numbers
+    return values
   }
   return {
     p,
-    /** Draws picture i, or several by one call of `redraw`, of which the last is seen → { image, draws }. */
+    /** Draws picture i and then `others` in one call of `redraw`. Returns { image, draws }: the last image, and the draws of all pictures. */
     async picture(i = 0, ...others) {
-      numbers = [i, ...others]
+      pending = [i, ...others]
       draws.length = 0
-      await p.redraw(numbers.length)
+      await p.redraw(pending.length)
       return { image: copyOf(p.canvas), draws: [...draws] }
     },
-    /** Reads a divided shape → { indices, places }. */
-    async read({ index, positions, count, numbers }) {
-      const length = count ?? (await read(numbers, Uint32Array, 0, 4))[0]
+    /** Reads a divided shape. Returns { indices, places }. */
+    async read({ index, positions, count, indirectBuffer }) {
+      const length = count ?? (await read(indirectBuffer, Uint32Array, 0, 4))[0]
       const indices = await read(index, Uint32Array, 0, 4 * length)
       const vertices = indices.reduce((a, b) => Math.max(a, b), 0) + 1
       const { buffer, offset } = positions
@@ -126,7 +126,7 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true, is
     async begin(...given) {
       for (let k = 0; k < 1000; k++) {
         const { draws } = await this.picture(...given)
-        if (draws.length && draws.every(({ numbers }) => numbers)) return
+        if (draws.length && draws.every(({ indirectBuffer }) => indirectBuffer)) return
         await wait(10)
       }
       throw new Error(`compute passes did not begin: ${errors}`)

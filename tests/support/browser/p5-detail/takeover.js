@@ -26,9 +26,9 @@ const kinds = {
   },
 }
 
-const areIndirect = ({ draws }) => draws.map(({ numbers }) => !!numbers)
+const areIndirect = ({ draws }) => draws.map(({ indirectBuffer }) => !!indirectBuffer)
 
-/** Draws picture 0 until passes have begun, then the pictures 1 and 0 → whether passes drew the shapes in these. */
+/** Draws picture 0 until passes have begun, then pictures 0, 1 and 0. Returns which shapes of these were drawn by passes. */
 export async function leave({ kind }) {
   const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
   await one.begin()
@@ -42,7 +42,7 @@ export async function leave({ kind }) {
   }
 }
 
-/** Draws pictures for longer than passes need to begin with a box of another canvas → whether they do with other shapes. */
+/** Draws pictures for longer than passes need to take over a box on another canvas. Returns whether they take over these shapes. */
 export async function begin({ kind }) {
   const box = await startSketch(sketch({ shape: 'box', name: 'twist' }))
   const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
@@ -57,7 +57,7 @@ export async function begin({ kind }) {
   return { found, errors: errors.splice(0) }
 }
 
-/** Frees a shape and changes it → the buffers that are held. */
+/** Frees a shape, and changes it. Returns how many buffers there are after each step. */
 export async function life() {
   let shape
   const before = buffers.size
@@ -70,7 +70,7 @@ export async function life() {
   }
   await one.begin()
   const counts = { held: await held() }
-  // In the middle of a picture, after it was drawn.
+  // Frees the shape within a frame, after it was drawn.
   const { draw } = one.p
   one.p.draw = () => {
     draw()

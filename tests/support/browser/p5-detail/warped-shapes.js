@@ -9,7 +9,7 @@ const offsets = {
     return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
   },
   flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30)),
-  // It bends more on one side, or a uniform division would do, which only the CPU chooses.
+  // Bends more on one side. Otherwise the CPU would choose a uniform division, which passes cannot.
   bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.03).exp().mult(10), 0),
   noise: ({ normal, position, uniforms }) =>
     normal.mult(
@@ -21,10 +21,10 @@ const offsets = {
     glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0),
 }
 
-/** Uniforms of each call, by the number of the picture. */
+/** Maps a warp → a function that returns its uniforms in picture i. */
 const uniforms = {
   noise: (i) => ({ shift: i / 10, height: 0.15 }),
-  // A normal in the world has the length 1/60 below a scale of 60.
+  // With a scale of 60, a normal in world space has the length 1/60.
   swelling: (i) => ({ shift: i / 10, height: 900 }),
   waves: (i) => ({ waves: i ? 60 : 4 }),
 }
@@ -40,7 +40,7 @@ const shapes = {
 
 const balls = new WeakMap()
 
-/** An octahedron that is divided three times, of radius 1. Spheres of p5 have a seam, whose sides differ by rounding. */
+/** Returns an octahedron of radius 1 that is divided three times. Spheres of p5 have a seam whose two sides differ by rounding. */
 function ballOf(p) {
   if (balls.has(p)) return balls.get(p)
   const places = [0, 1, 2].flatMap((axis) =>
@@ -81,7 +81,7 @@ function ballOf(p) {
 
 const boxes = new WeakMap()
 
-/** A p5.Geometry of the sketch. */
+/** Returns a box as a p5.Geometry of the sketch. */
 export function boxOf(p) {
   if (!boxes.has(p))
     boxes.set(
@@ -91,7 +91,7 @@ export function boxOf(p) {
   return boxes.get(p)
 }
 
-/** Draws a shape with detail; `places` moves it, by the number of the picture. */
+/** Returns a sketch that draws a shape with detail at each of `places`, which are functions of p and the number of the picture. */
 export function sketch({
   shape,
   name,
@@ -106,10 +106,10 @@ export function sketch({
   return {
     ...others,
     setup(p) {
-      const given = uniforms[name]?.(0)
+      const initialUniforms = uniforms[name]?.(0)
       warp = p.createWarp(offsets[name], {
         ...{ space, detail, normals: 'pixel' },
-        ...(given && { uniforms: given }),
+        ...(initialUniforms && { uniforms: initialUniforms }),
       })
       if (isInside) framebuffer = p.createFramebuffer()
       others.setup?.(p)

@@ -51,7 +51,7 @@ export function vertexParts({ code, inputs, outputs }, width) {
 }
 
 /**
- * Binds `points`, `size` floats each, to the attributes, four floats to each attribute in turn → a function that unbinds them. An
+ * Binds `points`, `size` floats each, to the attributes, four floats to each attribute in turn. Returns a function that unbinds them. An
  * attribute that stays enabled without its buffer would break the next draw.
  */
 export function bindPoints(gl, program, attributes, points, size) {
@@ -78,7 +78,7 @@ export const declareImages = (images) =>
     .map((name) => `uniform sampler2D ${name};\nuniform vec2 ${name}Size;`)
     .join('\n')
 
-/** Binds the images, with WebGL's default filter, to the current program → a function that unbinds them. */
+/** Binds the images, with WebGL's default filter, to the current program. Returns a function that unbinds them. */
 export function bindImages(gl, program, images) {
   const textures = Object.entries(images).map(([name, { width, height, data }], unit) => {
     const texture = gl.createTexture()

@@ -45,7 +45,7 @@ export function open() {
   return (program, points) => run(gl, program, points)
 }
 
-/** Makes a float texture of `rows` rows the target of draws → a function that deletes it. */
+/** Makes a float texture of `rows` rows the target of draws. Returns a function that deletes it. */
 function bindTarget(gl, rows) {
   const texture = gl.createTexture()
   gl.bindTexture(gl.TEXTURE_2D, texture)

@@ -24,7 +24,7 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
   },
 })}</script>`
 
-/** Starts a browser and a server → { open(version, script), listing(code), close() }. `open` and `listing` return { page, messages }. */
+/** Starts a browser and a server. Returns { open(version, script), listing(code), close() }. `open` and `listing` return { page, messages }. */
 export const threePages = async (flags) => threePagesIn(await launchBrowser(flags))
 
 /** Does the same in a running browser, which `close()` closes. */

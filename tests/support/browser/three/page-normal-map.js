@@ -19,7 +19,7 @@ const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 20)
 camera.position.set(1, 1.5, 4)
 camera.lookAt(0, 0, 0)
 
-/** Draws a model after `change(mesh)` → its pixels, with an alpha of 0 where nothing is drawn. */
+/** Draws a model after `change(mesh)`. Returns its pixels, with an alpha of 0 where nothing is drawn. */
 async function draw(glb, change = () => {}) {
   const { scene } = await new GLTFLoader().parseAsync(Uint8Array.fromBase64(glb).buffer, '')
   change(scene.getObjectByProperty('isMesh', true))

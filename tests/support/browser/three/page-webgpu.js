@@ -115,7 +115,7 @@ async function image({ backend }) {
   }
 }
 
-/** Draws spheres that a warp scales, each by another amount → the numbers of pixels that they cover. */
+/** Draws spheres that a warp scales, each by another amount. Returns the numbers of pixels that they cover. */
 async function amounts(factors, { backend }) {
   const renderer = await rendererFor(backend)
   const covered = []
@@ -204,7 +204,7 @@ async function both({ backend }) {
   return results
 }
 
-/** Warps and disposes of a mesh many times → three's counts of resources and the size of the heap, before and after. */
+/** Warps and disposes of a mesh many times. Returns three's counts of resources and the size of the heap, before and after. */
 async function churn({ backend, times }) {
   const renderer = await rendererFor(backend)
   const object = scenes.shapes.plain()

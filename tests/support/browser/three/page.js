@@ -124,7 +124,7 @@ export function mirror(name, { light = 'directional', space, normals, isKnown = 
   return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
 
-/** Measures the max error of the drawn normals of a wave, in units of 1/255 → { worst, unwarped }: at each moment, and without the warp. */
+/** Measures the max error of the drawn normals of a wave, in units of 1/255. Returns { worst, unwarped }: at each moment, and without the warp. */
 export function normals() {
   renderer = rendererFor({})
   const { scene, camera, mesh, size } = wave.makeWaveScene()
@@ -220,7 +220,7 @@ export async function custom() {
 }
 
 /**
- * Warps and disposes of a mesh many times → three's counts of resources and the size of the heap, before and after. With `hasTwin`, another
+ * Warps and disposes of a mesh many times. Returns three's counts of resources and the size of the heap, before and after. With `hasTwin`, another
  * mesh stays warped and shares its programs, which would otherwise be compiled each time, for 0.1 s. Draws few pixels.
  */
 export async function churn(times, { hasTwin = false } = {}) {

@@ -141,7 +141,7 @@ function compare(a, b) {
   return { count, worst }
 }
 
-/** Compares a row's three pictures → { differing, moved, worst }. */
+/** Compares a row's three pictures. Returns { differing, moved, worst }. */
 export async function run(row) {
   const none = await draw(row, 'none')
   const byHand = await draw(row, 'byHand')

@@ -1,4 +1,4 @@
-// Pictures of a divided box from all sides.
+// Draws a divided box, seen from all sides.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { paintSquares, swell } from '../../swollen-box.js'
@@ -8,7 +8,7 @@ const texture = new THREE.DataTexture(paintSquares(), 240, 240)
 texture.needsUpdate = true
 const material = new THREE.MeshBasicMaterial({ map: texture })
 
-/** Draws a box from all places → pictures. */
+/** Draws a box from all positions of the camera. Returns the pictures. */
 async function picturesOf({ draw, framesUntilLargeEnough = 1 }, places, pieces, detail = false) {
   const { scene, mesh } = sceneOf(new THREE.BoxGeometry(1, 1, 1, pieces, pieces, pieces), {
     material,
@@ -27,7 +27,7 @@ async function picturesOf({ draw, framesUntilLargeEnough = 1 }, places, pieces, 
   return pictures
 }
 
-/** Draws a box with detail and without against a dense one → numbers of pixels, for `checkPictures`. */
+/** Compares a box, with and without detail, with a dense one. Returns the numbers of pixels for `checkPictures`. */
 export async function around(host, { places }) {
   const dense = await picturesOf(host, places, 100)
   const beyond = async (detail) => {

@@ -1,4 +1,4 @@
-// What the tests measure, for either renderer.
+// The measurements of the tests, for either renderer.
 import * as THREE from 'three'
 import { camera, countBeyond, covered, sceneOf, warpBy } from './pictures.js'
 
@@ -7,20 +7,20 @@ export { holes } from './holes.js'
 export { comparePoses } from './posed.js'
 export { rays } from './rays.js'
 
-/** Views of the floor beside the box, by the light. */
+/** Maps a light → a view of the floor beside the box. */
 const outside = {
   sun: { from: [-1.6, 0.2, -0.4], to: [-1.6, -1.2, -0.5] },
   bulb: { from: [-2.5, 3.5, 1], to: [-2.5, -1.2, -1] },
 }
 
-/** A coarse shape, such as a box, with and without detail against a fine one. */
+/** Compares a coarse shape, such as a box, with and without detail, with a fine one. */
 export async function compare(
   { draw, triangles },
   { name, coarse = 'box', fine = 'fine', detail = 1, hasShadow = false, isOutside, light, space },
 ) {
   const view = camera()
   if (isOutside) {
-    // Sees the floor only, and of a shadow by the sun a part of its outline, in large.
+    // Shows only the floor. By the sun, a part of the outline of the shadow fills the picture.
     const { from, to } = outside[light]
     view.position.set(...from)
     view.lookAt(...to)
@@ -46,7 +46,7 @@ export async function compare(
   }
 }
 
-/** Instances of different sizes against the same as meshes of their own. */
+/** Compares divided instances of different sizes with fine ones. */
 export async function instances({ draw }) {
   const matrices = [0, 1, 2].map((i) =>
     new THREE.Matrix4()
@@ -59,7 +59,7 @@ export async function instances({ draw }) {
     const { geometry } = sceneOf(shape).mesh
     const many = new THREE.InstancedMesh(geometry, mesh.material, 3)
     matrices.forEach((matrix, i) => many.setMatrixAt(i, matrix))
-    geometry.setAttribute('mine', new THREE.InstancedBufferAttribute(new Float32Array(3), 1))
+    geometry.setAttribute('perInstance', new THREE.InstancedBufferAttribute(new Float32Array(3), 1))
     scene.clear().add(many)
     const warped = warpBy(many, 'twist', detail)
     const picture = await draw(scene, camera())
@@ -73,7 +73,7 @@ export async function instances({ draw }) {
   }
 }
 
-/** A texture of squares, which show where the inside of a side is wrong. */
+/** Returns a texture of squares, which show errors inside of a side of the box. */
 function squares() {
   const cells = 16
   const isDark = (i) => (i + Math.floor(i / cells)) % 2
@@ -85,7 +85,7 @@ function squares() {
   return texture
 }
 
-/** One side of a box that is mirrored or not, seen closely, since only triangles that face the camera are divided. */
+/** Draws a box, mirrored or not, from nearby, with a material that shows only one side of triangles. Only triangles that show it are divided. */
 export async function side({ draw, triangles }, { side, scale }) {
   const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: squares() })
   const view = camera()
@@ -106,7 +106,7 @@ export async function side({ draw, triangles }, { side, scale }) {
   return { beyond: countBeyond(picture, expected), triangles: drawn, both: triangles() }
 }
 
-/** Two materials, of which each has its own sides of the box. */
+/** Draws a box with three materials, each on two sides. */
 export async function groups({ draw }) {
   const materials = [0xff0000, 0x00ff00, 0x0000ff].map(
     (color) => new THREE.MeshBasicMaterial({ color }),
@@ -126,7 +126,7 @@ export async function groups({ draw }) {
   }
 }
 
-/** The numbers of triangles while things change, and what is left in the end. */
+/** Counts triangles while camera, geometry and scene change, and the geometries that are left in the end. */
 export async function countOverTime({ draw, triangles, geometries }) {
   const { scene, mesh } = sceneOf('box')
   const own = mesh.geometry
@@ -143,13 +143,13 @@ export async function countOverTime({ draw, triangles, geometries }) {
   }
   const far = camera()
   far.position.setLength(30)
-  // The first picture starts from the pieces that the CPU chose, which rounding can make different.
+  // The first picture starts from the pieces that the CPU chose. Rounding can make these differ from those of the passes.
   await drawAndCount()
   await drawAndCount(far)
   const near = await drawAndCount()
   scene.onAfterRender = () => call('after')
   const counts = { near, far: await drawAndCount(far), again: await drawAndCount() }
-  // Both a geometry that changes and another one are seen.
+  // A changed geometry is noticed, and so is another one.
   own.attributes.position.setXYZ(0, 3, 3, 3)
   own.attributes.position.needsUpdate = true
   counts.changed = await drawAndCount()
@@ -188,7 +188,7 @@ export async function countOverTime({ draw, triangles, geometries }) {
   }
 }
 
-/** A render call that throws leaves nothing exchanged, and the next one is divided. */
+/** Tests that a render call that throws restores the geometry, and that the next one divides the mesh again. */
 export async function throwing({ draw, triangles }) {
   const { scene, mesh } = sceneOf('box')
   const own = mesh.geometry
@@ -208,8 +208,8 @@ export async function throwing({ draw, triangles }) {
   return { error, isRestored, isSame: found === expected }
 }
 
-/** The objects that keep their vertices. */
-const keeping = {
+/** Maps a kind → a function that makes an object that is not divided. */
+const undividedObjects = {
   points: (geometry) => new THREE.Points(geometry),
   lines: (geometry) => new THREE.Line(geometry),
   instances: (geometry) => {
@@ -229,9 +229,9 @@ const keeping = {
   },
 }
 
-export async function countKept({ draw, triangles }, { kind, space }) {
+export async function countUndivided({ draw, triangles }, { kind, space }) {
   const { scene, mesh } = sceneOf('box')
-  const object = keeping[kind](mesh.geometry)
+  const object = undividedObjects[kind](mesh.geometry)
   scene.clear().add(object)
   await draw(scene, camera())
   const own = triangles()
@@ -243,10 +243,10 @@ export async function countKept({ draw, triangles }, { kind, space }) {
   return { own, found }
 }
 
-/** Draws a group of objects that keep their vertices, for the messages about them. */
+/** Draws a group of objects that are not divided, for the warnings about them. */
 export async function warnOfGroup({ draw }, { kinds }) {
   const { scene, mesh } = sceneOf('box')
-  const group = new THREE.Group().add(...kinds.map((kind) => keeping[kind](mesh.geometry)))
+  const group = new THREE.Group().add(...kinds.map((kind) => undividedObjects[kind](mesh.geometry)))
   scene.clear().add(group)
   const warped = warpBy(group, 'twist', 1)
   await draw(scene, camera())

@@ -1,4 +1,4 @@
-// Closed shapes with detail that move, and the background that is seen inside of them.
+// Counts pixels at which the background shows through closed, moving shapes with detail.
 import * as THREE from 'three'
 import { breakEdge } from '../../holes.js'
 import { camera, countHoles, covered, sceneOf, warpBy } from './pictures.js'
@@ -9,7 +9,7 @@ const shapes = {
   box: () => new THREE.BoxGeometry(0.8, 0.8, 0.8),
 }
 
-/** Breaks an edge in the indices of each division, before they are uploaded → { count(), stop() }. */
+/** Breaks an edge in the indices of each division, before they are uploaded. Returns { count(), stop() }. */
 function breakDivisions() {
   const { prototype } = THREE.BufferAttribute
   const before = Object.getOwnPropertyDescriptor(prototype, 'needsUpdate')
@@ -17,8 +17,8 @@ function breakDivisions() {
     THREE.InterleavedBuffer.prototype,
     'needsUpdate',
   )
-  let [count, changes, buffers] = [0, 0, []]
-  // The indices of a division follow its buffers, of which positions are in the first.
+  let [count, indexUploads, buffers] = [0, 0, []]
+  // A division uploads its buffers before its indices. The first buffer has the positions.
   Object.defineProperty(prototype, 'needsUpdate', {
     configurable: true,
     set(value) {
@@ -26,7 +26,7 @@ function breakDivisions() {
       if (array instanceof Uint32Array && updateRanges.length) {
         const drawn = array.subarray(0, updateRanges[0].count)
         const { array: positions, stride } = buffers[0]
-        if (breakEdge(drawn, positions, stride, 53 * changes++)) count++
+        if (breakEdge(drawn, positions, stride, 53 * indexUploads++)) count++
         buffers = []
       } else buffers.push({ array, stride: itemSize })
       before.set.call(this, value)
@@ -48,7 +48,7 @@ function breakDivisions() {
   }
 }
 
-/** Moves one corner of one triangle of the sphere, the one that is nearest to the camera. */
+/** Moves one corner of one triangle of the sphere: the one nearest to the camera. */
 function breakMesh({ attributes: { position } }, view) {
   const towards = view.position.clone().normalize()
   const place = new THREE.Vector3()
@@ -60,7 +60,7 @@ function breakMesh({ attributes: { position } }, view) {
   position.setXYZ(nearest, ...place)
 }
 
-/** The camera stays near the plane of the torus, whose own hole it never sees. */
+/** Moves the camera near the plane of the torus, so that it never looks through the hole of the torus. */
 function moveCamera(view, frame) {
   const distance = 5.4 + 0.8 * Math.cos(frame / 30)
   const angle = frame / 50
@@ -70,8 +70,8 @@ function moveCamera(view, frame) {
 }
 
 /**
- * Draws frames → the numbers of pixels with background inside of the shapes and of frames with any, and of different divisions. With
- * `broken` an edge is broken on purpose: of each `'division'`, or of the `'mesh'` that is divided.
+ * Draws frames. Returns the number of pixels with background inside of the shapes, the number of frames with such pixels, and that of
+ * different divisions. `broken` breaks an edge on purpose: in each `'division'`, or in the `'mesh'` that is divided.
  */
 export async function holes({ draw, triangles }, { frames = 300, broken, tolerance = 1 }) {
   const view = camera()

@@ -1,6 +1,6 @@
 // Reads buffers that compute passes write.
 
-/** Reads the numbers of an attribute from the GPU; all of them, if their count is missing. */
+/** Reads `count` numbers of an attribute from the GPU; all of them by default. */
 export async function readBuffer({ backend }, attribute, Numbers, count) {
   const { buffer } = backend.get(attribute)
   const size = count === undefined ? buffer.size : 4 * count
@@ -17,7 +17,7 @@ export async function readBuffer({ backend }, attribute, Numbers, count) {
   return numbers
 }
 
-/** Reads what is drawn → { indices, numbers }, with the numbers of an attribute. */
+/** Reads the drawn indices, and the values of an attribute. Returns { indices, numbers }. */
 export async function readDrawn(renderer, { indirect, index, attributes }, name = 'position') {
   const [count] = await readBuffer(renderer, indirect, Uint32Array)
   const indices = await readBuffer(renderer, index, Uint32Array, count)

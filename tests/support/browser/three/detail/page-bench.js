@@ -34,16 +34,16 @@ async function makeRenderer(size, hasPasses) {
   return renderer
 }
 
-/** A sphere without seams, of about three edges for each two triangles. */
+/** Returns a sphere with about this number of edges. There are about three edges for every two triangles. */
 function sphereOf(edges) {
   const rows = Math.round(Math.sqrt(edges / 6))
   return new THREE.SphereGeometry(1, 2 * rows, rows)
 }
 
-/** Warps a sphere → frame(i), which moves surface and camera and returns the milliseconds of `render`. */
+/** Warps a sphere. `frame(i)` moves the surface and the camera, and returns the milliseconds of `render`. */
 function start(renderer, name, edges) {
   const { scene, mesh } = sceneOf(sphereOf(edges))
-  // The bounds of the warped mesh would be computed in each frame.
+  // For culling, the bounds of the warped mesh would be computed in each frame.
   mesh.frustumCulled = false
   let drawn
   mesh.onBeforeRender = () => (drawn = mesh.geometry)

@@ -6,7 +6,7 @@ import { readDrawn } from './indirect.js'
 import { camera, countBeyond, sceneOf, size, warpBy } from './pictures.js'
 import { countOpenSides } from './sides.js'
 
-/** Maps a renderer → its target: a texture cannot belong to two devices. */
+/** Maps a renderer → its render target: two devices cannot share a texture. */
 const targets = new Map()
 const errors = []
 /** The buffers of our passes that are not destroyed. */
@@ -56,7 +56,7 @@ const pictureOf = (renderer) =>
 
 const wait = (time) => new Promise((resolve) => setTimeout(resolve, time))
 
-/** Warps a mesh → functions that draw it, and that return the geometry with which it was drawn last. */
+/** Warps a mesh. Returns functions that draw it, and that return or read the geometry with which it was drawn last. */
 function start(renderer, { shape, name, offset, uniforms, detail = 1, space, material }) {
   const { scene, mesh } = sceneOf(shape, { material })
   let drawn
@@ -73,7 +73,7 @@ function start(renderer, { shape, name, offset, uniforms, detail = 1, space, mat
       render(renderer, scene, view)
       return pictureOf(renderer)
     },
-    /** Draws until compute passes divide the mesh → the number of pictures. */
+    /** Draws until compute passes divide the mesh. Returns the number of pictures. */
     async begin(view = camera()) {
       for (let i = 1; i < 1000; i++) {
         render(renderer, scene, view)
@@ -85,7 +85,7 @@ function start(renderer, { shape, name, offset, uniforms, detail = 1, space, mat
   }
 }
 
-/** Cameras around the mesh, near and far. */
+/** Returns cameras around the mesh, near and far. */
 const cameras = (count) =>
   Array.from({ length: count }, (_, i) => {
     const view = camera()
@@ -94,7 +94,7 @@ const cameras = (count) =>
     return view
   })
 
-/** Draws the mesh until its buffers are large enough: the one of the frame before is drawn for a few frames. */
+/** Draws the mesh until its buffers are large enough. For a few frames, the mesh of an earlier frame is drawn. */
 async function drawOften(mesh, view) {
   for (let i = 0; i < 6; i++) {
     await mesh.draw(view)
@@ -102,7 +102,7 @@ async function drawOften(mesh, view) {
   }
 }
 
-/** Divides by passes and by the CPU for the same views → what differs in each. */
+/** Divides a mesh by passes and by the CPU, for the same views. Returns what differs in each view. */
 async function divide({ frames = 6, ...options }) {
   const all = [start(passRenderer, options), start(cpuRenderer, options)]
   const [byPasses, byCpu] = all
@@ -134,7 +134,7 @@ async function divide({ frames = 6, ...options }) {
   return { found, errors: errors.splice(0) }
 }
 
-/** Comes close to a mesh that was small, so that the buffers have to grow → pictures beside those by the CPU. */
+/** Moves the camera close to a mesh that was small, so that the buffers have to grow. Compares the pictures with those by the CPU. */
 async function approach(options) {
   const all = [start(passRenderer, options), start(cpuRenderer, options)]
   const [byPasses, byCpu] = all
@@ -159,7 +159,7 @@ async function approach(options) {
   }
 }
 
-/** Waves along x that become shorter, so that the mesh must be cut again. */
+/** Makes waves along x shorter, so that the mesh must be cut anew. */
 async function refine() {
   const offset = ({ glsl, position, uniforms }) =>
     glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0)
@@ -181,7 +181,7 @@ async function refine() {
   }
 }
 
-/** Draws with two cameras in turn, on larger targets, and as lines, and counts buffers. */
+/** Draws with two cameras in turn, on a larger target, as a wireframe, and with groups. Counts triangles and buffers. */
 async function countOverTime() {
   const before = buffers.size
   const material = new THREE.MeshNormalMaterial()
@@ -192,7 +192,7 @@ async function countOverTime() {
   far.position.setLength(30)
   const triangles = async () => (await one.read()).indices.length / 3
   const counts = { held: buffers.size - before, pairs: [] }
-  // The first picture starts from the pieces that the CPU chose, and may have too little room.
+  // The first picture starts from the pieces that the CPU chose, and its buffers may be too small.
   await drawOften(one, near)
   await one.draw(far)
   for (let i = 0; i < 2; i++)
@@ -226,7 +226,7 @@ async function countOverTime() {
   counts.isIndirectIfCurved = curved.drawn().indirect !== null
   curved.warped.dispose()
   await wait(20)
-  // The tessellations stay for the next mesh.
+  // The buffer of tessellations remains for other meshes.
   counts.left = buffers.size - before
   return { counts, errors: errors.splice(0) }
 }

@@ -6,5 +6,5 @@ export function readFileSync(url) {
   return request.responseText
 }
 
-/** Returns the folders of the sketches to read, which the page says. */
+/** Returns the folders of the sketches to read, which the page has set. */
 export const readdirSync = () => globalThis.sketchFolders

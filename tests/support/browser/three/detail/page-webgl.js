@@ -1,4 +1,4 @@
-// A page with WebGLRenderer that draws with the option `detail`.
+// A page that draws with the option `detail` by WebGLRenderer.
 import * as THREE from 'three'
 import * as checks from './checks.js'
 import { camera, sceneOf, size, warpBy } from './pictures.js'

@@ -1,4 +1,4 @@
-// A page with WebGPURenderer, on both its backends, that draws with the option `detail`.
+// A page that draws with the option `detail` by WebGPURenderer, on either backend.
 import * as THREE from 'three/webgpu'
 import 'warpjet/three/webgpu'
 import { rendererFor } from '../webgpu-renderer.js'
@@ -8,7 +8,7 @@ import { size } from './pictures.js'
 
 const target = new THREE.RenderTarget(size, size)
 
-/** Objects that three.js draws, with the geometries that they have at that moment. */
+/** The objects that three.js draws, with the geometries that they have while they are drawn. */
 let drawn = []
 
 const isPosed = ({ isSkinnedMesh, geometry }) =>
@@ -34,7 +34,7 @@ async function countTriangles(renderer) {
 async function hostFor(backend, hasPasses) {
   const renderer = await rendererFor(backend, { hasPasses })
   renderer.setClearColor(0, 0)
-  // Each animation frame would reset the counts, too.
+  // Otherwise, each animation frame would reset the counts, too.
   renderer.info.autoReset = false
   if (!Object.hasOwn(renderer.backend, 'draw')) {
     const { draw } = renderer.backend

@@ -1,4 +1,4 @@
-// Scenes with the option `detail`, and how their pictures differ. `draw(scene, camera)` returns RGBA bytes, and `triangles()` how many it drew.
+// Scenes with the option `detail`, and how their pictures differ. `draw(scene, camera)` returns RGBA bytes, and `triangles()` the number of triangles that it drew.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { countHoles as countOpen } from '../../holes.js'
@@ -67,7 +67,7 @@ const lights = {
   },
 }
 
-/** A scene with one object → { scene, mesh }; with a shadow on a floor if `hasShadow`. */
+/** Returns { scene, mesh }: a scene with one object, which casts a shadow on a floor if `hasShadow`. */
 export function sceneOf(geometry, { hasShadow = false, light = 'sun', material } = {}) {
   const scene = new THREE.Scene()
   const mesh = new THREE.Mesh(
@@ -91,14 +91,15 @@ export const warpBy = (mesh, name, detail, others) =>
 
 const imageOf = (data) => ({ width: size, height: size, data })
 
-/** Counts pixels of either picture that the other one shows nowhere within a pixel. */
+/** Counts the pixels of both pictures whose color the other one has nowhere within one pixel. */
 export const countBeyond = (a, b, tolerance = 24) => beyondPixel(imageOf(a), imageOf(b), tolerance)
 
+/** Counts the pixels that objects cover. */
 export const covered = (picture) => {
   let count = 0
   for (let i = 3; i < picture.length; i += 4) if (picture[i] > 0) count++
   return count
 }
 
-/** Counts the pixels of the background that are inside of objects. */
+/** Counts the pixels of the background that are surrounded by objects. */
 export const countHoles = (picture) => countOpen(size, (i) => picture[4 * i + 3] === 0)

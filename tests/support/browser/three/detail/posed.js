@@ -1,8 +1,8 @@
-// Meshes with bones and morph targets, with and without detail, against fine ones that are posed by three's own methods.
+// Compares meshes with bones and morph targets, with and without detail, with fine ones that are posed by three's own methods.
 import * as THREE from 'three'
 import { camera, countBeyond, sceneOf, warpBy } from './pictures.js'
 
-/** A box of few triangles that bones bend and a morph target widens at the top. */
+/** Makes a box of few triangles, which bones can bend and a morph target can widen at the top. */
 function poseable({ hasBones, hasMorphs }) {
   const geometry = new THREE.BoxGeometry(1.1, 1.8, 1.1, 1, 2, 1)
   const { position, normal } = geometry.attributes
@@ -60,7 +60,7 @@ function bend(mesh, angle) {
 
 const pieces = 32
 
-/** The posed triangles of a mesh, each divided into equal ones. */
+/** Returns the posed triangles of a mesh, each divided into equal ones. */
 function fineOf(mesh) {
   const { index, attributes, morphAttributes } = mesh.geometry
   const vectors = Array.from({ length: attributes.position.count }, (_, i) => {
@@ -119,7 +119,7 @@ const materials = {
   colors: () => new THREE.MeshBasicMaterial({ vertexColors: true }),
 }
 
-/** Several poses of one mesh, one after the other. */
+/** Compares several poses of a mesh, one after the other. */
 export async function comparePoses({ draw, triangles }, { kinds, look, space }) {
   const view = camera()
   const { scene } = sceneOf('box')

@@ -1,4 +1,4 @@
-// Rays that meet meshes drawn with detail, against rays that meet fine ones.
+// Compares rays that meet meshes with detail with rays that meet fine ones.
 import * as THREE from 'three'
 import { camera, sceneOf, warpBy } from './pictures.js'
 
@@ -9,14 +9,14 @@ function cast(view, mesh) {
   const all = []
   for (let y = 0; y < raysAcross; y++)
     for (let x = 0; x < raysAcross; x++) {
-      const at = [x, y].map((i) => ((i + 0.5) / raysAcross) * 2 - 1)
-      raycaster.setFromCamera(new THREE.Vector2(...at), view)
+      const position = [x, y].map((i) => ((i + 0.5) / raysAcross) * 2 - 1)
+      raycaster.setFromCamera(new THREE.Vector2(...position), view)
       all.push(raycaster.intersectObject(mesh)[0])
     }
   return all
 }
 
-/** The largest distances of hits on a divided box from those on a fine one, and the faces that they name of the user's triangles. */
+/** Compares hits on a divided box with those on a fine one, and checks that hits name the triangles of the user. */
 export async function rays({ draw }, { space, isMoved = false }) {
   const view = camera()
   const hitsOf = async (shape, detail) => {
@@ -58,13 +58,13 @@ export async function rays({ draw }, { space, isMoved = false }) {
     )
     return at.distanceTo(uv)
   })
-  const isOf = divided.hits.every((hit) => !hit || hit.object === divided.mesh)
+  const areOnMesh = divided.hits.every((hit) => !hit || hit.object === divided.mesh)
   const beyond = (found) => distances(found).filter((distance) => distance > 0.05).length
   return {
     hits: divided.hits.filter(Boolean).length,
     beyond: beyond(divided),
     without: beyond(coarse),
     errorOfUv: Math.max(...errorsOfUv),
-    isOf,
+    areOnMesh,
   }
 }

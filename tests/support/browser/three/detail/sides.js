@@ -1,4 +1,4 @@
-/** Counts the sides of triangles that no other triangle goes along in the other direction. Vertices at one place are one. */
+/** Counts the sides of triangles that no other triangle has in the opposite direction. Vertices at the same place count as one vertex. */
 export function countOpenSides(indices, positions) {
   const places = new Map()
   const placeOf = (vertex) => {

@@ -3,8 +3,8 @@
 const maxDispatches = 16
 
 /**
- * Measures the compute passes of encoders with a label. Returns a function that reads the milliseconds of the last one: those of all its
- * dispatches, or those of each if `isSplit()`; `undefined` if the device has no timestamps.
+ * Measures the compute passes of encoders with this label. Returns a function that reads the milliseconds of the last encoder: the total
+ * of its dispatches, or the time of each if `isSplit()`. Returns `undefined` if the device has no timestamps.
  */
 export function timePasses(device, label, isSplit) {
   if (!device.features.has('timestamp-query')) return undefined

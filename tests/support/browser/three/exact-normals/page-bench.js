@@ -76,7 +76,7 @@ async function first(name, mode, options) {
   return performance.now() - start
 }
 
-/** Measures frames of all modes in turn, in batches of `batch` milliseconds or more → rows. */
+/** Measures frames of all modes in turn, in batches of `batch` milliseconds or more. Returns rows. */
 async function frames(name, { pieces, batch, rounds }) {
   const measured = []
   for (const mode of Object.keys(modes)) {

@@ -23,7 +23,7 @@ function getTarget(renderer, side) {
   return targets.get(key)
 }
 
-/** Draws a scene → its picture, four floats per pixel. */
+/** Draws a scene. Returns its picture, four floats per pixel. */
 async function picture(renderer, scene, view, side = size) {
   const target = getTarget(renderer, side)
   renderer.setRenderTarget(target)
@@ -42,7 +42,7 @@ function draw(renderer, object, view) {
   return picture(renderer, scene, view)
 }
 
-/** Draws a case, with `exactNormals` if `isExact` → the picture `shown`, and the objects that were drawn. */
+/** Draws a case, with `exactNormals` if `isExact`. Returns the picture `shown`, and the objects that were drawn. */
 async function drawCase(
   { kind = 'plain', shape, first, position, prepare },
   { backend, normals = 'pixel', isExact = true },
@@ -63,7 +63,7 @@ async function drawCase(
   return { renderer, material, object, geometry, view, shown }
 }
 
-/** Compares the drawn normals of a displacement with exact ones → quantiles of their angles, in degrees. */
+/** Compares the drawn normals of a displacement with exact ones. Returns quantiles of their angles, in degrees. */
 async function measure(name, settings) {
   const displacement = displacements[name]
   const { move, ignoresPose } = displacement
@@ -144,7 +144,7 @@ const halfSides = { sea: 1, terrain: 5 }
 const showcaseSize = 320
 
 /**
- * Draws the normals of a showcase → the picture `shown`, and the objects that were drawn. `by` says which normals: 'hand' for those of the
+ * Draws the normals of a showcase. Returns the picture `shown`, and the objects that were drawn. `by` says which normals: 'hand' for those of the
  * showcase, 'us' for `exactNormals`.
  */
 async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side = showcaseSize }) {
@@ -173,7 +173,7 @@ async function heightsOf(name, settings) {
   return [countHeights(shaders.vertexShader), countHeights(shaders.fragmentShader)]
 }
 
-/** Compares the drawn normals of a showcase with finite differences of its height → statistics of their angles, in degrees. */
+/** Compares the drawn normals of a showcase with finite differences of its height. Returns statistics of their angles, in degrees. */
 async function measureShowcase(name, settings) {
   const { renderer, material, mesh, scene, view, shown } = await drawShowcase(name, settings)
   const { heightNear } = showcases[name]
@@ -214,7 +214,7 @@ async function measureShowcase(name, settings) {
   }
 }
 
-/** Draws the varyings that a positionNode assigns, as colours, with `exactNormals` and without → the max difference. */
+/** Draws the varyings that a positionNode assigns, as colours, with `exactNormals` and without. Returns the max difference. */
 async function differenceOfVaryings(name, { backend, normals, hasTangents }) {
   const pictures = []
   let heights
@@ -243,7 +243,7 @@ async function differenceOfVaryings(name, { backend, normals, hasTangents }) {
   }
 }
 
-/** Raises a plane that faces the viewer between two frames → the velocities at its middle, upwards, in units of the scene. */
+/** Raises a plane that faces the viewer between two frames. Returns the velocities at its middle, upwards, in units of the scene. */
 async function velocities({ backend }) {
   const renderer = await rendererFor(backend)
   const { mrt, output, uniform, vec3, velocity } = THREE.TSL

@@ -54,7 +54,7 @@ for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawEl
 }
 
 /**
- * Draws a mesh → four floats per vertex and instance: the value of `expression` in its fragment shader, such as `vec4(normal, 1.0)`;
+ * Draws a mesh. Returns four floats per vertex and instance: the value of `expression` in its fragment shader, such as `vec4(normal, 1.0)`;
  * default: the color. With `isClip`, `gl_Position`.
  */
 export function probe(mesh, camera, expression, isClip = false) {

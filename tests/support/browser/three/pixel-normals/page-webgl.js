@@ -119,7 +119,7 @@ function makeMaterialWithHook(change) {
   return material
 }
 
-/** Draws a material that has an obstacle → the number of pixels that differ from those with normals at vertices. */
+/** Draws a material that has an obstacle. Returns the number of pixels that differ from those with normals at vertices. */
 function obstacle(name, normals) {
   const pictures = ['vertex', normals].map((normals) => {
     const { scene, warped } = litScene(obstacles[name](), warps.simplex, { normals })
@@ -147,7 +147,7 @@ function stages() {
   )
 }
 
-/** Draws a noisy sphere with `normals` → a data URL, to look at it. */
+/** Draws a noisy sphere with `normals`. Returns a data URL, to look at it. */
 function show(normals, name = 'simplex', pixels = 400) {
   renderer.setSize(pixels, pixels)
   const { scene } = litScene(

@@ -80,7 +80,7 @@ async function ownNode(backend, normals) {
   return worst
 }
 
-/** Draws a reflection by MeshBasicMaterial, with normals at pixels and at vertices → the number of pixels that differ. */
+/** Draws a reflection by MeshBasicMaterial, with normals at pixels and at vertices. Returns the number of pixels that differ. */
 async function reflection(backend) {
   const { draw } = await makeHost(backend)
   const pictures = []
@@ -97,7 +97,7 @@ async function reflection(backend) {
 }
 
 /**
- * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices → the number of pixels that differ from
+ * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices. Returns the number of pixels that differ from
  * these.
  */
 async function obstacle(backend, normals) {
