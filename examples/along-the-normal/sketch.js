@@ -2,7 +2,7 @@
 // each vertex. Right: addSurfaceVariation adds the derivatives of the normal along
 // the surface to the mesh, so that the light is correct.
 // Needs p5 2: p5 1.11 has no vertex properties.
-let ring, approximate, exact
+let ring, rough, exact
 
 async function setup() {
   createCanvas(640, 480, WEBGL)
@@ -17,7 +17,7 @@ async function setup() {
     // buildGeometry does not normalize normals.
     return normal.normalize().mult(height)
   }
-  approximate = createWarp(bumps, { surfaceVariation: false })
+  rough = createWarp(bumps, { surfaceVariation: false })
   exact = createWarp(bumps)
 
   ring = buildGeometry(() => torus(92, 38, 160, 80))
@@ -32,7 +32,7 @@ function draw() {
   specularMaterial(160)
   shininess(40)
 
-  panel(-155, '#e9c46a', approximate)
+  panel(-155, '#e9c46a', rough)
   panel(155, '#43c6ac', exact)
 }
 

@@ -77,7 +77,7 @@ test('errors for unsupported objects name them, and say what to write instead', 
   const errors = await page.evaluate(() => company.errors())
   const expected = [
     /^WarpError: warp: the vertexNode of the MeshStandardNodeMaterial "screen" of the Mesh "boat" .*positionNode\.$/,
-    /^WarpError: warp: the PointsNodeMaterial of the Mesh "dust" .*put it on Points with the geometry\.$/,
+    /^WarpError: warp: the PointsNodeMaterial of the Mesh "dust" draws squares that face the camera, unless its object is a Points; use new Points\(geometry, material\)\.$/,
     /^WarpError: warp: the Sprite "tree" .*use a Mesh with a PlaneGeometry\.$/,
     /^WarpError: warp: the Mesh "ship" is drawn by a renderer of another copy of three\.js /,
   ]
