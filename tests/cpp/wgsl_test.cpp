@@ -106,7 +106,7 @@ TEST(WgslLoops, ContinuingReadsVariablesOfTheBody) {
 
 // Whether the body goes on after the break is known only when the shader runs.
 TEST(WgslLoops, ContinuingReadsVariablesDeclaredAfterABreak) {
-  const Listing listing = listed(
+  const Listing listing = lowerLast(
       "fn f(p: f32) -> f32 { var s = 0.0; var i = 0; loop { if p > s { break; } let x = "
       "f32(i); continuing { s += x; i++; break if i > 3; } } return s; }");
   EXPECT_EQ(listing.constants, (std::vector<double>{0, 1, 2, 3})) << "the values of x";
