@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "eval/lanes_math.hpp"
+#include "graph/graph.hpp"
 #include "ops/rows.hpp"
 
 namespace warpjet {
