@@ -147,7 +147,10 @@ export class DetailedMesh {
     return [...this.warp.state(given), ...place]
   }
 
-  /** Returns the base and its present division, for compute passes. Call it after an update; the result is valid until the next call of any mesh. */
+  /**
+   * Returns the base and its present division, for compute passes. Call it after an update; the result is valid until the next call of any
+   * mesh.
+   */
   parts(): DetailParts {
     const { detail } = this.wasmMesh!
     // Compute passes do not choose a uniform division.
@@ -181,7 +184,10 @@ export class DetailedMesh {
     this.baseVersion++
   }
 
-  /** Returns the values of an attribute, by its index in the base; -1 is positions. The result is a view, which is valid until the next call of any mesh. */
+  /**
+   * Returns the values of an attribute, by its index in the base; -1 is positions. The result is a view, which is valid until the next call
+   * of any mesh.
+   */
   values(attribute: number): Float32Array {
     return this.wasmMesh?.detail.attribute(attribute + 1) ?? new Float32Array()
   }
@@ -197,8 +203,8 @@ export class DetailedMesh {
   }
 
   /**
-   * Returns the vertices along lines, each between two vertices of the base: for each line the number of its vertices, then the vertices. A line that is no
-   * side of a triangle is one piece.
+   * Returns the vertices along lines, each between two vertices of the base: for each line the number of its vertices, then the vertices. A
+   * line that is no side of a triangle is one piece.
    */
   lines(ends: ArrayLike<number>): ArrayLike<number> {
     return this.wasmMesh!.detail.lines(ends)

@@ -7,7 +7,10 @@ const printedReasons = new WeakMap<object, Set<string>>()
 export const onlyOnGpu =
   'the offset calls a glsl.fn or reads an image, which only the GPU can evaluate'
 
-/** Warns that something is drawn with its own vertices, once per warp and reason. `name` describes it; `method` is the function that the user called. */
+/**
+ * Warns that something is drawn with its own vertices, once per warp and reason. `name` describes it; `method` is the function that the
+ * user called.
+ */
 export function warnOfDetail(warp: object, method: string, name: string, reason: string) {
   const reasons = printedReasons.get(warp) ?? new Set()
   if (reasons.has(reason)) return

@@ -54,8 +54,9 @@ inline double maskTerm(bool condition, double, double term) { return condition ?
 // 1994). No product here reaches 2^24, so float computes every step as exactly as integers do.
 inline constexpr double hashPrime = 4091, hashFactor = 1597, hashSummand = 823;
 
-// The remainder next to 0. It is up to 2047 away: the rounded product with the inverse, which takes
-// less time than a quotient, may be on the other side of a half. Products of two are below 2^24.
+// Returns the remainder of x by the prime that is closest to 0, or its neighbor: the product with
+// the inverse takes less time than a quotient, but may be rounded to the wrong side of a half.
+// Remainders are at most 2047 from 0, so that the product of two is below 2^24.
 template <class Scalar>
 Scalar hashRemainder(Scalar x) {
   const Scalar prime = hashPrime, inverse = 1 / hashPrime;

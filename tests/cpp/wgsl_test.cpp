@@ -104,7 +104,7 @@ TEST(WgslLoops, ContinuingReadsVariablesOfTheBody) {
             1 + 2 + 3 + 6 + 7);
 }
 
-// Whether the body goes on after the break is known only when the shader runs.
+// Only the shader knows whether the body goes on after the break.
 TEST(WgslLoops, ContinuingReadsVariablesDeclaredAfterABreak) {
   const Listing listing = lowerLast(
       "fn f(p: f32) -> f32 { var s = 0.0; var i = 0; loop { if p > s { break; } let x = "
