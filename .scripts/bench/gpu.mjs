@@ -6,6 +6,7 @@ import { servePages } from '../../tests/support/browser/server.js'
 import { sketchWarps } from '../../tests/warps/sketches.js'
 import { threeWarps } from '../../tests/warps/three-sketches.js'
 import { parseOptions } from '../lib/options.mjs'
+import { openShaderPage } from '../lib/shader-page.mjs'
 import { Stop, say } from '../lib/terminal.mjs'
 import { launchFastest } from './frames/browsers.mjs'
 import { shadersOf } from './gpu/shaders.mjs'
@@ -52,8 +53,9 @@ async function compileAll(names) {
 
 /** Runs in the page, and defines `measureWarp`. */
 function prepare(size) {
-  const canvas = new OffscreenCanvas(size, size)
-  const gl = canvas.getContext('webgl2', { antialias: false })
+  const scene = new Scene(document.createElement('canvas'), size)
+  const { gl } = scene
+  gl.disable(gl.DEPTH_TEST)
   const cells = 100
   const indices = new Uint32Array(6 * cells * cells)
   for (let i = 0; i < cells * cells; i++) {
@@ -63,28 +65,9 @@ function prepare(size) {
       6 * i,
     )
   }
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW)
-  gl.viewport(0, 0, size, size)
-
-  function compile({ vertex, fragment }) {
-    const program = gl.createProgram()
-    for (const [type, source] of [
-      [gl.VERTEX_SHADER, vertex],
-      [gl.FRAGMENT_SHADER, fragment],
-    ]) {
-      const shader = gl.createShader(type)
-      gl.shaderSource(shader, source)
-      gl.compileShader(shader)
-      gl.attachShader(program, shader)
-    }
-    gl.linkProgram(program)
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-      const logs = gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader))
-      throw new Error(gl.getProgramInfoLog(program) + logs.join(''))
-    }
-    return program
-  }
+  // The shaders compute the positions from the number of the vertex.
+  const unread = new Float32Array(3 * (cells + 1) ** 2)
+  scene.load({ positions: unread, normals: unread, indices })
 
   /** Sets all uniforms to 0.7. The cost does not depend on their values. */
   function setUniforms(program) {
@@ -97,14 +80,11 @@ function prepare(size) {
     }
   }
 
-  const pixel = new Uint8Array(4)
-  const finish = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel)
   const time = (program, count) => {
     gl.useProgram(program)
     const start = performance.now()
-    for (let i = 0; i < count; i++)
-      gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0)
-    finish()
+    for (let i = 0; i < count; i++) gl.drawElements(gl.TRIANGLES, scene.count, gl.UNSIGNED_INT, 0)
+    scene.finish()
     return (performance.now() - start) / count
   }
 
@@ -132,14 +112,13 @@ function prepare(size) {
     }
   }
 
-  const median = (times) => times.sort((a, b) => a - b)[times.length >> 1]
-
   window.measureWarp = (shaders, milliseconds) => {
     const end = performance.now() + milliseconds
     const methods = Object.entries(shaders).map(([name, sources]) => {
+      gl.clearColor(0, 0, 0, 0)
       gl.clear(gl.COLOR_BUFFER_BIT)
       const start = performance.now()
-      const program = compile(sources)
+      const program = scene.program(sources.vertex, sources.fragment)
       gl.useProgram(program)
       setUniforms(program)
       time(program, 1)
@@ -154,7 +133,7 @@ function prepare(size) {
     } while (rounds < 9 && performance.now() < end)
     for (const { program } of methods) gl.deleteProgram(program)
     return Object.fromEntries(
-      methods.map(({ name, first, times }) => [name, { first, frame: median(times), rounds }]),
+      methods.map(({ name, first, times }) => [name, { first, frame: quantile(times), rounds }]),
     )
   }
 }
@@ -186,8 +165,7 @@ export async function measure(args) {
   const start = performance.now()
   const browser = await launchFastest(software)
   const server = await servePages()
-  const page = await browser.newPage()
-  await page.goto(server.page('<!doctype html>'))
+  const page = await openShaderPage(browser, server)
   await page.evaluate(prepare, size)
   const all = await compileAll(names)
   const rows = {}

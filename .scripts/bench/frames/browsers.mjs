@@ -6,6 +6,8 @@ import { Stop, good } from '../../lib/terminal.mjs'
 
 const softwareRenderers = /swiftshader|llvmpipe|softpipe|basic render/i
 
+const launch = (args) => chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args })
+
 /** Runs in the page: returns the name of the WebGL 2 renderer, or null. */
 function findRenderer() {
   const gl = document.createElement('canvas').getContext('webgl2')
@@ -39,7 +41,6 @@ export async function chooseRenderer(launch, withoutGpu) {
  * pages have WebGPU, too.
  */
 export async function launchFastest(withoutGpu, webgpu) {
-  const launch = (args) => chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args })
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
   good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
   const adapterFlags = isSoftware
@@ -50,8 +51,6 @@ export async function launchFastest(withoutGpu, webgpu) {
 
 /** Opens the benchmark's page twice, uncapped and capped. Returns { version, renderer, isSoftware, uncapped, capped, close() }. */
 export async function openBrowsers(url, size, withoutGpu) {
-  const executablePath = process.env.WARPJET_CHROMIUM
-  const launch = (args) => chromium.launch({ executablePath, args })
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
   const browsers = []
   const close = () => Promise.all(browsers.map((browser) => browser.close()))
