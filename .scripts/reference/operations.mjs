@@ -4,9 +4,8 @@ import { code, markdownTable } from './parts.mjs'
 
 /** Returns the generated parts of the page. `page` is its text, which must mention every operation. */
 export function operationParts({ operations, aliases, others, headings }, page) {
-  const missing = others.filter(({ name }) => !page.includes(`${name}(`))
-  if (missing.length)
-    throw new Stop(`web/docs/operations.md lacks ${missing.map(({ name }) => name).join(', ')}.`)
+  const missing = others.filter((name) => !page.includes(`${name}(`))
+  if (missing.length) throw new Stop(`web/docs/operations.md lacks ${missing.join(', ')}.`)
   const groups = headings.map((heading) =>
     writeGroup(
       heading,

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -35,10 +34,6 @@ Json array(const List& items, Write write) {
   return list;
 }
 
-std::string_view typeName(ops::Type type) {
-  return type == ops::Type::Bool ? "bool" : type == ops::Type::Int ? "int" : "float";
-}
-
 // Lists the languages that lack this operation: there it is lowered to others.
 Json missingIn(Op op) {
   std::vector<std::string_view> names;
@@ -48,18 +43,21 @@ Json missingIn(Op op) {
   return names;
 }
 
+// Describes an operation in the same way as a composition. The name `atan` has two forms.
 Json row(const ops::Title& title, Op op) {
   const ops::Declaration& info = ops::declaration(op);
-  const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
-  return {{"name", title.name},
+  const bool isAtan2 = title.name == "atan2";
+  const bool isHidden = detail::isHidden(info) || info.traits.has(ops::Trait::SourceOnly);
+  constexpr char kind = static_cast<char>(Kind::NumberOrVector);
+  return {{"name", isAtan2 ? "atan" : title.name},
           {"operands", title.operands},
           {"meaning", title.meaning},
-          {"types", array(types, typeName)},
-          {"result", typeName(info.signature.result)},
-          {"missingIn", missingIn(op)},
+          {"kinds", std::string(static_cast<std::size_t>(info.arity), kind)},
+          {"result", std::string{kind}},
+          {"isListed", !isHidden || isAtan2},
           {"isChained", info.traits.has(ops::Trait::Chained)},
           {"takesMatrices", info.traits.has(ops::Trait::OnMatrices)},
-          {"isHidden", detail::isHidden(info) || info.traits.has(ops::Trait::SourceOnly)}};
+          {"missingIn", missingIn(op)}};
 }
 
 Json rows() {
@@ -85,7 +83,10 @@ Json composition(const Composition& each) {
           {"meaning", each.title.meaning},
           {"kinds", each.operands},
           {"result", std::string{static_cast<char>(each.result)}},
-          {"isListed", each.isListed}};
+          {"isListed", each.isListed},
+          {"isChained", false},
+          {"takesMatrices", false},
+          {"missingIn", Json::array()}};
 }
 
 Json alias(const detail::Alias& each) { return {{"name", each.name}, {"original", each.original}}; }
@@ -126,9 +127,7 @@ Json warpResults() {
   return names;
 }
 
-Json other(const Operation& each) {
-  return {{"name", each.name}, {"isConstructor", each.isConstructor()}};
-}
+std::string_view name(const Operation& each) { return each.name; }
 
 }  // namespace
 }  // namespace warpjet
@@ -140,7 +139,7 @@ int main() {
                     {"turns", array(patterns::turns, identity)},
                     {"compositions", array(compositions, composition)},
                     {"aliases", array(detail::aliases, alias)},
-                    {"others", array(detail::others, other)},
+                    {"others", array(detail::others, name)},
                     {"headings", array(headings, heading)},
                     {"languages", array(dialects(), language)},
                     {"noises", array(noises, noise)},
