@@ -56,9 +56,9 @@ function unusualVertices() {
   )
 }
 
-const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
+const colorAt = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
 
-/** Makes a sphere, a cube and special cases, of radius `size`, with only one in `every` vertices. */
+/** Makes the vertices of a sphere, a cube and special cases, of radius `size`. If `every` is n, keeps only every nth vertex. */
 export function denseMesh(size, every = 1) {
   const all = [...sphere(1200), ...cube(13), ...unusualVertices()]
   const points = all.filter((_, i) => i % every === 0)
@@ -67,7 +67,7 @@ export function denseMesh(size, every = 1) {
       ...position.map((x) => size * x),
       ...normal,
       ...uv,
-      ...color(position),
+      ...colorAt(position),
       ...Object.values(normalGradients(normal, size)).flat(),
     ]),
   )
@@ -96,8 +96,8 @@ function readAttribute(mesh, name) {
 }
 
 /**
- * Returns a mesh in the form that `evaluate` takes, with those gradients of the normal that are in `attributes`, which the warp's shader
- * reads.
+ * Returns a mesh in the form that `evaluate` takes, with those gradients of the normal that are in `attributes`, the attributes that the
+ * warp's shader reads.
  */
 export function arraysOf(mesh, attributes) {
   const all = (name) => readAttribute(mesh, name)

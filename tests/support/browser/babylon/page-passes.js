@@ -224,8 +224,8 @@ function prepass(scene, type) {
 }
 
 /**
- * Maps a name → how the scene differs: `warp` replaces `warpByMotion`; `add(scene, make)` and `change(knot)` are called in scenes with
- * and without a warp.
+ * Maps a name → how the scene differs: `warp` replaces `warpByMotion`; `add(scene, make)`, where `make` makes a material, and
+ * `change(knot)` are called in scenes with and without a warp.
  */
 const variants = {
   plain: {},
@@ -304,6 +304,7 @@ window.rows = Object.keys(passes).flatMap((pass, i) =>
     .map((variant) => [i % 2 ? 'Standard' : 'PBR', pass, variant]),
 )
 
+/** Returns numbers of pixels: `differing` between the warped and the moved mesh, and `moved` between the moved mesh and one at rest. */
 window.compare = async (backend, kind, pass, variant) => {
   const [still, moved, warped] = [
     await drawCached(backend, kind, pass, 'still', variant),
@@ -313,7 +314,7 @@ window.compare = async (backend, kind, pass, variant) => {
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** Draws a copy of a warped material; `how` says whether `clone` makes it or it is parsed from serialized data. */
+/** Compares like `compare`, with a copy of the warped material that is made by `clone` or parsed from serialized data, as `how` says. */
 window.compareCopy = async (backend, kind, how) => {
   const pictures = []
   for (const way of ['still', 'moved', 'warped']) {

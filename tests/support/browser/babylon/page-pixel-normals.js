@@ -64,7 +64,7 @@ const offsets = {
     ),
 }
 
-/** Adds offsets, which come as source code, to `offsets`. */
+/** Adds offsets to `offsets`; `sources` maps names to source code. */
 window.addOffsets = (sources) => {
   for (const [name, source] of Object.entries(sources)) offsets[name] = (0, eval)(source)
 }

@@ -33,7 +33,8 @@ async function picturesOf(places, shape, detail = false) {
       await wait(10)
     }
     const { image, draws } = await one.picture(i)
-    if (detail && !draws[0]?.indirectBuffer) throw new Error('the CPU divided it')
+    if (detail && !draws[0]?.indirectBuffer)
+      throw new Error('expected compute passes to divide the box, but the CPU did')
     pictures.push(image)
   }
   one.remove()

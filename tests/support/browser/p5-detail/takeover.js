@@ -3,6 +3,7 @@ import { differingPixels } from '../pixels.js'
 import { buffers, errors, startSketch, wait } from './sketches.js'
 import { around, boxOf, sketch } from './warped-shapes.js'
 
+/** Maps a name → how a sketch differs from one that draws a box. */
 const kinds = {
   box: {},
   strokes: {
@@ -28,7 +29,9 @@ const kinds = {
 
 const areIndirect = ({ draws }) => draws.map(({ indirectBuffer }) => !!indirectBuffer)
 
-/** Draws picture 0 until passes have begun, then pictures 0, 1 and 0. Returns which shapes of these were drawn by passes. */
+/**
+ * Draws picture 0 until passes have begun, then pictures 0, 1 and 0. Returns which shapes of the last three pictures were drawn by passes.
+ */
 export async function leave({ kind }) {
   const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
   await one.begin()
@@ -42,7 +45,9 @@ export async function leave({ kind }) {
   }
 }
 
-/** Draws pictures for longer than passes need to take over a box on another canvas. Returns whether they take over these shapes. */
+/**
+ * Draws pictures for longer than passes need to take over a box on another canvas. Returns whether they take over the shapes of this kind.
+ */
 export async function begin({ kind }) {
   const box = await startSketch(sketch({ shape: 'box', name: 'twist' }))
   const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
@@ -57,7 +62,7 @@ export async function begin({ kind }) {
   return { found, errors: errors.splice(0) }
 }
 
-/** Frees a shape, and changes it. Returns how many buffers there are after each step. */
+/** Frees a shape, and changes it. Returns how many buffers there are after each step, and how the pictures differ. */
 export async function life() {
   let shape
   const before = buffers.size

@@ -53,7 +53,7 @@ function makeDisplaced() {
   return material
 }
 
-/** Returns a copy of a geometry whose vertices are moved in the same way by hand. */
+/** Returns a copy of a geometry whose vertices are moved by hand, like those of `makeDisplaced`. */
 function moveVertices(geometry) {
   const copy = geometry.clone()
   const { position, normal } = copy.attributes
@@ -128,8 +128,8 @@ fromBelow.position.set(0.6, -0.35, 0)
 fromBelow.lookAt(0.6, -2, 0)
 
 /**
- * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which this differs from
- * the shadow without displacement (`moved`). `place` moves a vertex.
+ * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which the latter differs
+ * from the shadow without displacement (`moved`). `place` moves a vertex.
  */
 export function shadowOnFloor(geometry, material, place) {
   const renderer = getRenderer(true)
@@ -147,7 +147,7 @@ export function shadowOnFloor(geometry, material, place) {
   }
 }
 
-/** Counts these pixels for a displacement map that moves all vertices of a sphere outwards. */
+/** Does the same as `shadowOnFloor` for a displacement map that moves all vertices of a sphere outwards. */
 export async function shadowOfMap() {
   const displacementMap = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
   displacementMap.needsUpdate = true
@@ -195,7 +195,10 @@ export function recompile(kind) {
   }
 }
 
-/** Returns the height at which a ray from above hits the mesh, before it is first drawn, after, and later; and tests the bounds. */
+/**
+ * Returns the height at which a ray from above hits the mesh: before the mesh is first drawn, after that, and after a change of the
+ * uniform; and tests the bounds.
+ */
 export function cpu() {
   time.value = 0.4
   const mesh = exactNormals(new THREE.Mesh(makeSphere(), makeDisplaced()))

@@ -116,8 +116,8 @@ async function measure(name, settings) {
 }
 
 /**
- * Adds varyings to a positionNode: `position` and `normal` of the vertex before it moves: posed, unless `ignoresPose`. The
- * fourth component of `normal` is its length.
+ * Adds the varyings `position` and `normal` to a positionNode: those of the vertex before the positionNode moves it, posed unless
+ * `ignoresPose`. The fourth component of `normal` is the length of the normal.
  */
 function withVaryings(positionNode, ignoresPose) {
   const [position, normal] = [0, 1].map((i) => varyingProperty('vec4', `seen${i}`))
