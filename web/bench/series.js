@@ -2,12 +2,12 @@
 import { MIN_ERROR } from './figures.js'
 import { methodNames } from './method-notes.js'
 
-const number = (text) => Number(text.replaceAll(',', ''))
+const parseCount = (text) => Number(text.replaceAll(',', ''))
 
 /** Parses the name of a row such as '14,000 × 150'. Returns { vertices, nodes }; undefined for other rows. */
 function gridOf(row) {
   const [, vertices, nodes] = /^([\d,]+) × ([\d,]+)$/.exec(row) ?? []
-  return vertices && { vertices: number(vertices), nodes: number(nodes) }
+  return vertices && { vertices: parseCount(vertices), nodes: parseCount(nodes) }
 }
 
 const isDrawable = ({ x, y }) => Number.isFinite(x) && Number.isFinite(y)

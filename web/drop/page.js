@@ -31,18 +31,19 @@ let needsFrame = true
 
 const nextFrame = () => new Promise(requestAnimationFrame)
 const alert = find('[role=alert]')
-/** Shows an error without the function name that begins it, since visitors of this page write no code. */
+/** Shows an error without the name of the function at the start of its message, since visitors of this page write no code. */
 const showError = (error) =>
   (alert.textContent = (error?.message ?? '').replace(/^\w+: (.)/, (_, first) =>
     first.toUpperCase(),
   ))
 const redraw = () => (needsFrame = true)
+// Formats of numbers.
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 const rough = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
 const trianglesOf = ({ indices, positions }) => (indices?.length ?? positions.length / 3) / 3
 
-/** Tasks run one after the other. Each shows a status message. If it throws, the error is shown and the next task runs. */
+/** Tasks run one after the other. Each shows a status message. If a task throws, its error is shown, and the next task runs. */
 let tasks = Promise.resolve()
 let pending = 0
 function enqueue(message, task) {
@@ -284,6 +285,7 @@ function listen() {
   tolerance.addEventListener('change', refineAgain)
   showTolerance()
 
+  // The number of elements that the dragged files have entered and not left: the events also occur for elements of the page.
   let depth = 0
   const drag = (change) => (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return

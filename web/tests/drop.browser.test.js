@@ -15,7 +15,7 @@ const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 const paused = { ...desktop, deviceScaleFactor: 0.5, reducedMotion: 'reduce' }
 const screenshots = path('.build/screenshots')
 
-// A model far from the origin and small, as in some files; all green.
+// A green model that is small and far from the origin, as in some files.
 const sphere = sphereMesh(32, 16)
 const ball = {
   positions: sphere.vertices.flatMap(([x, y, z]) => [5 + 0.01 * x, 0.02 * y, 0.01 * z - 3]),
