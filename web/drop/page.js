@@ -18,7 +18,7 @@ const MAX_TRIANGLES = 400_000
 const find = (selector) => document.querySelector(selector)
 const status = find('.picture output')
 const [amount, time, tolerance] = ['#amount', '#time', '#tolerance'].map(find)
-const toggle = (name) => find(`[name=${name}]`)
+const findCheckbox = (name) => find(`[name=${name}]`)
 
 /** The visible model, { name, mesh, picture, center, unit, low, high }; `drawnMesh` is its mesh, subdivided or not. */
 let model
@@ -101,13 +101,13 @@ function showModel({ name, mesh, picture }) {
   )
   if (!warp) return
   showReadOuts()
-  if (toggle('subdivide').checked) refine()
+  if (findCheckbox('subdivide').checked) refine()
 }
 
 /** Updates the drawn mesh: subdivided where the warp needs it, or as it was loaded. */
 function refine() {
   let next = model.mesh
-  if (toggle('subdivide').checked)
+  if (findCheckbox('subdivide').checked)
     next = subdivide(model.mesh, {
       warp: warp.compiled,
       uniforms: uniforms(),
@@ -123,7 +123,7 @@ function refine() {
 }
 
 const refineAgain = () =>
-  toggle('subdivide').checked || drawnMesh !== model?.mesh
+  findCheckbox('subdivide').checked || drawnMesh !== model?.mesh
     ? enqueue('Subdividing…', () => model && refine())
     : undefined
 
@@ -178,7 +178,7 @@ function chooseWarp() {
     view.use(compiled)
     warp = { name: chosen.name, compiled }
     if (!model) return
-    if (toggle('subdivide').checked) refine()
+    if (findCheckbox('subdivide').checked) refine()
     else showReadOuts()
   })
 }
@@ -202,11 +202,11 @@ const download = () =>
   })
 
 function draw() {
-  const box = toggle('box').checked && computeBounds()
+  const box = findCheckbox('box').checked && computeBounds()
   const isFinite = box && [...box.min, ...box.max].every(Number.isFinite)
   view.draw(uniforms(), camera.view(model, view.canvas.clientWidth / view.canvas.clientHeight), {
-    normals: toggle('normals').checked,
-    wires: toggle('wires').checked,
+    normals: findCheckbox('normals').checked,
+    wires: findCheckbox('wires').checked,
     box: isFinite && box,
   })
 }
@@ -279,8 +279,9 @@ function listen() {
       void refineAgain()
     })
   }
-  for (const name of ['normals', 'wires', 'box']) toggle(name).addEventListener('change', redraw)
-  toggle('subdivide').addEventListener('change', refineAgain)
+  for (const name of ['normals', 'wires', 'box'])
+    findCheckbox(name).addEventListener('change', redraw)
+  findCheckbox('subdivide').addEventListener('change', refineAgain)
   tolerance.addEventListener('input', showTolerance)
   tolerance.addEventListener('change', refineAgain)
   showTolerance()

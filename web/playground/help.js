@@ -19,7 +19,10 @@ const makeCompletion =
 const completionsOf = (map, type) => [...map].map(makeCompletion(type))
 
 const methods = completionsOf(operations, 'method')
-const members = [...completionsOf(deformers, 'function'), ...completionsOf(libraryFunctions, 'function')]
+const members = [
+  ...completionsOf(deformers, 'function'),
+  ...completionsOf(libraryFunctions, 'function'),
+]
 const words = Object.fromEntries(
   Object.entries(hostEntries).map(([host, { inputs, functions }]) => [
     host,

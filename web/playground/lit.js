@@ -23,4 +23,5 @@ export const highlightedLines = StateField.define({
   provide: (field) => EditorView.decorations.from(field),
 })
 
-export const highlightLines = (view, lineNumbers) => view.dispatch({ effects: setLines.of(lineNumbers) })
+export const highlightLines = (view, lineNumbers) =>
+  view.dispatch({ effects: setLines.of(lineNumbers) })

@@ -170,7 +170,7 @@ function makeCosts({ warps, first, rate }) {
     ])
   const list = make('dl', { className: 'read-outs' })
   list.append(
-    make('div', {}, make('dt', { textContent: 'First picture' }), figure(first, 'ms')),
+    make('div', {}, make('dt', { textContent: 'First picture' }), makeFigure(first, 'ms')),
     make(
       'div',
       {},
@@ -189,7 +189,7 @@ function makeCosts({ warps, first, rate }) {
   return make('div', {}, list, table)
 }
 
-const figure = (value, unit) =>
+const makeFigure = (value, unit) =>
   make('dd', { textContent: value === undefined ? '–' : `${integer.format(value)} ${unit}` })
 
 const makeRow = (kind, cells) =>

@@ -87,15 +87,12 @@ describe('the playground', () => {
     ]
     // [sketch, line, message, another line that a browser may name instead]. For a syntax error this is the next line, where the parser
     // stops.
-      for (const [sketch, expectedLine, message, otherLine = expectedLine] of mistakes) {
+    for (const [sketch, expectedLine, message, otherLine = expectedLine] of mistakes) {
       await write(page, sketch)
       const mistake = await page.locator('.mistake').textContent()
       assert.match(mistake.replace(/^Line \d+ /, ''), message)
       const line = Number(/^Line (\d+) /.exec(mistake)?.[1])
-      assert.ok(
-        line === expectedLine || line === otherLine,
-        `${mistake}, not line ${expectedLine}`,
-      )
+      assert.ok(line === expectedLine || line === otherLine, `${mistake}, not line ${expectedLine}`)
       assert.equal(await page.locator('.cm-lint-marker-error').count(), 1, mistake)
       assert.equal(difference(before, await canvasPixels(page)), 0)
       assert.doesNotMatch(mistake, /blob:|warps\.js/)

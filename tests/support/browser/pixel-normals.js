@@ -87,7 +87,9 @@ export function exactNormals(name, mesh, { toScreen, restAt, width, height, coun
       : []
   })
   const share = seen.length / sample.length
-  const exact = at ? seen.map((place) => exactNormal(at, place)) : evaluateNormals(warp, seen)
+  const exact = at
+    ? seen.map((place) => normalByDifferences(at, place))
+    : evaluateNormals(warp, seen)
   // At a kink there is no normal.
   return { share, exact: exact.filter(({ normal }) => normal) }
 }
@@ -114,7 +116,7 @@ const arraysOf = (all) => ({
   ),
 })
 
-function exactNormal(at, { pixel, values }) {
+function normalByDifferences(at, { pixel, values }) {
   const vertex = { position: vectorAt(values, 0), normal: vectorAt(values, 3) }
   return { pixel, normal: warpVertex(at, vertex, {}, 1e-4).normal }
 }

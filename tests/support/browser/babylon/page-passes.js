@@ -180,9 +180,9 @@ const passes = {
       return readTexture(layer._mainTexture)
     }
   },
-  'G-buffer, normals': (scene) => gBuffer(scene, 1),
-  'G-buffer, positions': (scene) => gBuffer(scene, 2),
-  'prepass, normals': (scene) => prepass(scene, Constants.PREPASS_NORMAL_TEXTURE_TYPE),
+  'G-buffer, normals': (scene) => useGBuffer(scene, 1),
+  'G-buffer, positions': (scene) => useGBuffer(scene, 2),
+  'prepass, normals': (scene) => usePrepass(scene, Constants.PREPASS_NORMAL_TEXTURE_TYPE),
   picking(scene, knot) {
     const picker = new GPUPicker()
     picker.setPickingList([knot])
@@ -204,7 +204,7 @@ const passes = {
   },
 }
 
-function gBuffer(scene, index) {
+function useGBuffer(scene, index) {
   const renderer = scene.enableGeometryBufferRenderer()
   renderer.enablePosition = true
   return async () => {
@@ -214,7 +214,7 @@ function gBuffer(scene, index) {
 }
 
 /** Adds ambient occlusion, which reads the prepass. */
-function prepass(scene, type) {
+function usePrepass(scene, type) {
   new SSAO2RenderingPipeline('occlusion', scene, 1, [scene.activeCamera])
   const renderer = scene.prePassRenderer
   return async () => {

@@ -72,9 +72,9 @@ export async function resemble({ name, coarse, dense }) {
   await byPasses.begin()
   const { image } = await byPasses.picture()
   const pictureOf = async (shape) => {
-    const one = await startSketch(sketch({ ...atRest, name, shape, detail: false }))
-    const { image } = await one.picture()
-    one.remove()
+    const started = await startSketch(sketch({ ...atRest, name, shape, detail: false }))
+    const { image } = await started.picture()
+    started.remove()
     return image
   }
   const [without, expected] = [await pictureOf(coarseShape), await pictureOf(denseShape)]

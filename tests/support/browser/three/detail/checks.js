@@ -77,7 +77,7 @@ export async function instances({ draw }) {
 }
 
 /** Returns a texture of squares, which show errors inside of a side of the box. */
-function squares() {
+function makeSquares() {
   const cells = 16
   const isDark = (i) => (i + Math.floor(i / cells)) % 2
   const bytes = Array.from({ length: cells * cells }, (_, i) =>
@@ -93,7 +93,7 @@ function squares() {
  * the camera are divided.
  */
 export async function side({ draw, triangles }, { side, scale }) {
-  const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: squares() })
+  const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: makeSquares() })
   const view = camera()
   view.position.setLength(2.2)
   const pictureOf = async (shape, detail) => {

@@ -19,7 +19,7 @@ function getRenderer(isShadowed) {
   })())
 }
 
-function picture(renderer, scene, from = camera) {
+function takePicture(renderer, scene, from = camera) {
   renderer.render(scene, from)
   const gl = renderer.getContext()
   const pixels = new Uint8Array(4 * size * size)
@@ -111,11 +111,14 @@ export function shadow(kind, isFollowing = true) {
   renderer.render(scene, camera)
   // The uniform must still affect the shadow.
   time.value = 1.9
-  const drawn = picture(renderer, scene)
+  const drawn = takePicture(renderer, scene)
   const plain = new THREE.MeshStandardMaterial({ roughness: 0.6 })
   const byHand = new THREE.Mesh(moveVertices(makeSphere()), plain)
-  const expected = picture(renderer, makeScene(byHand, lights[kind]()))
-  const without = picture(renderer, makeScene(new THREE.Mesh(makeSphere(), plain), lights[kind]()))
+  const expected = takePicture(renderer, makeScene(byHand, lights[kind]()))
+  const without = takePicture(
+    renderer,
+    makeScene(new THREE.Mesh(makeSphere(), plain), lights[kind]()),
+  )
   return {
     isSame: returned === (isFollowing ? mesh : material),
     differing: countDiffering(drawn, expected),
@@ -133,7 +136,7 @@ fromBelow.lookAt(0.6, -2, 0)
  */
 export function shadowOnFloor(geometry, material, place) {
   const renderer = getRenderer(true)
-  const draw = (mesh) => picture(renderer, makeScene(mesh, lights.directional()), fromBelow)
+  const draw = (mesh) => takePicture(renderer, makeScene(mesh, lights.directional()), fromBelow)
   const byHand = geometry.clone()
   const { position } = byHand.attributes
   for (let i = 0; i < position.count; i++)
@@ -182,10 +185,10 @@ export function recompile(kind) {
   const sceneWith = (mesh) => makeScene(mesh, lights.directional())
   const mesh = makeMesh('0.1')
   const scene = sceneWith(mesh)
-  const before = picture(renderer, scene, fromBelow)
+  const before = takePicture(renderer, scene, fromBelow)
   change(mesh.material, '0.9')
-  const drawn = picture(renderer, scene, fromBelow)
-  const expected = picture(renderer, sceneWith(makeMesh('0.9')), fromBelow)
+  const drawn = takePicture(renderer, scene, fromBelow)
+  const expected = takePicture(renderer, sceneWith(makeMesh('0.9')), fromBelow)
   const ray = new THREE.Raycaster(new THREE.Vector3(-1.5, 9, 0), new THREE.Vector3(0, -1, 0))
   return {
     differing: countDiffering(drawn, expected),
@@ -244,7 +247,7 @@ export function warpOnTop(normals) {
   const renderer = getRenderer(false)
   const draw = (mesh) => {
     mesh.frustumCulled = false
-    return picture(renderer, new THREE.Scene().add(mesh), camera)
+    return takePicture(renderer, new THREE.Scene().add(mesh), camera)
   }
   const showNormals = (material) => {
     const { onBeforeCompile } = material
@@ -297,7 +300,7 @@ export function twins() {
   }
   const draw = (...materials) =>
     materials.map((material) =>
-      picture(renderer, new THREE.Scene().add(new THREE.Mesh(makeSphere(), material))),
+      takePicture(renderer, new THREE.Scene().add(new THREE.Mesh(makeSphere(), material))),
     )
   const [first, second] = draw(create('0.1'), create('0.4'))
   return countDiffering(first, second)
