@@ -1,7 +1,6 @@
 // Compares drawn normals with exact ones at each pixel. The first parameter describes a renderer: `draw(scene, camera)` returns a picture,
-// four
-// floats per pixel from the bottom left; `normalMaterial` makes a material that draws normals as colours, which `decode` converts to those
-// of WebGLRenderer; `attributeMaterial` makes one that draws the attribute `shownAttribute`.
+// four floats per pixel from the bottom left; `normalMaterial` makes a material that draws normals as colours, which `decode` converts to
+// those of WebGLRenderer; `attributeMaterial` makes a material that draws the attribute `shownAttribute`.
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
 import { degreesBetween, exactVertex, makeMover, quantile } from './exact.js'

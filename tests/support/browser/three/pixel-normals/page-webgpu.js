@@ -99,8 +99,8 @@ async function reflection(backend) {
 }
 
 /**
- * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices. Returns the number of pixels that differ from
- * these.
+ * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices. Returns the number of pixels that differ
+ * from a picture with `normals: 'vertex'`.
  */
 async function obstacle(backend, normals) {
   const { draw } = await makeHost(backend)

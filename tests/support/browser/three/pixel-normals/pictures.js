@@ -68,7 +68,10 @@ export function countDifferences(a, b, tolerance = 1e-3) {
   return count
 }
 
-/** Draws a collapsing surface lit and with its normals as colours, and counts the pixels that differ from flat-shaded ones. */
+/**
+ * Draws a collapsing surface lit and with its normals as colours, and counts the pixels that differ from pictures of the flat-shaded
+ * surface.
+ */
 export async function collapse({ draw, makers }, name, { normals, side = 'FrontSide' }) {
   const offset = collapses[name]
   const options = { side: THREE[side] }
