@@ -81,8 +81,8 @@ bool Builder::checkCount(int wanted, const Site& site) {
 std::nullopt_t Builder::rejectShapes(Shape a, Shape b, const Site& site) {
   const bool isProduct = a.isMatrix() || b.isMatrix();
   return reject(site.method, {shapeName(a), " and ", shapeName(b), " do not fit together; use ",
-                              isProduct ? "matrices and vectors of one size."
-                                        : "vectors of one size, or numbers."});
+                              isProduct ? "matrices and vectors of the same size."
+                                        : "vectors of the same size, or numbers."});
 }
 
 std::optional<Shape> Builder::commonShape(std::span<const Value> operands, const Site& site) {
@@ -164,7 +164,7 @@ bool Builder::fitsInput(const Value& operand, std::size_t place, const Site& sit
         std::find(nodes.begin(), nodes.begin() + i, nodes[i]) != nodes.begin() + i;
     if (graph_.isInput(nodes[i]) && !isRepeated) continue;
     reject(site.method, {site.describeOperand(place),
-                         isRepeated ? " must have different components."
+                         isRepeated ? " must not repeat a component."
                                     : " must be an input such as millis or position.x(), "
                                       "not something computed."});
     return false;

@@ -110,9 +110,9 @@ bool Builder::readsOpenRepeat(std::span<const NodeId> nodes, bool mayReadStep) {
   return false;
 }
 
-bool Builder::checkReadsNoRepeat(const Value& value, std::string_view asker) {
+bool Builder::checkReadsNoRepeat(const Value& value, std::string_view method) {
   if (!readsOpenRepeat(value.nodes(), false)) return true;
-  reject(asker, {onlyInItsBody});
+  reject(method, {onlyInItsBody});
   return false;
 }
 

@@ -63,7 +63,7 @@ NodeId multipleOf(Graph& graph, Term x, Term y) {
     for (int k = 0; k < maxFactors; ++k) {
       const NodeId same = factorOf(graph, y.id, k);
       if (same == noNode) continue;
-      // The sign of a constant is part of it.
+      // A constant factor includes its sign, so it may also be the negative of the other factor.
       const bool isOpposite = factor != same;
       if (isOpposite && !(graph.isConstant(factor) && graph.isConstant(same, -graph.value(factor))))
         continue;

@@ -59,7 +59,7 @@ struct Skewed {
       whole.push_back(floor(x));
       inside.push_back(fract(x));
     }
-    // Its product with an integer of up to 4096 is exact in float.
+    // The product of `coarse` and an integer of up to 4096 is exact in float.
     const double coarse = std::round(skew * 4096) / 4096;
     const Expression cells = sum(whole), product = cells * coarse;
     shift = floor(product);

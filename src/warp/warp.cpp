@@ -18,8 +18,8 @@ namespace {
 
 // Returns x + 1 if x is a sum with the term -1 within a few levels; otherwise nullopt. An offset is
 // often "moved - position", and its derivative is such a sum; adding 1 would cost digits where the
-// rest is small. Treats -(a
-// - b), which the graph doesn't simplify, as b - a.
+// rest is small. The graph doesn't simplify a negated difference -(a - b), which is treated as b -
+// a here.
 std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
   if (graph.isConstant(x.id, -1)) return Expression{&graph, graph.constant(0)};
