@@ -70,11 +70,11 @@ std::string Builder::Site::describeOperand(std::size_t operand) const {
 }
 
 bool Builder::checkCount(int wanted, const Site& site) {
-  const int given = static_cast<int>(operands_.size());
-  if (given == wanted) return true;
+  const int count = static_cast<int>(operands_.size());
+  if (count == wanted) return true;
   const int receivers = site.isMethod ? 1 : 0;
   reject(site.method, {"expected ", argumentCount(wanted - receivers), ", got ",
-                       std::to_string(given - receivers), "."});
+                       std::to_string(count - receivers), "."});
   return false;
 }
 
@@ -98,8 +98,8 @@ std::optional<Shape> Builder::commonShape(std::span<const Value> operands, const
 
 std::optional<Value> Builder::applyRow(Op op, const Site& site) {
   if (op == ops::find("atan") && operands_.size() == 2) op = ops::find("atan2");
-  const std::size_t fewest = site.isMethod ? 2 : 1;
-  if (!ops::has(op, ops::Trait::Chained) || operands_.size() < fewest) {
+  const std::size_t minCount = site.isMethod ? 2 : 1;
+  if (!ops::has(op, ops::Trait::Chained) || operands_.size() < minCount) {
     if (!checkCount(ops::declaration(op).arity, site)) return std::nullopt;
     return applyRowTo(op, operands_, site);
   }

@@ -51,27 +51,28 @@ std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view met
   };
   for (const std::uint32_t i : sameRoot) {
     if (labels_[i].text != label.text) continue;
-    const Shape known = graph_.input(i).shape;
-    if (known == shape) return allComponents(i);
-    return rejected({quoteShort(label.text), " was read as ", shapeName(known),
+    const Shape knownShape = graph_.input(i).shape;
+    if (knownShape == shape) return allComponents(i);
+    return rejected({quoteShort(label.text), " was read as ", shapeName(knownShape),
                      " before, and now as ", shapeName(shape), "."});
   }
   for (const std::uint32_t i : sameRoot) {
-    const Shape known = graph_.input(i).shape;
-    const auto part = partOf(labels_[i], known, label);
+    const Shape knownShape = graph_.input(i).shape;
+    const auto part = partOf(labels_[i], knownShape, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
     // If the label names a part that the known input does not have, such as .w of a vec3, treats it
     // as a new input: the host reports it when it compiles the shader.
     if (isWithin(label, labels_[i]) && !isWithin(labels_[i], label)) return std::nullopt;
   }
   for (const std::uint32_t i : sameRoot) {
-    const Label& known = labels_[i];
-    if (!mayOverlap(known, label)) continue;
-    const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
-    if (isWithin(known, label))
-      return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
+    const Label& earlier = labels_[i];
+    if (!mayOverlap(earlier, label)) continue;
+    const std::string_view whole =
+        isWithin(earlier, label) && shape.isMatrix() ? "matrix" : "vector";
+    if (isWithin(earlier, label))
+      return rejected({quoteShort(earlier.text), " was read before ", quoteShort(label.text),
                        ", of which it is a part; read the ", whole, " first."});
-    return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
+    return rejected({quoteShort(earlier.text), " was read before ", quoteShort(label.text),
                      ", which may have the same components; read the whole ", whole, " first."});
   }
   return std::nullopt;

@@ -14,9 +14,9 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 }  // namespace
 
 // Returns a loop of octaves, the first of which is the unshifted noise. The alternative is to write
-// out each octave. Both compared, for warps with normals and 5 octaves of 3D noise, in milliseconds
-// of the first draw, and of a later frame of 14,000 vertices (SwiftShader, medians of 3 rounds side
-// by side on a busy machine):
+// out each octave. This compares both, for warps with normals and 5 octaves of 3D noise, in
+// milliseconds of the first draw, and of a later frame of 14,000 vertices (SwiftShader, medians of
+// 3 rounds side by side on a busy machine):
 //
 //                                  every octave        a loop
 //   fbm, GLSL 3.00                  1878    55        641   108
