@@ -92,7 +92,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     this.values = settableValues(warp.uniforms) as never
     this.registration = remember(this)
     installPasses()
-    // This call asks for the code, so that all of the above must be set before it.
+    // This call reads the code by getCustomCode, so everything above must be set before.
     ;(this._pluginManager as unknown as { _addPlugin(plugin: object): void })._addPlugin(this)
     this._enable(true)
     if (!material.shadowDepthWrapper)

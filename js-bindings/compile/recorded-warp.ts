@@ -24,7 +24,7 @@ export interface RecordedWarp {
   isApproximate: boolean
   /** The number of the offset's Jacobian among the results. Present if the settings request it. */
   jacobian: number | undefined
-  /** The number of the first of the results `other0`, `other1` … */
+  /** The number of the result `other0`; `other1` … follow. These are the expressions of `RecordOptions.others`. */
   firstOther: number
   otherCount: number
 }

@@ -101,9 +101,9 @@ function unusedName({ head, externals }: Listing): string {
   const usedNames = new Set([...head.parameters, ...externals].map(rootOf))
   const name = ['result', 'outcome', 'derivatives'].find((each) => !usedNames.has(each))
   if (name) return name
-  let number = 2
-  while (usedNames.has(`result${number}`)) number++
-  return `result${number}`
+  let suffix = 2
+  while (usedNames.has(`result${suffix}`)) suffix++
+  return `result${suffix}`
 }
 
 interface ResultShape {

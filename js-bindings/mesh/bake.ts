@@ -75,9 +75,10 @@ function bake(given: MeshOrGeometry, warp: Evaluates, uniforms: Uniforms | undef
 const isMirroredBy = (place: Place, warp: Evaluates, uniforms: Uniforms | undefined) =>
   warp[warpProgram]?.isMirrored(place, uniforms) ?? false
 
-/** A copy of a mesh before a warp, with all inputs of the warp, and after it. */
 export interface WarpedMesh {
+  /** A copy of the mesh before the warp, with all inputs of the warp. */
   rest: Mesh & Partial<SurfaceVariation>
+  /** The mesh after the warp. */
   warped: Mesh
 }
 

@@ -46,7 +46,7 @@ const optionsKind = object({
   uniforms: anything<Uniforms>(),
 } satisfies KindsOf<NormalMapOptions>)
 
-/** The max fraction of the covered texels that may belong to several triangles: more are no inaccuracy of an unwrapping. */
+/** The max fraction of the covered texels that may belong to several triangles. A larger overlap is no mere inaccuracy of the unwrapping. */
 const maxOverlap = 0.01
 
 /**

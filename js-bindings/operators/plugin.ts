@@ -55,6 +55,7 @@ function translateCode(code: string): MagicString | undefined {
     () => translateIn(text, code, helper, translation),
   ])
   for (const { argument, tree } of offsets) {
+    // The names of changing variables, which the offset reads only once: the runtime warns about them.
     const once = changingIn(program, tree, free)
     const end = once.length ? `, { once: ${JSON.stringify(once)} })` : ')'
     pieces.push([

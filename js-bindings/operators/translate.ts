@@ -97,7 +97,7 @@ class Translator extends ExpressionTranslator {
     return true
   }
 
-  /** Translates an expression whose value is unused, without parentheses, which could call the expression on the previous line. */
+  /** Translates an expression whose value is unused. Adds no parentheses: they could call the expression on the previous line. */
   private statement(node: Tree): boolean {
     const { expression } = node
     const { type } = expression

@@ -127,7 +127,7 @@ function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
 
 /**
  * Bounds the warped points of an extent in two ways: by the image of its box, and by its sphere, moved and grown by the range of offsets.
- * Returns the smaller sphere.
+ * The result has the box of the first way, and the smaller of the two spheres.
  */
 function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
   const warped = extentOfBox(warpedBox(warp, object, box))

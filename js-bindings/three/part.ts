@@ -49,7 +49,7 @@ export function warpPart(
       }
     }),
     replaceProperties(object, {
-      // They are computed when they are read, so that uniforms may be set at any time.
+      // The bounds are computed when they are read, so that uniforms may be set at any time.
       boundingSphere: computedProperty(boundingSphere),
       boundingBox: computedProperty(() => extent().box),
       ...asProperties({ computeBoundingSphere() {}, computeBoundingBox() {} }),

@@ -77,7 +77,7 @@ export class PixelNormals {
     ].join('\n')
   }
 
-  /** Returns statements that pass the inputs. `expressions` are those of the vertex shader. */
+  /** Returns statements that pass the inputs. `expressions` maps an input → its expression in the vertex shader. */
   pass(expressions: Readonly<Record<string, string>>): string {
     const tangent = expressions.tangent
     return [

@@ -21,7 +21,7 @@ export function boundsState({ geometry }: Warpable): number[] {
   return sphere ? [...sphere.center.toArray(), sphere.radius] : []
 }
 
-/** Maps positions of geometries to their bounds at rest, for one version. */
+/** Maps the attribute `position` of a geometry, or of a morph target → its bounds, for one version of the attribute. */
 const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
 
 const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box

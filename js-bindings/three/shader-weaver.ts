@@ -26,7 +26,7 @@ export interface WovenSurface {
   name: string
 }
 
-/** Maps warps → a map from vertex shaders to the same shaders with the warp. */
+/** Maps a warp → a map from the options and the source of a vertex shader to this shader with the warp. */
 const woven = new WeakMap<ThreeWarp, Map<string, string>>()
 
 export class ShaderWeaver {

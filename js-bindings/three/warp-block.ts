@@ -25,6 +25,7 @@ ${code.preparation}${code.isWorld && pixel ? `${pixel.clear}\n` : ''}${code.guar
 }`
 }
 
+/** Three.js' variables for the normal and the tangent in the space of the object. */
 export const atObject: Surface = { normal: 'objectNormal', tangent: 'objectTangent' }
 
 /** Returns statements that warp only the position. An offset along the normal needs the normal after morph targets and bones. */

@@ -153,20 +153,20 @@ export function rejectMore(name: string, others: readonly unknown[]) {
 }
 
 /**
- * Makes an expression callable: the call returns the expression. A console prints the source of the function, so its name describes it.
- * That name is the name of a property, which minifiers do not change.
+ * Makes an expression callable: the call returns the expression. A console prints the source of the function, so the function's name
+ * describes the expression. It is the name of a property, since minifiers do not change these.
  */
 export function callable(name: string, expression: Expression): Expression {
-  const [component] = Object.values({
+  const [callableExpression] = Object.values({
     'an expression of warpjet'(...others: unknown[]) {
       rejectMore(name, others)
       return expression
     },
   })
   // `length` and `name` would hide methods of expressions.
-  Reflect.deleteProperty(component!, 'length')
-  Reflect.deleteProperty(component!, 'name')
-  // Assigned before the prototype is set: its chain ends with a proxy, which would handle each new property.
-  Object.assign(component!, expression)
-  return Object.setPrototypeOf(component, Expression.prototype) as Expression
+  Reflect.deleteProperty(callableExpression!, 'length')
+  Reflect.deleteProperty(callableExpression!, 'name')
+  // Assigned before the prototype is set: the prototype chain ends with a proxy, which would handle each new property.
+  Object.assign(callableExpression!, expression)
+  return Object.setPrototypeOf(callableExpression, Expression.prototype) as Expression
 }

@@ -15,8 +15,9 @@ import { WasmSession, type Recording } from './wasm-session.js'
 /** A function of GLSL source, recorded in its own session, from numbers to numbers. */
 export interface RecordedFunction {
   name: string
-  /** The number of its first arguments with respect to which it is differentiated. */
+  /** The function is differentiated with respect to its first arguments; this is their number. */
   variables: number
+  /** The number of floats that it returns. */
   results: number
   module: SerializedModule
 }
@@ -173,7 +174,7 @@ export class Session extends WasmSession {
     }
   }
 
-  /** Reads an image of the host at a vec2. `settings` is a vec3 for a filter or wrap of 'host'. */
+  /** Reads an image of the host at a vec2. `settings`, the vec3 of `samplingUniforms`, is required if `filter` or `wrap` is 'host'. */
   callTexture(
     image: string,
     uv: Expression,

@@ -15,7 +15,7 @@ export const variationInputs = {
 export type VariationInput = keyof typeof variationInputs
 export const variationNames = Object.keys(variationInputs) as VariationInput[]
 
-/** Returns the name of the attribute that carries a gradient in p5's shapes. */
+/** Returns the name of the attribute that carries a gradient in the meshes of hosts. */
 export const variationAttribute = (name: string) => `aWarpjet_${name}`
 
 /** The key of a method of `uniforms`: it takes the name of a uniform and marks it as one that GLSL source reads as whole numbers. */

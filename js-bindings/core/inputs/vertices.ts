@@ -59,7 +59,7 @@ const sizes = Object.entries(arrayNames).map(([input, name]) => ({
   size: vertexInputs[input as VertexInput],
 }))
 
-/** Arrays that held finite numbers when they were checked, or that a warp wrote. Only a Float32Array cannot grow afterwards. */
+/** Arrays that need no further check. They are Float32Arrays, since these cannot grow afterwards. */
 const checked = new WeakSet<Float32Array>()
 
 /** Marks an array as checked: results of a warp need no check when they are passed to another warp. */

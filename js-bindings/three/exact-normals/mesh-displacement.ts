@@ -25,7 +25,7 @@ export class MeshDisplacement {
     return this.read('cpu', { modelMatrix: () => this.mesh.matrixWorld })
   }
 
-  /** Reads the displacement for another shader. */
+  /** Reads the displacement for a shader of another material, such as that of shadows. */
   readForGpu(): Displacement | undefined {
     return this.read('gpu')
   }

@@ -83,8 +83,8 @@ export function parametersOf(
 
 /**
  * Returns the function. In the vertex stage the function returns the position, or a matrix with the columns position, normal and tangent;
- * for pixels the normal, or a matrix with the columns normal and tangent. For a warp with `otherNames` it returns a mat4 in the vertex
- * stage, which has these numbers in the places that `otherPlaces` lists.
+ * for pixels the normal, or a matrix with the columns normal and tangent. For a warp with other results (`otherNames`), it returns a mat4
+ * in the vertex stage, with these results in the places that `otherPlaces` lists.
  */
 export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): Call {
   const { code, declarations } = textOf(warp, stage, isWebGPU)
