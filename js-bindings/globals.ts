@@ -35,8 +35,8 @@ declare global {
   ): Promise<ModelOf<typeof globalThis>>
 
   /**
-   * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, and stores it with the geometry, which it
-   * returns. Needs p5 2. Throws a `WarpError` for anything but a geometry.
+   * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, stores the result with the geometry, and
+   * returns the geometry. Needs p5 2. Throws a `WarpError` for anything but a geometry.
    */
   function addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
 

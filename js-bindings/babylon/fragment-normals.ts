@@ -1,6 +1,6 @@
 /**
- * The normal in the fragment stage of a material: computed by the warp at pixels, or interpolated between vertices. Where it is zero, as
- * on a collapsed surface, the normal of the triangle takes its place.
+ * The normal in the fragment stage of a material: computed by the warp at pixels, or interpolated between vertices. Where the normal is
+ * zero, as on a collapsed surface, the normal of the triangle takes its place.
  */
 import { restoreLength, shaderNames } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'

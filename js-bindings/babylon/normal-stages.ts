@@ -18,7 +18,10 @@ export class NormalStages {
     private readonly texts: PixelTexts | undefined,
   ) {}
 
-  /** The stage of the normals. It is `'vertex'` from the moment when one shader had to fall back; the shaders of other meshes may still compute normals at pixels. */
+  /**
+   * The stage of the normals. It is `'vertex'` from the moment when one shader had to fall back; the shaders of other meshes may still
+   * compute normals at pixels.
+   */
   get stage(): NormalStage {
     return this.texts && !this.obstacle ? 'pixel' : 'vertex'
   }

@@ -84,7 +84,10 @@ function installInSubMeshes(prototype: SubMesh) {
   }
 }
 
-/** Replaces effects in the materials of passes. Such a material may keep one effect for all meshes, so `isReady` sets the variant for the mesh. */
+/**
+ * Replaces effects in the materials of passes. Such a material may keep one effect for all meshes, so `isReady` sets the variant for the
+ * mesh.
+ */
 function installInMaterials(prototype: ShaderMaterial) {
   const { isReady } = prototype
   prototype.isReady = function (mesh, useInstances, subMesh) {
@@ -163,7 +166,10 @@ function effectFor(effect: Effect, mesh: AbstractMesh, warp: PassWarp | undefine
   return makeVariant(original, mesh, warp)
 }
 
-/** Returns whether an effect belongs to a pass, and neither to the warped material itself nor to shadows, which the ShadowDepthWrapper warps. */
+/**
+ * Returns whether an effect belongs to a pass, and neither to the warped material itself nor to shadows, which the ShadowDepthWrapper
+ * warps.
+ */
 const isPassEffect = ({ defines, name }: Effect) =>
   !defines.includes(codeDefine) && !JSON.stringify(name).includes('shadow')
 

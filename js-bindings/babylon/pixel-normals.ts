@@ -1,6 +1,6 @@
 /**
- * Code of the vertex stage for normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts,
- * runs the same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
+ * Code of the vertex stage for normals at pixels. This code passes the inputs of the warp as varyings. The fragment stage, in
+ * fragment-normals.ts, runs the same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
 import { withLength, type HostText } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'

@@ -19,7 +19,9 @@ const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
 
 export const sentName = (label: string) => `${label}Sent`
 
-/** Returns all uniforms except images, and the frame constants. The warp's code reads them by label; the shader declares `sentName(label)`. */
+/**
+ * Returns all uniforms except images, and the frame constants. The warp's code reads them by label; the shader declares `sentName(label)`.
+ */
 const numericUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
   ...warp.uniforms.inShader.filter(({ image }) => !image),
   ...frame.map((label) => ({ label, type: 'vec4' as const })),

@@ -103,8 +103,8 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   }
 
   /**
-   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute them at pixels; those of other meshes
-   * with the material are still computed at pixels.
+   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute normals at pixels; the normals of
+   * other meshes with the material are still computed at pixels.
    */
   get normals(): NormalStage {
     return this.stages.stage

@@ -30,9 +30,9 @@ export interface Emits {
   /** The stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. `false` if normals are left out. */
   readonly normals: NormalStage | false
   /**
-   * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` are
-   * those that are constant during a frame, such as `{ millis: performance.now() }`, and values that replace those of the option
-   * `uniforms`. Throws a `WarpError` for a missing or wrong value.
+   * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` has
+   * the values of the inputs that are constant during a frame, such as `{ millis: performance.now() }`, and values that replace those of
+   * the option `uniforms`. Throws a `WarpError` for a missing or wrong value.
    */
   frameUniforms(inputs?: Uniforms): Record<string, number[]>
 }

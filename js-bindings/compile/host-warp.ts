@@ -81,7 +81,10 @@ export class HostWarp extends OffsetWarp {
     () => costOf(this.recorded.module, [onSurface(warpResults.position)]).operations,
   )
 
-  /** Calls the uniforms that are functions, and returns `drawValues` with their current values, so that several evaluations use the same values. */
+  /**
+   * Calls the uniforms that are functions, and returns `drawValues` with their current values, so that several evaluations use the same
+   * values.
+   */
   withUniformsNow(drawValues: DrawValues): DrawValues {
     return snapshotUniforms(this.place, this.uniforms.declared, drawValues)!
   }
@@ -149,7 +152,8 @@ export class HostWarp extends OffsetWarp {
       varies,
       // A host has warned when the warp was made.
       isAccepted: settings.isAccepted || this.host !== undefined,
-      // A shader may read the tangent and another input from one attribute. Then the first of the two counts (see cpu/origins.ts), so the tangent is first.
+      // A shader may read the tangent and another input from one attribute. Then the first of the two counts (see cpu/origins.ts), so the
+      // tangent is first.
       inputs: { tangent: inputs.tangent, ...(inputs as Record<string, number>) },
     }
   }

@@ -34,7 +34,10 @@ export interface HostOptions extends RecordOptions {
   perFrame?: boolean | undefined
 }
 
-/** The values of one draw call: maps names of inputs, such as `millis`, and of uniforms → values. A uniform without a value here keeps its current one. */
+/**
+ * The values of one draw call: maps names of inputs, such as `millis`, and of uniforms → values. A uniform without a value here keeps its
+ * current one.
+ */
 export type DrawValues = Readonly<Record<string, unknown>>
 
 /** Inputs of a draw call that all of its instances share. */

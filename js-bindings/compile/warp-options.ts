@@ -74,7 +74,7 @@ export interface TextOptions {
 /** The options that determine what is recorded and written. */
 export interface RecordOptions extends TextOptions {
   target?: Target | undefined
-  /** `false` leaves the normal out of the recording; all other values record it. */
+  /** `false` leaves the normal out of the recording; all other values record the normal. */
   normals?: boolean | NormalsOption | undefined
   fadeNoise?: boolean | undefined
   tangents?: boolean | undefined

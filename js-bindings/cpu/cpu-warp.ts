@@ -13,8 +13,8 @@ export interface EvaluateOptions extends EvaluationOptions {
   /**
    * Arrays of yours that receive the results. Each must be at least as long as its result; missing ones are created. `evaluate` returns
    * the same arrays, and even this object if it contains exactly these arrays. They may be inputs or share memory with inputs, but two
-   * results that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or an input
-   * must be copied because a result would overwrite it before it is read.
+   * results that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or an
+   * input must be copied because a result would overwrite it before it is read.
    */
   out?: Partial<WarpedVertices> | undefined
 }

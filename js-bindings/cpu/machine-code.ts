@@ -45,7 +45,9 @@ export class MachineCode {
     private readonly written: WrittenCode,
   ) {}
 
-  /** Compiles a program; returns `null` if it is too long. Throws if the JavaScript engine forbids to compile wasm, such as by a page's CSP. */
+  /**
+   * Compiles a program; returns `null` if it is too long. Throws if the JavaScript engine forbids to compile wasm, such as by a page's CSP.
+   */
   static compile(
     program: Program,
     wanted: readonly number[],

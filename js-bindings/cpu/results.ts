@@ -60,7 +60,10 @@ export const positionsAlone = new ResultSet(resultNumbers.positions)
 /** The result of `foldover`. */
 export const determinantAlone = new ResultSet(resultNumbers.determinant)
 
-/** Takes sinks from the pool, for the caller's arrays or for new ones. If a getter of `out` or a uniform's function calls `evaluate`, that call gets other sinks. */
+/**
+ * Takes sinks from the pool, for the caller's arrays or for new ones. If a getter of `out` or a uniform's function calls `evaluate`, that
+ * call gets other sinks.
+ */
 export function takeSinks(
   results: VertexResults,
   vertices: number,

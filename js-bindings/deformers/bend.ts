@@ -19,8 +19,8 @@ export interface BendOptions {
   /** The direction of the line that is bent. Default: `'y'`, or `'x'` if the axis is the y axis. Only its component
    * perpendicular to the axis counts. */
   along?: AxisOption
-  /** A point of the line that keeps its length, in units. Default: `[0, 0, 0]`. It does not move if it is between `from`
-   * and `to`. */
+  /** A point of the line whose length the bend keeps, in units. Default: `[0, 0, 0]`. The point does not move if it is
+   * between `from` and `to`. */
   center?: VectorOption
   /** The angle between the two straight ends, in radians. Default: π/2; 0 moves nothing. When the axis points at the
    * viewer, the end at `to` turns counterclockwise. */

@@ -24,8 +24,8 @@ export interface TwistOptions {
 }
 
 /**
- * Rotates each slice about an axis by an angle θ = angle · h / length, where h is the slice's coordinate along the axis, from `center`: the global
- * axial twist of Barr, "Global and Local Deformations of Solid Primitives" (1984). The twist continues beyond `length`, and
+ * Rotates each slice about an axis by an angle θ = angle · h / length, where h is the slice's coordinate along the axis, from `center`: the
+ * global axial twist of Barr, "Global and Local Deformations of Solid Primitives" (1984). The twist continues beyond `length`, and
  * preserves volumes. Throws a `WarpError` for unknown options and wrong values.
  */
 export const twist = (options?: TwistOptions): OffsetFunction =>

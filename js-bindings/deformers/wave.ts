@@ -28,7 +28,8 @@ export interface WaveOptions {
 
 /**
  * Makes a plane wave that travels along an axis: direction · amount · sin(2π (h - speed · t) / wavelength), where h is the coordinate
- * along the axis, from `center`, and t the time in seconds since the sketch started. Throws a `WarpError` for unknown options and wrong values.
+ * along the axis, from `center`, and t the time in seconds since the sketch started. Throws a `WarpError` for unknown options and wrong
+ * values.
  */
 export const wave = (options?: WaveOptions): OffsetFunction =>
   deformer(

@@ -188,7 +188,10 @@ function withoutBounds(geometry: BufferGeometry) {
   return geometry
 }
 
-/** Converts a range of the original's indices to that of the triangles made from it. The new triangles are in the order of the original ones. */
+/**
+ * Converts a range of the original's indices to that of the triangles made from it. The new triangles are in the order of the original
+ * ones.
+ */
 function finerRange({ start, count }: Range, triangles: Uint32Array): Range {
   const firstTriangleFrom = (index: number) => triangles.findIndex((origin) => 3 * origin >= index)
   const [first, end] = [firstTriangleFrom(start), firstTriangleFrom(start + count)]

@@ -67,7 +67,8 @@ export interface Loading {
    * Returns a copy of a p5.Geometry with more vertices, for a warp to bend. A number n splits each triangle into four, n times;
    * `await subdivide(shape, { warp: wave, tolerance: 0.5 })` adds vertices only where the warp needs them. The tolerance is in units of
    * the shape, and `wave` is the result of createWarp or compileWarp. The warp's uniforms have their current values, unless the option
-   * "uniforms" overrides them. The original shape is not changed. Throws a `WarpError` for a shape without triangles, and for wrong options.
+   * "uniforms" overrides them. The original shape is not changed. Throws a `WarpError` for a shape without triangles, and for wrong
+   * options.
    */
   subdivide<Geometry extends object>(
     geometry: Geometry,

@@ -116,7 +116,7 @@ function extentOfAll(warp: ThreeWarp, object: Warpable): Extent {
   return { box: all.box, sphere: smallerSphere(all.sphere, sphereAround(all.box)) }
 }
 
-/** Bounds one instance, before its matrix. */
+/** Bounds one instance, before its matrix is applied. */
 function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
   const isRest = warp.settings.space === 'rest' && isMoved(object)
   const box = isRest ? restBox(object) : posedBox(object)

@@ -91,7 +91,7 @@ function drawDivided(detail: DetailedPart) {
   }
 }
 
-/** Disables the culling by which @three.ez/instanced-mesh hides instances: it uses the bounds of the unwarped geometry. */
+/** Disables the culling by which @three.ez/instanced-mesh hides instances: that culling uses the bounds of the unwarped geometry. */
 function showAllInstances(object: { perObjectFrustumCulled: boolean }) {
   const before = object.perObjectFrustumCulled
   object.perObjectFrustumCulled = false

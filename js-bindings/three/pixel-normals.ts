@@ -56,7 +56,7 @@ export class PixelNormals {
     this.texts = stages.map((stage) => warp.textFor('glsl300', stage, names))
   }
 
-  /** The number of vectors that it passes to pixels. */
+  /** The number of vectors that this code passes to pixels. */
   get varyingCount(): number {
     const { matrices, mayHaveTangents } = this.options
     return this.inputs.size + Number(mayHaveTangents) + (matrices === 'uniform' ? 0 : 3) + 1
@@ -169,7 +169,7 @@ return warpjetNormalized( warpjetFlip * warpjetViewNormal, warpjetFacingNormal )
 }`
   }
 
-  /** Returns statements for the tangents. The matrix that transforms them is, up to scale, the cofactor matrix of the one for normals. */
+  /** Returns statements for the tangents. The matrix for tangents is, up to scale, the cofactor matrix of the matrix for normals. */
   private get tangents(): string {
     const { warp } = this
     const orientation = warp.mirrors === false ? '1.0' : shaderNames.orientation
@@ -210,7 +210,7 @@ export const markViewPosition = (source: string) =>
 
 /**
  * Declares functions for where a warp collapses the surface. `warpjetFacing` returns the geometric normal of the drawn triangle,
- * before three.js negates normals of back faces. It is called outside of branches, where screen-space derivatives are defined.
+ * before three.js negates normals of back faces. `warpjetFacing` is called outside of branches, where screen-space derivatives are defined.
  * `warpjetNormalized` returns `other` for a vector that is zero or not finite.
  */
 export const declareFacing = `vec3 warpjetFacing() {

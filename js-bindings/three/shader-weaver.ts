@@ -42,7 +42,7 @@ export class ShaderWeaver {
     this.uniforms = uniformsFor(warp, surface.material)
   }
 
-  /** Adds the warp to a shader. If it does not fit, prints an error: a thrown one would leave `render()`. */
+  /** Adds the warp to a shader. If the warp does not fit, prints an error: a thrown error would leave `render()`. */
   weave(shader: Shader, material: Material, renderer: WebGLRenderer) {
     const { warp } = this
     Object.assign(shader.uniforms, this.uniforms)

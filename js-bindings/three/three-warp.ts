@@ -19,7 +19,9 @@ import type { Settings } from './settings.js'
 import { handlesOf, type UniformHandle } from './uniforms.js'
 import { three } from './values.js'
 
-/** The last result of the code in the vertex stage: `'normal'` comes with the position, and `'tangent'` with the position and the normal. */
+/**
+ * The last result of the code in the vertex stage: `'normal'` comes with the position, and `'tangent'` with the position and the normal.
+ */
 export type VertexStage = 'position' | 'normal' | 'tangent'
 
 /** The results of the code in the vertex stage or in the fragment stage. */

@@ -17,7 +17,7 @@ import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
  */
 const methods = Object.create(null) as object
 
-/** Returns the session of an expression. It is a `Session`, since nothing else makes expressions. */
+/** Returns the session of an expression. The session is a `Session`, since nothing else makes expressions. */
 const sessionOf = (expression: Expression) => expression.session as Session
 
 export function installMethods() {
@@ -42,7 +42,7 @@ export function installMethods() {
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
-/** Returns the message about an unknown method. It suggests no swizzles, since any two letters are similar to one. */
+/** Returns the message about an unknown method. It suggests no swizzles, since any two letters are similar to a swizzle. */
 function unknownMethod(name: string) {
   const names = Object.getOwnPropertyNames(methods).filter((each) => !indicesOf(each))
   return `${name}: an expression has no such method; ${didYouMean(name, [...names, 'x', 'y', 'z', 'w'], operationLists, meantByMethods)}`

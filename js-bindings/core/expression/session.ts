@@ -151,7 +151,7 @@ export class Session extends WasmSession {
     return this.expression(this.core._callNoise(address, kind, base, octaves, +isMethod))
   }
 
-  /** Adds a loop, and returns the final states. `body` returns the next states from those of one step. */
+  /** Adds a loop, and returns the final states. `body` gets the states of a step, and returns the states of the next step. */
   repeat(
     count: number,
     starts: readonly Expression[],
@@ -218,7 +218,10 @@ export class Session extends WasmSession {
     this.requireOpen(place.method).output(place.method, label, value.handle)
   }
 
-  /** Adds all results of a warp. The operands are its offset and the `warpOperands` of wasm/tables.ts. */
+  /**
+   * Adds all results of a warp. The operands are the warp's offset and the `warpOperands` of wasm/tables.ts. If `isFlat`, also computes
+   * the normals that treat normal and uv as constant; see warp.hpp.
+   */
   warp(place: Place, operands: readonly Expression[], hasNormals: boolean, isFlat: boolean) {
     const session = this.requireOpen(place.method)
     for (;;) {

@@ -55,7 +55,10 @@ export class UnusedExpressions {
     this.warnings.set(condition, () => warnUnusedCondition(error))
   }
 
-  /** Marks an expression as a copy: an unused result of one of its methods is a mistake. Methods of a p5.Vector change the copy in place instead. */
+  /**
+   * Marks an expression as a copy: an unused result of one of its methods is a mistake. Methods of a p5.Vector change the copy in place
+   * instead.
+   */
   addCopy(copy: Expression) {
     this.copies ??= new WeakSet()
     this.copies.add(copy)

@@ -1,8 +1,8 @@
 // The inputs of an offset function, with their counts of numbers.
 
 /**
- * The gradients over the surface of the normal's x, y and z and of u and v, in this order. The warped normal of an offset that
- * depends on normal or uv depends on them.
+ * The gradients over the surface of the normal's x, y and z and of u and v, in this order. If an offset depends on normal or uv, the
+ * warped normal depends on these gradients.
  */
 export const variationInputs = {
   normalXGradient: 3,

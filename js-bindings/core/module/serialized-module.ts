@@ -129,7 +129,10 @@ export const inputsReadBy = (
 export const resultsOf = (serialized: SerializedModule): Variable[] =>
   withModule(serialized, (module) => module.results())
 
-/** Estimates the work of computing results, given by number: operations on single floats, whether there is noise, and whether only a GPU can do it. */
+/**
+ * Estimates the work of computing results, given by number: operations on single floats, whether there is noise, and whether only a GPU can
+ * do it.
+ */
 export const costOf = (
   serialized: SerializedModule,
   results: readonly number[],

@@ -30,7 +30,10 @@ interface Baking {
 /** Maps each builder → the warps called since it was started, by the warp's shader. */
 const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
 
-/** Applies the warp to the geometry being built, if one is being built. Called whenever a warp is applied. Throws a `WarpError` for a warp that cannot be baked. */
+/**
+ * Applies the warp to the geometry being built, if one is being built. Called whenever a warp is applied. Throws a `WarpError` for a warp
+ * that cannot be baked.
+ */
 export function bakeIntoGeometry(
   made: MadeWarp,
   shader: Shader,

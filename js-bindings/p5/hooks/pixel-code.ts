@@ -16,7 +16,10 @@ import type { PixelCode, Varying } from './styles.js'
 /** Returns the fragment stage's name of an input. */
 export const varyingOfInput = (input: string) => `warpjetPixel_${input}`
 
-/** The names of inputs in the code. Inputs that differ by vertex or instance are varyings, except the normal, which is computed from a varying; the others are uniforms. */
+/**
+ * The names of inputs in the code. Inputs that differ by vertex or instance are varyings, except the normal, which is computed from a
+ * varying; the others are uniforms.
+ */
 const names = {
   ...Object.fromEntries(
     ['position', 'normal', 'uv', 'color', 'instance', ...variationNames].map((input) => [

@@ -39,7 +39,7 @@ interface InSpace {
   space: WarpSpace
 }
 
-/** Returns the attributes that the code reads. Outside the shape's own space, one gradient of the normal depends on all of them. */
+/** Returns the attributes that the code reads. Outside the shape's own space, each gradient of the normal depends on all three. */
 export function attributesOf({ text, space }: InSpace) {
   const read = variationIn(text)
   const needsWholeNormal = space !== 'local' && read.some(isOfNormal)

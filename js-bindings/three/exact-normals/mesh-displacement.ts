@@ -67,7 +67,7 @@ export class MeshDisplacement {
     try {
       if (shader) userCompile.call(material, shader as never, undefined as never)
     } catch {
-      // It may need the renderer.
+      // `onBeforeCompile` may need the renderer.
       shader = undefined
     }
     this.uncompiled = { state, userCompile, shader }

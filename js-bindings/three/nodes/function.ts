@@ -137,7 +137,7 @@ function columnsOf(stage: Stage, isWebGPU: boolean): string[] {
   const tangents = hasTangents(stage) ? [`${shaderNames.tangent}.xyz`] : []
   if (isOfPixel(stage)) return [shaderNames.normal, ...tangents]
   if (stage === 'position') return [shaderNames.position]
-  // The normal is zero if the surface collapses. A very short normal in its place does not become NaN when it is normalized, and the normals
+  // The normal is zero if the surface collapses. A very short normal instead does not become NaN when it is normalized, and the normals
   // of neighbours outweigh it.
   const normal = isWebGPU
     ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`

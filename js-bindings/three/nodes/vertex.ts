@@ -74,7 +74,7 @@ function displace(builder: Builder, positionNode: unknown) {
   if (builder.needsPreviousData()) tsl.positionPrevious.addAssign(tsl.positionLocal.sub(before))
 }
 
-/** Swaps front and back if the warp mirrors all of space: the renderer takes the outer side of a triangle for its back then. */
+/** Swaps front and back if the warp mirrors all of space: then the renderer takes the outer side of a triangle for its back. */
 function orientFaces(warp: ThreeWarp, builder: Builder) {
   if (warp.mirrors === false || Object.hasOwn(builder, 'getFrontFacing')) return
   const getFrontFacing = builder.getFrontFacing.bind(builder)
