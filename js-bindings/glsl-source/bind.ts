@@ -60,8 +60,8 @@ export function bindExternals(
     if (isAttribute && name === instanceID)
       return inputNamed(inputs, 'instance') ?? parameterOf(place, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
-    // A uniform can only be an input of a draw call. Names of their components, such as height of `size`, mean something else for a
-    // uniform.
+    // A uniform can only be a whole input of a draw call: a uniform with the name of a component, such as height of `size`, means
+    // something else.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) {
       rejectInputName(place, glsl, external)

@@ -43,7 +43,7 @@ const differentiateOptions = object({
 } satisfies KindsOf<DifferentiateOptions>)
 
 /**
- * Returns the source of a function with the same parameters as the one in `source`. For a function that returns a float, the new one,
+ * Returns the source of a function with the same parameters as the function in `source`. For a function that returns a float, the new one,
  * `…Gradient`, returns a vector of the value and its derivatives with respect to each component of `by`: `vec4 mapGradient(vec3 p)` for
  * a distance field. For a function that returns a vector, the new one, `…Jacobian`, returns the matrix of its derivatives, with a column
  * for each component of `by`; if `by` is a float, a vector.

@@ -23,9 +23,9 @@ import { takeVariation, type SurfaceVariation } from './surface-variation.js'
 
 export interface BakeOptions extends EvaluationOptions {
   /**
-   * If present, the mesh is first divided where the warp bends it, like by `subdivide` with this tolerance: the maximum distance between the warped surface
-   * and the baked triangles, in units of the mesh. There is no camera, so it is not in pixels like the option `detail` of `createWarp`.
-   * By default, the mesh keeps its own vertices.
+   * If present, the mesh is first divided where the warp bends it, like by `subdivide` with this tolerance: the maximum distance between
+   * the warped surface and the baked triangles, in units of the mesh. There is no camera, so it is not in pixels like the option `detail`
+   * of `createWarp`. By default, the mesh keeps its own vertices.
    */
   detail?: number | undefined
 }

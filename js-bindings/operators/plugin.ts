@@ -21,7 +21,10 @@ const exportsTakingOffsets = new Set(
   ),
 )
 
-/** Translates a module without changing its lines; returns `undefined` if it contains nothing to translate. Builds call this for each module. */
+/**
+ * Translates a module without changing its lines; returns `undefined` if it contains nothing to translate. Builds call this for each
+ * module.
+ */
 export const translateModule = (code: string): string | undefined => translateCode(code)?.toString()
 
 function translateCode(code: string): MagicString | undefined {

@@ -201,7 +201,7 @@ const cornersOf = ({ min, max }: Box3) =>
 
 const isFiniteFloat = (number: number) => Number.isFinite(Math.fround(number))
 
-/** An empty box is not infinite; one with a NaN is. */
+/** An empty box does not count as infinite; a box with a NaN does. */
 const isInfinite = (box: Box3) =>
   !box.isEmpty() && ![...box.min.toArray(), ...box.max.toArray()].every(isFiniteFloat)
 

@@ -15,9 +15,9 @@ import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /**
- * The way in which pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix of the object
- * or, for a warp in the space `'world'`, of the camera. `'flat'`: as a varying that is constant in each instance. `'smooth'`: as an
- * interpolated varying, since the matrices of bones vary.
+ * The way in which pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix
+ * of the object or, for a warp in the space `'world'`, of the camera. `'flat'`: as a varying that is constant in each instance. `'smooth'`:
+ * as an interpolated varying, since the matrices of bones vary.
  */
 export type Matrices = 'uniform' | 'flat' | 'smooth'
 
@@ -93,7 +93,10 @@ export class PixelNormals {
     ].join('\n')
   }
 
-  /** Returns statements that set the varyings to zero, where a warp in world space is not evaluated. Pixels there get the normal of the flat triangle. */
+  /**
+   * Returns statements that set the varyings to zero, where a warp in world space is not evaluated. Pixels there get the normal of the flat
+   * triangle.
+   */
   get clear(): string {
     return [...this.inputs]
       .map(([input, type]) => `${varyingOf(input)} = ${type}( 0.0 );`)

@@ -26,7 +26,10 @@ const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }
 
 const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
 
-/** Returns bounds of the geometry. Instances of an InstancedBufferGeometry, as of text, can be anywhere: only the bounds that the user sets include them. */
+/**
+ * Returns bounds of the geometry. Instances of an InstancedBufferGeometry, as of text, can be anywhere: only the bounds that the user sets
+ * include them.
+ */
 export const restBox = ({ geometry }: Warpable): Box3 =>
   boundsSetByUser(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
 export const restSphere = ({ geometry }: Warpable): Sphere =>

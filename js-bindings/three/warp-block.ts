@@ -64,7 +64,10 @@ ${toView(code, surface, true)}
 transformedNormal = warpjetViewNormal;`
 }
 
-/** Returns statements that warp position and normals, if other code changes a normal: each normal is transformed back to the object by itself. */
+/**
+ * Returns statements that warp position and normals, if other code changes a normal: each normal is transformed back to the object by
+ * itself.
+ */
 function warpAtView(code: WarpCode) {
   const moved = code.evaluate('warpjetStart', atObject)
   const warpBack = (normal: string, tangent: string, hasVarying: boolean) => {

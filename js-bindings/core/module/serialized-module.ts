@@ -39,7 +39,10 @@ export interface Names {
   isFrameConstant?: IsFrameConstant | undefined
   /** If true, noise that is finer than a pixel fades, which only a fragment shader can do. */
   fadesNoise?: boolean | undefined
-  /** If true, numbers that are less than a pixel outside of the domain of an operation are reflected, for fragment shaders; see src/emit/borders.hpp. */
+  /**
+   * If true, numbers that are less than a pixel outside of the domain of an operation are reflected, for fragment shaders; see
+   * src/emit/borders.hpp.
+   */
   reflectsAtBorders?: boolean | undefined
 }
 

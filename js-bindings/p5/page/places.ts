@@ -6,7 +6,7 @@ import { fileNameOf, fileOf, stackLines } from '../../errors/source-lines.js'
 const isOfP5 = (file: string) =>
   /\/(?:@?p5(?:@[\w.]+)?\/lib\/)?p5(?:\.\w+)*\.js\b|\/p5@?[^/]*\/lib\//.test(file)
 
-/** The address of this file, and in a bundle of the whole library. */
+/** The address of this file; if the library is one bundle, the address of the bundle. */
 let libraryFile: string | undefined
 
 /** Number of lines that `new Function` puts before a function's body. */

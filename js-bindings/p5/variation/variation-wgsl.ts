@@ -14,7 +14,10 @@ const isOfNormal = (name: string) => name.startsWith('normal')
 export const privatesFor = (names: readonly VariationInput[]) =>
   names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
 
-/** Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if there are too many. */
+/**
+ * Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if there are too
+ * many.
+ */
 export function addAttributes(
   shader: Pick<Shader, '_vertSrc'>,
   names: readonly VariationInput[],

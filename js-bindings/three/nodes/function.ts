@@ -137,8 +137,8 @@ function columnsOf(stage: Stage, isWebGPU: boolean): string[] {
   const tangents = hasTangents(stage) ? [`${shaderNames.tangent}.xyz`] : []
   if (isOfPixel(stage)) return [shaderNames.normal, ...tangents]
   if (stage === 'position') return [shaderNames.position]
-  // The normal is zero if the surface collapses. A very short normal instead does not become NaN when it is normalized, and the normals
-  // of neighbours outweigh it.
+  // The normal is zero if the surface collapses. Then we return the normal before the warp, made very short: it does not become NaN when
+  // it is normalized, and the normals of neighbours outweigh it.
   const normal = isWebGPU
     ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
     : `(${shaderNames.normal} == vec3(0.0) ? warpjetRestNormal * 1e-6 : ${shaderNames.normal})`

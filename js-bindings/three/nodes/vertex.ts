@@ -39,7 +39,7 @@ export function setupWarped(
   const instances = space === 'local' ? instancesOf(object) : undefined
   const isDisplacedLater = displaceExactly && (space === 'rest' || instances)
   const vertexNormals = vertexNormalsFor(builder, material)
-  // Replaces the normals of `vertexNormals`.
+  // Called after `vertexNormalsFor`, whose normals it replaces.
   const pixel = pixelNormalsFor(warp, builder, material, {
     obstacle: isDisplacedLater && 'a positionNode with exactNormals changes normals after the warp',
   })

@@ -18,7 +18,10 @@ export interface PositionSource {
   language: SourceLanguage
   /** Source of a function that returns the new position. */
   text: string
-  /** Source of a function that returns a mat4 of the position and the numbers of `effects`; `undefined` if there are no effects, or too many. */
+  /**
+   * Source of a function that returns a mat4 of the position and the numbers of `effects`; `undefined` if there are no effects, or too
+   * many.
+   */
   textWithEffects: string | undefined
   /** The functions that both texts contain and call. Three.js writes them in another order when it first builds a node. */
   functions: readonly string[]
