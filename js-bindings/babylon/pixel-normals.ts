@@ -44,7 +44,10 @@ export const worldColumns = ['warpjetWorld0', 'warpjetWorld1', 'warpjetWorld2']
 /** Counts the vectors that the code passes to pixels. */
 export const countVaryings = ({ varyings }: PixelText) => varyings.length + worldColumns.length
 
-/** Writes code for both texts. The preprocessor selects one by the defines of the mesh, or none if normals are not computed at pixels. */
+/**
+ * Writes code for both texts. The preprocessor selects one by the defines of the mesh. If normals are not computed at pixels, the
+ * preprocessor drops both.
+ */
 export const choose = (texts: PixelTexts | undefined, write: (text: PixelText) => string) =>
   texts
     ? ifDefined(

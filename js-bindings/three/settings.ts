@@ -27,7 +27,7 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * textures of three.js, or functions that return one of them, called once per frame. */
   uniforms?: Uniforms
   /**
-   * Where normals are computed: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a warp that contains noise or bends strongly, unless that takes too many operations per pixel. Shaders that change
    * normals after the warp, or that do not use three.js' normals, always get normals of vertices.
    * @default 'auto'

@@ -13,7 +13,7 @@ import { followDisplacement } from './follow.js'
 
 export interface ExactNormalsOptions {
   /**
-   * Where normals are computed: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a displacement that contains noise or bends strongly, unless that takes too many operations per pixel.
    * @default 'auto'
    */

@@ -9,7 +9,7 @@ const types: Record<string, string> = {
   viewMatrix: 'mat4',
   cameraPosition: 'vec3',
 }
-/** Those of `types` that three.js also declares in fragment shaders. */
+/** The names in `types` that three.js also declares in fragment shaders. */
 const declared = new Set(['viewMatrix', 'cameraPosition'])
 
 /** Returns why normals cannot be computed in the fragment shader; `undefined` if they can. */

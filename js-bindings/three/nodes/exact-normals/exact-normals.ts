@@ -10,7 +10,7 @@ import { addExact } from './exact-node-materials.js'
 
 export interface ExactNormalsOptions {
   /**
-   * Where normals are computed: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a position that contains noise or bends strongly, unless that takes too many operations per pixel.
    * @default 'auto'
    */
