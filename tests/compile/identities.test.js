@@ -86,7 +86,7 @@ class Generator {
   /** Returns a number with few digits, so that the literal in the code is exact in float32. */
   number = () => ((1 + this.below(6)) / 4) * (this.isHeads() ? 1 : -1)
   either = (a, b) => (this.isHeads() ? [a, b] : [b, a])
-  /** Returns a random formula of nested operations, up to `depth`. Its inputs are x more often than others. */
+  /** Returns a random formula of operations nested up to `depth` deep. It reads x more often than the other inputs. */
   formula(depth = 2) {
     const input = this.inputs[Math.max(this.below(6) - 2, 0)]
     if (depth === 0) return input
@@ -223,7 +223,7 @@ describe('the value and the derivative:', () => {
           const [x, y, z, w] = generator.inputs
           return rotate(generator, [y.add(w), z], x.mult(w).add(generator.number()))
         },
-        // y + w, the angle, its sine and cosine, four products and two sums; then two products and a minus sign.
+        // Value: y + w, the angle, its sine and cosine, four products and two sums. Derivatives: two products and a minus sign.
         ({ stats }) => stats.operations <= 1 + 2 + 2 + 6 + 3,
       )
   })

@@ -1,5 +1,5 @@
 // Each mistake throws one clear message, and does not affect the next warp. tests/cpp/builder_errors_test.cpp tests the messages of the C++
-// code; here is one of them for each way by which they reach JavaScript.
+// code; this file tests one of them for each way by which messages reach JavaScript.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'

@@ -14,8 +14,8 @@ const isRotation = (form) => form.endsWith(') v')
 const isAdjusted = (form) => form.startsWith('adjust')
 
 /**
- * Returns the letters of the inputs of a formula. F, the Jacobian of position + offset, replaces both, since nothing else
- * matters about them.
+ * Returns the letters of the inputs of a formula. The position and the offset have no letters: only F, the Jacobian of their sum,
+ * matters.
  */
 function lettersIn(form) {
   const letters = lettersOf(form)

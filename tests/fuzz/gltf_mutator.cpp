@@ -32,7 +32,7 @@ void append(FileBytes& file, std::size_t word) {
     file.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// Parses a GLB up to the end of the file, if its lengths are too large.
+// Parses a GLB. If its lengths exceed the file, parses up to the end of the file.
 std::optional<Glb> parseGlb(const FileBytes& file) {
   constexpr std::size_t start = headerSize + chunkHeaderSize;
   if (file.size() < start || !std::equal(file.begin(), file.begin() + 4, "glTF")) return {};

@@ -51,7 +51,8 @@ void checkText(const std::string& text) {
   checkNumbers(text);
 }
 
-// Returns options that number the results: under their own names, they may hide each other.
+// Returns options that name the results by their indices: under their own names, results may hide
+// each other.
 ShaderTextOptions numberResults(const Module& module) {
   ShaderTextOptions options;
   for (std::uint32_t i = 0; i < module.outputs.size(); ++i)
@@ -81,7 +82,7 @@ void checkTexts(const Module& module, bool hasForeignText) {
 // The values of all inputs at each vertex, each within its range; uniforms have one value.
 struct InputValues {
   std::vector<Range> ranges;
-  std::vector<bool> isUniform;             // by number
+  std::vector<bool> isUniform;             // by input
   std::vector<std::vector<float>> values;  // by input
   std::vector<Stream> streams;
 
@@ -125,7 +126,8 @@ InputValues makeInputs(const Graph& graph, unsigned style) {
   return inputs;
 }
 
-// The indices of the last results, and the total number of their components.
+// The indices of the last results whose components are together at most `maxResults`, and the
+// number of these components.
 struct Latest {
   std::vector<std::uint32_t> results;
   std::size_t size = 0;

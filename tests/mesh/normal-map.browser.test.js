@@ -29,7 +29,8 @@ after(async () => {
 })
 
 /**
- * Returns functions that compare a picture with the exact one. They return the mean and max difference, and the share of pixels within 3.
+ * Returns functions that compare a picture with the exact one. They return the mean and max difference, of 255, and the share of pixels
+ * whose difference is at most 3.
  */
 function comparisonsOf(offset, columns, rows, size = 1024) {
   const warp = compileWarp(offset)

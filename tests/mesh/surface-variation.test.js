@@ -132,9 +132,9 @@ test('tangents are transformed too', () => {
   })
 })
 
-// The Stanford bunny from npm, smoothed by Loop subdivision: the meshes of 7,350 and 29,394 vertices use the first vertices of
-// one of 117,570, which represents the smooth bunny. Its warped vertices are the reference, with the normals of the surrounding
-// triangles. Where these fold over, as in the creases of the neck, the warped surface has no useful normal.
+// The Stanford bunny from npm, smoothed by Loop subdivision. A mesh of 117,570 vertices represents the smooth bunny; the tested meshes use
+// its first 7,350 and 29,394 vertices. The reference is the warped large mesh, with the normals of the triangles around each vertex. Where
+// these triangles fold over, as in the creases of the neck, the warped surface has no useful normal.
 describe('the bunny', () => {
   const { positions, indices } = models.bunny()
   let model = interpolatePoints({ points: triples(positions), triangles: triples(indices) })

@@ -99,7 +99,7 @@ for (const [name, fileOf] of Object.entries(files))
       assert.ok(lit.slice(indices.length).every((light) => light === 0))
     })
 
-    test('an adjacent part with one side continues the side that it faces with', async () => {
+    test('an adjacent one-sided part continues the side that faces the same way', async () => {
       const { positions, indices } = saddle()
       const half = indices.slice(0, indices.length / 2)
       const oneSided = await loadMesh(fileOf({ positions, indices }))

@@ -246,7 +246,7 @@ test('operators on numbers give numbers, and on strings they give strings', () =
   assert.deepEqual(seen, [6, 'many', '3x', false, -3, 1, 5, 'number', 2])
 })
 
-test('variables around a function are read from the scope; without it there is a message', () => {
+test('variables around a function are read from the argument `scope`; without it there is a message', () => {
   const amount = 3
   const offset = ({ position }) => position * amount
   const expected = compileWarp(({ position }) => position.mult(3)).code

@@ -1,6 +1,5 @@
 // exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with that of the
-// same
-// warp by createWarp. Also tests messages about unsupported hooks.
+// same warp by createWarp. Also tests messages about unsupported hooks.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -54,7 +53,7 @@ const inStrands = {
   ],
 }
 
-/** Such warps in hooks that read an image. */
+/** Maps a name to such a pair, whose hook reads an image. */
 const inImages = {
   'with an image': [
     strands(`const heights = uniformTexture(() => warps.image)
@@ -98,7 +97,7 @@ const byDifferences = `
     let byY = (heightAt(x, y + 0.05) - heightAt(x, y - 0.05)) * 10
     inputs.normal = normalize(inputs.normal - [byX, byY, 0] * inputs.normal.z)`
 
-/** Such warps in hooks of p5 1.11. */
+/** Maps a name to such a pair, whose shader is modified by a hook of p5 1.11. */
 const inOldHooks = {
   'along the normal': [
     `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {

@@ -36,7 +36,10 @@ async function withHosts(files) {
   return { context, requests }
 }
 
-/** Loads a model in a sketch with this script. Returns the `result`, which is the number of vertices or a message, and what else happened. */
+/**
+ * Loads a model in a sketch with this script. Returns the `result`, which is the number of vertices or a message of an error; `isForeign`,
+ * whether a foreign script ran; and all console messages.
+ */
 async function loadModel(context, src) {
   const { page, messages } = await runSketch(
     context,

@@ -1,4 +1,4 @@
-// Generates random loops for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states. The
+// Generates random loops ("folds") for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states. The
 // increment of each step is bounded, so that no state diverges.
 import { randomOf } from './generate.js'
 
@@ -48,8 +48,8 @@ function expressionOf(glsl, formula, values) {
 }
 
 /**
- * Generates a loop of `steps` steps, whose body may contain an `inner` loop. Each has formulas for its
- * states; those of the inner loop may read the outer states and step, too.
+ * Generates a loop of `steps` steps, whose body may contain an `inner` loop. Each has formulas for its states; those of the inner loop may
+ * read the outer states and step, too.
  */
 function randomFold(random, outside, depth) {
   const level = depth === 0 ? 'inner' : 'outer'
