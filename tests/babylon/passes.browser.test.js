@@ -11,6 +11,7 @@ let opened
 before(async () => (opened = await bundledPage('babylon/page-passes.js', { hasWebGPU: true })))
 after(() => opened.close())
 
+/** Returns the new console messages, without Babylon.js's greeting. */
 const takeMessages = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
 function assertSame({ differing, moved }, minMoved = 200) {

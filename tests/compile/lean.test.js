@@ -174,7 +174,7 @@ test('a square is one multiplication', () => {
 })
 
 test('a warp that does not depend on x has no column for x', () => {
-  // Returns an offset each of whose components is a sum of sines, one for each of these coordinates.
+  // Returns an offset. Each component is a sum of sines, one for each coordinate in `axes`; all sines are different.
   const sinesOf = (axes) => (glsl, position) => {
     const component = (i) =>
       axes.map((axis, k) =>

@@ -104,12 +104,12 @@ test('a wrong derivative is detected, and minimized to the wrong operation', asy
 })
 
 test('an expression that the compiler rejects is detected, and minimized', async () => {
-  const rejectProducts = (source) => {
+  const rejectInverseOfSinh = (source) => {
     if (/inverse\(.*sinh\(/.test(source)) throw new Error('inverse: not after sinh.')
     return () => ({})
   }
   const check = (test) => {
-    const { failure } = checkCase(test, rejectProducts)
+    const { failure } = checkCase(test, rejectInverseOfSinh)
     return { failure: failure?.kind === 'error' ? failure : undefined }
   }
   const [failure] = await failuresOf(check, 1)

@@ -1,5 +1,5 @@
-// Generates random loops ("folds") for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states. The
-// increment of each step is bounded, so that no state diverges.
+// Generates random loops ("folds") for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states.
+// The increment of each step is bounded, so that no state diverges.
 import { randomOf } from './generate.js'
 
 const unary = {

@@ -75,8 +75,9 @@ export function roundingSpread(root, exactValues, estimate, operations) {
 const errors = { sin: 2.5e-4, cos: 2.5e-4, asin: 1e-4, acos: 1e-4, atan: 1e-4 }
 
 /**
- * Returns the expression as a function of a point. Of all calls of the functions in `errors`, only the one with the index `errorCall` has an
- * error. It oscillates with the argument, shifted by `phase`, so that it affects the derivative, too. Calls `count` with the number of calls.
+ * Returns the expression as a function of a point. Of all calls of the functions in `errors`, only the one with the index `errorCall` has
+ * an error. It oscillates with the argument, shifted by `phase`, so that it affects the derivative, too. Calls `count` with the number of
+ * calls.
  */
 function withSineError(root, errorCall, phase, count = () => {}) {
   return (point) => {

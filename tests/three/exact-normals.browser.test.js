@@ -18,7 +18,9 @@ const atVertices = {
   'instanced grass': /attribute instanceMatrix, which pixels do not have/,
 }
 
-/** Maps a habit of shader authors → its warning. (Habits that read an attribute are exact nevertheless if the attribute is constant here.) */
+/**
+ * Maps a habit of shader authors → its warning. (Habits that read an attribute are exact nevertheless if the attribute is constant here.)
+ */
 const warnings = {
   'gl_Position changes after the projection': /changes gl_Position after projectionMatrix/,
   'a branch without braces that changes gl_Position': /changes gl_Position after projectionMatrix/,
