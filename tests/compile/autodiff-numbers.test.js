@@ -21,8 +21,6 @@ const oneIfLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
 
 // A row has equivalent forms of a call, a function that returns its value, one that returns its derivatives with respect to x, y and z
 // (derived by hand), and the points where they are compared (default: `anywhere`).
-// A row has equivalent forms of a call, a function that returns its value, one that returns its derivatives with respect to x, y and z
-// (derived by hand), and the points where they are compared (default: `anywhere`).
 const arithmetic = [
   [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, zeros],
   [[(ad, x) => x.neg()], (x) => -x, () => [-1, 0, 0]],

@@ -19,7 +19,7 @@ const exactOperations = new Set(
 const isExact = ({ op, value }) =>
   op === 'number' ? Math.fround(value) === value : exactOperations.has(op)
 
-/** Sums of products, whose intermediate results may be larger than the final one. */
+/** Operations that add up products, whose intermediate results may be larger than the final one. */
 const sums = new Set([...Object.keys(structural), 'mult', 'mix', 'vecMix'])
 sums.delete('dist')
 sums.delete('distance')
@@ -28,7 +28,7 @@ sums.delete('distance')
 const absoluteError = 1e-6
 const withAbsoluteError = new Set(['sinh', 'tanh', 'asinh', 'atanh', 'acosh', 'log', 'log2'])
 
-/** Returns rounding errors for one evaluation, for `evaluate`; each sample has different ones. */
+/** Returns the argument `around` for `evaluate` that adds rounding errors to each operation; different ones for each sample. */
 function roundingErrors(sample) {
   // Every second sample has the errors of the previous one with opposite sign, so that one of the two crosses a nearby jump.
   const random = randomOf(sample >> 1)
