@@ -264,7 +264,7 @@ describe('loadMesh', () => {
   })
 })
 
-test('the module exports exactly the public functions', () => {
+test('the module exports exactly the public functions and those for the p5 addon', () => {
   assert.deepEqual(Object.keys(meshModule).sort(), [
     'WarpError',
     'bakeNormalMap',

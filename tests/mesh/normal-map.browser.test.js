@@ -78,7 +78,7 @@ describe('the map of a sphere', () => {
       assert.ok(map.max <= 3, JSON.stringify(map))
     })
 
-  test('fbm: on average within 1.5, and nearly everywhere within 3 if the texture is anisotropic', async (t) => {
+  test('fbm: on average within 1.5, and nearly everywhere within 3 if texture filtering is anisotropic', async (t) => {
     const { compareVertices, compareMap } = comparisonsOf(offsets.fbm, 60, 40, 2048)
     const [vertices, map] = [await compareVertices(), await compareMap()]
     const anisotropic = await compareMap('anisotropic')

@@ -222,7 +222,11 @@ describe('with operators as with methods:', () => {
       const [, text, last] = /^createWarp\(warpjetWithOperators\((.*)\)\)(\nimport .*\n)$/s.exec(
         module,
       )
-      assert.equal(text.split('\n').length, `${offsetWithOperators}`.split('\n').length, 'lines')
+      assert.equal(
+        text.split('\n').length,
+        `${offsetWithOperators}`.split('\n').length,
+        'the number of lines differs',
+      )
       assert.equal(last.split('\n').length, 3)
       const make = new Function(`return ${text}`)()
       assert.equal(compileWarp(withOperators(make)).code, expected)

@@ -202,7 +202,7 @@ for (const host of webglHosts)
             assert.ok(error < 5e-3, `${name}, vertex ${vertex}, ${k}: ${error}`)
             assert.ok(
               Math.abs(m.dot(gradient, m.normalize(n))) < 1e-4,
-              `${name}: the gradient is tangent to the surface`,
+              `${name}: the gradient is not tangent to the surface`,
             )
           })
         }

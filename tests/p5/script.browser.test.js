@@ -319,7 +319,7 @@ describe('a page whose policy is script-src self', () => {
     })
     await leavePage(page)
     assert.ok(found.before.length > 0 && found.before.every((outcome) => outcome === 'made'))
-    assert.deepEqual(found.after, ['forbidden'], 'compilation is attempted once')
+    assert.deepEqual(found.after, ['forbidden'], 'expected one attempt to compile')
     assert.deepEqual(found.same, [true, true, true, true, true, true])
     assert.deepEqual(found.points, [true, true, true])
     assert.ok(found.many > 40_000 * 6)
