@@ -50,7 +50,7 @@ test('a bundle by webpack runs in Node', async () => {
   )
   const { errors, warnings } = stats.toJson({ all: false, errors: true, warnings: true })
   assert.deepEqual([...errors, ...warnings], [])
-  works(process.execPath, ['out/webpack-node/main.cjs'])
+  assertWorks(process.execPath, ['out/webpack-node/main.cjs'])
 })
 
 test('a bundle by esbuild runs in Node', async () => {
@@ -65,7 +65,7 @@ test('a bundle by esbuild runs in Node', async () => {
     logLevel: 'silent',
   })
   assert.deepEqual(warnings, [])
-  works(process.execPath, ['out/esbuild-node.mjs'])
+  assertWorks(process.execPath, ['out/esbuild-node.mjs'])
 })
 
 test('a bundle by Rollup runs in Node', async () => {
@@ -80,5 +80,5 @@ test('a bundle by Rollup runs in Node', async () => {
   await bundle.write({ dir: `${project}/out/rollup-node`, entryFileNames: '[name].mjs' })
   await bundle.close()
   assert.deepEqual(warnings, [])
-  works(process.execPath, ['out/rollup-node/main.mjs'])
+  assertWorks(process.execPath, ['out/rollup-node/main.mjs'])
 })
