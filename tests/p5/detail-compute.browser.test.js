@@ -46,8 +46,7 @@ for (const [shape, name, others] of [
     for (const each of found) {
       const { isIndirect, triangles, expected, vertices, strays, isEqual, openSides, beyond } = each
       assert.ok(isIndirect)
-      // If the number of parts that a side needs is whole except for rounding errors, only one of the two may round it up: then a few sides
-      // have more parts.
+      // If a need is a whole number except for rounding errors, only one of the two may round it up: then a few sides have more pieces.
       assert.ok(Math.abs(triangles - expected) <= 0.01 * expected, `${triangles}, ${expected}`)
       assert.ok(strays <= (isEqual ? 0 : 0.01 * vertices), `${strays} of ${vertices}`)
       // A plane has a border.
@@ -70,7 +69,7 @@ test('a divided box is within a pixel of a dense one from 20 places', async (t) 
   checkPictures(await run(t, 'compareAround', { places: placesAround(120) }))
 })
 
-test('buffers grow, and the shape of the previous frame is drawn until then', async (t) => {
+test('buffers grow, and the shape of the frame before is drawn until then', async (t) => {
   const { before, after, isSame, beyond, left } = await run(t, 'approach')
   assert.ok(after > 2 * before, `${before}, ${after}`)
   assert.equal(isSame, false)
@@ -84,7 +83,7 @@ for (const hasPasses of [true, false])
     assert.deepEqual(differing, [0, 0, 0, 0])
   })
 
-test('a surface that becomes rougher is divided again', async (t) => {
+test('a surface that becomes rougher is cut anew', async (t) => {
   const { triangles, beyond } = await run(t, 'refine')
   assert.ok(triangles > 1000)
   assert.deepEqual(beyond, [0, 0])

@@ -31,7 +31,7 @@ for (const [shape, name, space] of [
   test(`passes divide a ${shape} under a ${name} as the CPU does, ${space ?? 'local'}`, async (t) => {
     const { found } = await run(t, 'divide', { shape, name, space })
     for (const { triangles, expected, isEqual, farthest, openSides, beyond } of found) {
-      // If the number of parts that a side needs is whole except for rounding errors, only one of the two may round it up.
+      // If a need is a whole number except for rounding errors, only one of the two may round it up.
       assert.ok(Math.abs(triangles - expected) <= 0.01 * expected, `${triangles}, ${expected}`)
       assert.equal(isEqual, triangles === expected)
       assert.ok(!isEqual || farthest < 1e-6, `${farthest}`)
@@ -41,12 +41,12 @@ for (const [shape, name, space] of [
     assert.ok(equal >= found.length / 2, `${equal} of ${found.length} equal`)
   })
 
-test('countOpenSides counts the sides of a square', () => {
+test('an open side is found', () => {
   const square = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0])
   assert.equal(countOpenSides([0, 1, 2, 0, 2, 3], square), 4)
 })
 
-test('buffers grow, and the mesh of the previous frame is drawn until then', async (t) => {
+test('buffers grow, and the mesh of the frame before is drawn until then', async (t) => {
   const { before, after, isSame, beyond } = await run(t, 'approach', {
     shape: 'sphere',
     name: 'noise',
@@ -58,7 +58,7 @@ test('buffers grow, and the mesh of the previous frame is drawn until then', asy
   assert.ok(beyond.at(-1) <= 3, `${beyond} pixels`)
 })
 
-test('a surface that becomes rougher is divided again', async (t) => {
+test('a surface that becomes rougher is cut anew', async (t) => {
   const { triangles, beyond } = await run(t, 'refine')
   assert.ok(triangles > 1000)
   assert.deepEqual(beyond, [0, 0])
