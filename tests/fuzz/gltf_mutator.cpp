@@ -77,7 +77,7 @@ void collect(json& tree, std::vector<json*>& values) {
   }
 }
 
-// Returns a value of those that are known to break readers of files.
+// Returns one of the values that are known to break readers of files.
 json oddValue(Random& random) {
   static const std::array<json, 24> values = {nullptr,
                                               true,
