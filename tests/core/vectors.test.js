@@ -188,15 +188,18 @@ test('warns once per line about copy(), since the user may want to modify the co
 })
 
 test('limit(0) is 0, for a zero vector too', () => {
-  const { evaluateAt } = compileWarp(({ position, uniforms }) => position.limit(uniforms.max), {
-    uniforms: { max: 1 },
-  })
-  for (const [place, max, moved] of [
+  const { evaluateAt } = compileWarp(
+    ({ position, uniforms }) => position.limit(uniforms.maxLength),
+    {
+      uniforms: { maxLength: 1 },
+    },
+  )
+  for (const [place, maxLength, moved] of [
     [[0, 0, 0], 0, [0, 0, 0]],
     [[3, 0, 4], 0, [3, 0, 4]],
     [[3, 0, 4], 1, [3.6, 0, 4.8]],
   ]) {
-    const { position } = evaluateAt(place, { uniforms: { max } })
+    const { position } = evaluateAt(place, { uniforms: { maxLength } })
     position.forEach((x, i) => assert.ok(Math.abs(x - moved[i]) < 1e-6, `${position}`))
   }
 })

@@ -1,5 +1,5 @@
 // Fuzz target of the graph, the emitter and the evaluators: interprets bytes as calls on a builder,
-// then queries everything. The first byte chooses the language, the second the inputs' values; see
+// then queries everything. The first byte is not used, the second chooses the inputs' values; see
 // graph_calls.hpp for the others.
 #include <algorithm>
 #include <cmath>
@@ -144,6 +144,7 @@ Latest latestOf(const Module& module) {
   return latest;
 }
 
+// Returns whether an instruction is a leaf, or an operation whose result is a float.
 bool isNumber(const Words& words, std::uint32_t instruction) {
   const Op op = words.op(instruction);
   return index(op) >= ops::count || ops::declaration(op).signature.result == ops::Type::Float;
@@ -175,12 +176,12 @@ void requireWithin(const Range& range, double value, const std::string& name) {
 }
 
 void checkEvaluation(const Module& module, unsigned style) {
-  const auto [latest, results] = latestOf(module);
-  const auto program = warpjet::program(module, latest).program;
+  const auto [latestResults, componentCount] = latestOf(module);
+  const auto program = warpjet::program(module, latestResults).program;
   if (!program || program->instructions > maxInstructions) return;
   const Words words(program->words, program->instructions);
   std::vector<std::uint32_t> checked;
-  for (std::uint32_t i = 0; i < results; ++i) {
+  for (std::uint32_t i = 0; i < componentCount; ++i) {
     if (isNumber(words, words.result(i))) checked.push_back(i);
   }
   if (checked.empty()) return;
