@@ -139,7 +139,7 @@ int main() {
                     {"turns", array(patterns::turns, identity)},
                     {"compositions", array(compositions, composition)},
                     {"aliases", array(detail::aliases, alias)},
-                    {"others", array(detail::others, name)},
+                    {"others", array(detail::vectorOperations, name)},
                     {"headings", array(headings, heading)},
                     {"languages", array(dialects(), language)},
                     {"noises", array(noises, noise)},
