@@ -8,7 +8,8 @@ let opened
 before(async () => (opened = await bundledPage('babylon/page-motion.js', { hasWebGPU: true })))
 after(() => opened.close())
 
-const draw = (...args) => opened.page.evaluate((args) => draw(...args), args)
+const draw = async (...args) =>
+  Buffer.from(await opened.page.evaluate((args) => draw(...args), args), 'base64')
 /** Returns the new console messages, without Babylon.js's greeting. */
 const takeMessages = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
