@@ -7,7 +7,7 @@ import { checkPictures, placesAround } from '../support/places-around.js'
 
 /** Maps a name → the code that draws a box. */
 const boxes = {
-  dense: 'warps.own(); warpBox(120, 120, 120, 100)',
+  dense: 'warps.own(); warpBox(120, 120, 120, 48)',
   divided: 'warps.divided(); box(120)',
   rough: 'warps.rough(); box(120)',
   coarse: 'warps.own(); box(120)',

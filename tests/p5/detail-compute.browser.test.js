@@ -56,7 +56,7 @@ for (const [shape, name, others] of [
   })
 
 for (const [name, coarse, dense] of [
-  ['twist', ['box', 120], ['warpBox', 120, 120, 120, 100]],
+  ['twist', ['box', 120], ['warpBox', 120, 120, 120, 48]],
   ['flag', ['plane', 170, 170, 1, 1], ['plane', 170, 170, 120, 120]],
 ])
   test(`${coarse} under a ${name} looks like a dense one`, async (t) => {

@@ -99,7 +99,8 @@ export const beyondPixel = (a, b, tolerance) =>
 function missingPixels(a, b, tolerance) {
   const { width, height } = a
   const isLike = (i, j) => {
-    for (let k = 0; k < 4; k++) if (Math.abs(a.data[i + k] - b.data[j + k]) > tolerance) return false
+    for (let k = 0; k < 4; k++)
+      if (Math.abs(a.data[i + k] - b.data[j + k]) > tolerance) return false
     return true
   }
   const isNearby = (i, x, y) => {
