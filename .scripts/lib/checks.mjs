@@ -10,7 +10,7 @@ import { installEnvironments } from './environments.mjs'
 import { path, walk } from './files.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
-import { isEveryday, rareFiles } from './tiers.mjs'
+import { isFileRun } from './tiers.mjs'
 
 const node = (...args) => run(process.execPath, args)
 const binary = (name) => path('node_modules', name)
@@ -60,7 +60,7 @@ const kindOf = (file) =>
 async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
   const all = ['tests', 'web/tests']
     .flatMap((folder) => walk(folder, /\.test\.js$/))
-    .filter((file) => kindOf(file) === kind && !(isEveryday() && rareFiles.includes(file)))
+    .filter((file) => kindOf(file) === kind && isFileRun(file))
   if (!all.length) throw new Stop(`There are no tests of the kind ${kind}.`)
   const files = new Set([...longest.filter((file) => all.includes(file)), ...all])
   const libFile = (name) => path('.scripts/lib', name)
