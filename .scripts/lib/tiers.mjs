@@ -6,15 +6,22 @@
 
 /** Maps a subject → its browser test files in the everyday run: the one or two that find most mistakes in a few seconds of a core. */
 const everydayBrowserFiles = {
-  compiler: ['core/operations', 'compile/random', 'compile/extremes'],
-  p5: ['p5/p5', 'p5/page', 'p5/pixel-normals', 'p5/exact-normals', 'p5/detail'],
+  compiler: ['compile/random', 'compile/extremes'],
+  p5: [
+    'p5/p5',
+    'p5/page',
+    'p5/pixel-normals',
+    'p5/exact-normals',
+    'p5/detail',
+    'p5/detail-cameras',
+  ],
   three: [
     ...['three/three', 'three/pixel-normals', 'three/exact-normals', 'three/detail'],
     // Compute passes on WebGPU.
     'three/detail-compute',
   ],
   babylon: ['babylon/babylon'],
-  'GLSL and WGSL': ['glsl-source/glsl', 'glsl-source/wgsl-values'],
+  'GLSL and WGSL': ['glsl-source/glsl', 'glsl-source/wgsl-values', 'glsl-source/wgsl-rules'],
   mesh: ['mesh/bake'],
   operators: ['operators/sketches'],
 }
