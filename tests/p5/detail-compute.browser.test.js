@@ -41,8 +41,10 @@ for (const [shape, name, others] of [
   ['box', 'twist', { isInside: true }],
 ])
   test(`passes divide a ${shape} under ${name} as the CPU does, ${JSON.stringify(others ?? {})}`, async (t) => {
-    const { found } = await run(t, 'divide', { shape, name, ...others })
-    assert.equal(found.length, others?.hasPlaces ? 18 : 6)
+    // Spaces and places differ in matrices, which fewer frames show.
+    const frames = others ? 3 : 6
+    const { found } = await run(t, 'divide', { shape, name, frames, ...others })
+    assert.equal(found.length, others?.hasPlaces ? 3 * frames : frames)
     for (const each of found) {
       const { isIndirect, triangles, expected, vertices, strays, isEqual, openSides, beyond } = each
       assert.ok(isIndirect)
