@@ -42,6 +42,8 @@ export const rareFiles = [
   ...['cli/glsl', 'cli/info', 'cli/program'],
   // Linear time, and large models.
   ...['compile/large', 'mesh/real-models'],
+  // Random and changed sources, and many noises; other tests compare fewer.
+  ...['compile/untamed', 'glsl-source/grammar', 'glsl-source/long-loops', 'mesh/subdivision'],
   // The step "Dependency rules" checks the rules themselves.
   'scripts/dependencies',
 ].map((name) => `tests/${name}.test.js`)

@@ -8,7 +8,7 @@ import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { randomLongLoops } from '../glsl/long-loops.js'
 import { walk } from '../glsl/walk.js'
 
-const count = isRun('every random expression') ? 500 : 20
+const count = isRun('every random expression') ? 500 : 60
 
 const points = Array.from({ length: 6 }, (_, i) =>
   [0.7548776662, 0.569840291, 0.3819660113].map((step) => 2 * ((0.5 + (i + 1) * step) % 1) - 1),
