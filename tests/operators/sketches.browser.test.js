@@ -23,8 +23,8 @@ const allSketches = Object.entries({
   ...others,
 })
 /** Returns each `step`-th sketch. A page takes more than half a second of a core. */
-const everySketch = (step) => allSketches.filter((_, i) => i % step === 0)
-const sketches = everySketch(isRun('every sketch') ? 1 : 10)
+const pickEvery = (step) => allSketches.filter((_, i) => i % step === 0)
+const sketches = pickEvery(isRun('every sketch') ? 1 : 10)
 
 let browser, server
 before(async () => {
@@ -120,7 +120,7 @@ for (const [version, p5] of p5InThisRun)
     const pictures = await drawTwins(p5)
     const problems = []
     // Messages do not depend on the version of p5.
-    for (const [name, sketch] of version === '1.11' ? everySketch(4) : sketches) {
+    for (const [name, sketch] of version === '1.11' ? pickEvery(4) : sketches) {
       const { image, messages } = await run([p5, warpjet], sketch)
       if (messages.some((message) => /WarpError|warpjet|createWarp: |; write /.test(message)))
         continue

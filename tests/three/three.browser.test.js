@@ -37,14 +37,14 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     }
 
     const someNames = ['vertex tangents', 'skin', 'morphs', 'instances', 'batch']
-    async function namesInThisRun() {
+    async function chooseNames() {
       const all = await page.evaluate(() => three.names)
       assert.ok(all.length > 25)
       return isRun('every material of three') ? all : [...someNames, 'line', 'MeshNormalMaterial']
     }
 
     test('shapes and materials look the same in local space', async () => {
-      const names = await namesInThisRun()
+      const names = await chooseNames()
       const lights = ['directional', 'spot', 'point']
       for (const [i, name] of names.entries())
         await assertSame(name, { light: lights[i % 3] }).catch((error) => {
@@ -54,7 +54,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     })
 
     test('shapes and materials look the same with normals at pixels', async () => {
-      const names = await namesInThisRun()
+      const names = await chooseNames()
       // Three.js interpolates normals after the motion, and the warp interpolates them before. Both are wrong between the vertices of a
       // coarse mesh, and the colours of the matcap change within a few degrees.
       const maxDiffering = (name) => (name === 'MeshMatcapMaterial' ? 130 : 12)
