@@ -67,8 +67,9 @@ for (const [name, coarse, dense] of [
     assert.ok(after < 250, `the divided one differs at ${after} pixels`)
   })
 
-test('a divided box is within a pixel of a dense one from 20 places', async (t) => {
-  checkPictures(await run(t, 'compareAround', { places: placesAround(120) }))
+// Each place takes ten pictures.
+test('a divided box is within a pixel of a dense one from 10 places', async (t) => {
+  checkPictures(await run(t, 'compareAround', { places: placesAround(120).slice(0, 10) }))
 })
 
 test('buffers grow, and the shape of the frame before is drawn until then', async (t) => {

@@ -36,6 +36,8 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       assert.equal(afterwards, 0, 'pixels that differ from the original after dispose()')
     }
 
+    /** The offset is the same in each version, so fewer variants of it suffice with the old one. */
+    const isOldest = version !== 'three'
     const someNames = ['vertex tangents', 'skin', 'morphs', 'instances', 'batch']
     async function chooseNames() {
       const all = await page.evaluate(() => three.names)
@@ -59,7 +61,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       // coarse mesh, and the colours of the matcap change within a few degrees.
       const maxDiffering = (name) => (name === 'MeshMatcapMaterial' ? 130 : 12)
       for (const name of names)
-        for (const space of isRun('both spaces') ? ['local', 'world'] : ['local']) {
+        for (const space of isRun('both spaces') && !isOldest ? ['local', 'world'] : ['local']) {
           messages.length = 0
           const { differing, moved } = await compare(name, { space, normals: 'pixel' })
           const warnings = name === 'environment map' ? 1 : 0
@@ -104,9 +106,13 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
           : []),
       ])
         for (const [isKnown, space] of [
-          [true, 'local'],
           [false, 'local'],
-          [false, 'world'],
+          ...(isOldest
+            ? []
+            : [
+                [true, 'local'],
+                [false, 'world'],
+              ]),
         ]) {
           messages.length = 0
           const { differing, moved } = await page.evaluate(
