@@ -72,9 +72,9 @@ async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] }
 const browsersAtOnce = availableParallelism() + 1
 /** Files that take 40 s of a core or more, or wait for long, with those that wait placed between those that compute. */
 const longest = [
-  ...['three/detail', 'p5/detail-compute', 'three/three'].map((name) => `tests/${name}`),
+  ...['operators/sketches', 'p5/detail-compute', 'three/detail'].map((name) => `tests/${name}`),
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
-  ...['p5/detail', 'p5/webgpu-examples', 'p5/scenes'].map((name) => `tests/${name}`),
+  ...['p5/detail', 'three/three', 'p5/webgpu-examples', 'p5/scenes'].map((name) => `tests/${name}`),
   ...['playground-habits', 'playground-examples'].map((name) => `web/tests/${name}`),
   ...['three/pixel-normals-webgpu', 'three/pixel-normals'].map((name) => `tests/${name}`),
   ...['playground-hosts', 'docs'].map((name) => `web/tests/${name}`),
