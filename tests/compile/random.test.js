@@ -14,7 +14,7 @@ import { describe, shrink } from '../random/shrink.js'
 
 const count = 2000
 /** The number of expressions whose values and derivatives are checked. */
-const checkedCount = isRun('every random expression') ? count : 500
+const checkedCount = isRun('every random expression') ? count : 200
 const cases = Array.from({ length: count }, (_, seed) => randomCase(seed))
 
 /** Compiles a case; returns a function from a point to the results of warpjet. */

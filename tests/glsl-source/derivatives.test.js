@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
 import 'warpjet/glsl'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { corpus } from '../glsl/corpus.js'
 import { pointsOfCube } from '../glsl/points.js'
 import { walk } from '../glsl/walk.js'
@@ -28,7 +29,8 @@ const isDefined = Number.isFinite
 
 const compared = { slopes: 0, kinks: 0 }
 
-for (const { name, text } of corpus)
+const sources = isRun('the whole corpus') ? corpus : corpus.filter((_, i) => i % 3 === 0)
+for (const { name, text } of sources)
   test(`${name}: values and derivatives with respect to x, y and z are correct`, () => {
     const compiled = compile((glsl) => {
       const p = glsl.vec3Param('p')
@@ -65,6 +67,7 @@ for (const { name, text } of corpus)
   })
 
 test('enough derivatives are compared, since few points are at a kink', () => {
-  assert.ok(compared.slopes > 100 * (corpus.length - stairs.size), `${compared.slopes} slopes`)
+  const smooth = sources.filter(({ name }) => !stairs.has(name))
+  assert.ok(compared.slopes > 100 * smooth.length, `${compared.slopes} slopes`)
   assert.ok(compared.kinks < compared.slopes / 100, `${compared.kinks} kinks`)
 })

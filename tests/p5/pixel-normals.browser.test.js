@@ -3,6 +3,7 @@
 // bytes on the canvas.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { leavePage } from '../support/browser/browser.js'
 import { openP5Hosts } from '../support/browser/p5-hosts.js'
 import {
@@ -20,7 +21,8 @@ import { readWebGPUPixels } from '../support/browser/pixels.js'
 const hosts = await openP5Hosts()
 
 /** Returns the shapes and warps that a host draws. */
-const getPairs = ({ isV1, isWebGPU }) => (isV1 || isWebGPU ? somePairs : allPairs)
+const getPairs = ({ isV1, isWebGPU }) =>
+  isV1 || isWebGPU || !isRun('every warp on every shape') ? somePairs : allPairs
 
 /** Returns code that makes a list of warps for each offset; `make(offset)` is the code of the list. */
 const makeWarps = (make) =>
