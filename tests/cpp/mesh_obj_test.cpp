@@ -242,7 +242,7 @@ TEST(Obj, IgnoresUnknownStatements) {
   EXPECT_EQ(loaded.mesh->indices, (Indices{0, 1, 2}));
   EXPECT_EQ(loaded.warnings,
             (std::vector<std::string>{
-                "The materials of the .obj are left out, since \"a.mtl\" is missing.",
+                "The materials of the .obj are ignored, since \"a.mtl\" is missing.",
                 "Faces of fewer than three corners are left out."}));
 }
 

@@ -8,7 +8,7 @@ import { resolveIncludes, splitAtMain } from '../shader-source.js'
 import { WarpCode } from '../warp-code.js'
 import type { WeaveOptions } from '../weave-options.js'
 import type { Displacement } from './displacement.js'
-import { withoutComments } from './plain-source.js'
+import { removeComments } from './plain-source.js'
 import { declaredBy, effectsOf, localTypes, statementsOf, type Statement } from './statements.js'
 import { uniforms } from './vertex-source.js'
 
@@ -21,7 +21,7 @@ export function weaveAttribute(
   options: WeaveOptions,
   place: Place,
 ): string {
-  const { top, main } = splitAtMain(withoutComments(resolveIncludes(vertexShader)))!
+  const { top, main } = splitAtMain(removeComments(resolveIncludes(vertexShader)))!
   const open = main.indexOf('{')
   const close = main.lastIndexOf('}')
   const code = new WarpCode(warp, {
@@ -85,7 +85,7 @@ const short = (statement: string) => statement.trim().replace(/\s+/g, ' ').slice
 
 /** Returns line and column of a statement in the form of messages about GLSL; empty if the statement comes from a chunk. */
 function lineOf(vertexShader: string, statement: string): string {
-  const start = withoutComments(vertexShader).indexOf(statement.trim())
+  const start = removeComments(vertexShader).indexOf(statement.trim())
   if (start < 0) return ''
   const lines = vertexShader.slice(0, start).split('\n')
   return `line ${lines.length}, column ${lines.at(-1)!.length + 1}: `
