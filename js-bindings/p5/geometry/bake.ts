@@ -38,19 +38,19 @@ const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, BakedWarp>>()
  * that cannot be baked.
  */
 export function bakeIntoGeometry(
-  made: MadeWarp,
+  madeWarp: MadeWarp,
   shader: Shader,
   overrides: WarpUniforms,
   values: CallValues,
 ) {
-  const renderer = rendererOf(made.canvas)!
+  const renderer = rendererOf(madeWarp.canvas)!
   const builder = renderer.geometryBuilder
   if (!builder) return
-  checkBakeable(made)
+  checkBakeable(madeWarp)
   const warps = warpsOf.get(builder) ?? watchBuilder(builder, renderer)
   warps.set(shader, {
-    bake: makeBake(made, overrides, values),
-    isInWorldSpace: made.settings.space === 'world',
+    bake: makeBake(madeWarp, overrides, values),
+    isInWorldSpace: madeWarp.settings.space === 'world',
   })
 }
 
@@ -117,8 +117,8 @@ function addMoved(
 const vectorLike = (vector: Vector, x: number, y: number, z: number) =>
   Object.assign(vector.copy!(), { x, y, z })
 
-function makeBake(made: MadeWarp, overrides: WarpUniforms, values: CallValues): BakeFunction {
-  const { canvas, warp, settings } = made
+function makeBake(madeWarp: MadeWarp, overrides: WarpUniforms, values: CallValues): BakeFunction {
+  const { canvas, warp, settings } = madeWarp
   const cpu = lazily(() => warp.cpu())
   // `values` has the declared uniforms. The offset may read others by `glsl.param`; their values are in `overrides`.
   const undeclared = Object.entries(overrides).filter(([name]) => !warp.uniforms.declared.has(name))

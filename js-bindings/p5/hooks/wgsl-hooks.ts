@@ -28,7 +28,7 @@ export const wgslHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(code, type, base) {
+  hooksForFills(code, type, base) {
     const readsNormals = type === 'normal' || isLit(base)
     const warpCode = readsNormals ? code : { ...code, pixel: undefined }
     const { pixel } = warpCode
@@ -65,7 +65,7 @@ export const wgslHooks: HookStyle = {
       attributesOf(warpCode),
       'createWarp: on WEBGPU an offset that depends on both normal and uv needs more attributes than a shader may have; read only one of them, or add the option { surfaceVariation: false }, which treats both as constant.',
     ),
-  stroke: (warpCode, base) => ({
+  hooksForStrokes: (warpCode, base) => ({
     ...declarationsOf(
       warpCode,
       base,

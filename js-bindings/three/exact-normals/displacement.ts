@@ -8,7 +8,7 @@ import type { Settings, WarpSpace } from '../settings.js'
 import { ThreeWarp } from '../three-warp.js'
 import { three } from '../values.js'
 import { withNamesOfShader } from './exact-names.js'
-import { movedFunction } from './moved-body.js'
+import { movedFunction } from './position-code.js'
 import type { ExactShader } from './shader.js'
 import { makeVertexSource } from './vertex-source.js'
 

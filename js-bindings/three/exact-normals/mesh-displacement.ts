@@ -1,4 +1,4 @@
-// The displacement of a mesh, read from the shader that was compiled last. Before the first compilation it is read from a new shader.
+// The displacement of a mesh, read from the shader that was compiled last. Before the first compilation it is read from a shader object that we make.
 import type { IUniform, Material, Mesh } from 'three'
 import { definesFor } from './defines.js'
 import type { Displacement } from './displacement.js'

@@ -3,7 +3,7 @@ import type { Place } from '../../options/place.js'
 import type { WarpSpace } from '../settings.js'
 import { chunkSource, resolveIncludes } from '../shader-source.js'
 import { anchor, splitAtAnchor } from '../weave.js'
-import { removeProjection } from './moved-body.js'
+import { removeProjection } from './position-code.js'
 import type { ExactShader } from './shader.js'
 
 const assignment = /(?<![.\w])transformed\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/

@@ -5,9 +5,9 @@
 import { splitAtMain } from '../shader-source.js'
 import { definesFor } from './defines.js'
 import { inputPrefix, isInputName } from './exact-names.js'
-import { readPositionCode, type PositionCode } from './moved-body.js'
 import { numberIncludes } from './numbered-includes.js'
 import { removeComments } from './plain-source.js'
+import { readPositionCode, type PositionCode } from './position-code.js'
 import type { ExactShader } from './shader.js'
 
 /** Maps each variable that three.js declares → type. */

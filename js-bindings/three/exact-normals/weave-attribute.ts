@@ -136,12 +136,15 @@ function withNewNormals(
         if (isBlock && readsNormal && writtenVaryings.length)
           throw fail(
             statement,
-            'moves the vertex and makes a varying of the normal; write these as two',
+            'moves the vertex and writes a varying that depends on the normal; write these as two statements',
           )
         return text
       }
       if (isBlock || [...calls].some((name) => effects.get(name)?.reads.has('normal')))
-        throw fail(statement, 'reads the normal for the position and for light; write these as two')
+        throw fail(
+          statement,
+          'reads the normal for the position and for light; write these as two statements',
+        )
       // A number that moves the vertex and is shown, such as a height, is no normal.
       if ([...writes].every((name) => varyings.has(name) && !isVector(varyings.get(name)!)))
         return text
@@ -156,7 +159,7 @@ function withNewNormals(
         if (!type)
           throw fail(
             statement,
-            'reads the normal for the position and for light; write these as two',
+            'reads the normal for the position and for light; write these as two statements',
           )
         return `${type} ${copied} = ${name};\n`
       })
@@ -167,7 +170,7 @@ function withNewNormals(
       if (readsPosition || some(calls, (name) => movingCalls.has(name)))
         throw fail(
           statement,
-          'makes something of normal and position together, which looks like a normal by hand; leave that out and write vNormal = normalMatrix * normal',
+          'computes a value from both normal and position, which looks like a handwritten normal; remove it and write vNormal = normalMatrix * normal',
         )
       if (some(calls, (name) => effects.get(name)?.reads.has('normal') ?? false))
         throw fail(
@@ -182,7 +185,7 @@ function withNewNormals(
   })
   if (!hasNormals)
     throw new WarpError(
-      'the vertex shader makes no varying of the attribute normal; write vNormal = normalMatrix * normal, and leave out normals by hand.',
+      'the vertex shader writes no varying that depends on the attribute normal; write vNormal = normalMatrix * normal, and remove handwritten normals.',
     )
   return [...lines, ...copiesToVaryings].join('\n')
 }

@@ -109,8 +109,8 @@ const withGlossiness = writeAs((shape) =>
 )
 
 /**
- * Stores positions as integers: `unit` represents the largest coordinate. A `shift` of 1 adds the largest coordinate to all first, so that
- * the integers can be unsigned.
+ * Stores positions as integers: `unit` represents the largest coordinate. A `shift` of 1 first adds the largest coordinate to all numbers,
+ * so that the integers can be unsigned.
  */
 function quantize(Type, { unit, normalized = false, shift = 0 }) {
   return (shape) => {

@@ -23,7 +23,7 @@ export interface PositionCode {
 /** Reads `main`, which follows the declarations `top`. `isInstancing` is true for a shader of an InstancedMesh. */
 export function readPositionCode(main: string, top: string, isInstancing: boolean): PositionCode {
   const user = removeProjection(main)
-  const moved = bodyOf(
+  const moved = extractPosition(
     main.replace(
       afterProjection,
       (statement) => `${statement.slice(0, -1).replace(/[^\n]/g, ' ')};`,
@@ -36,7 +36,7 @@ export function readPositionCode(main: string, top: string, isInstancing: boolea
     ? moved
     : {
         ...moved,
-        note: 'changes gl_Position after projectionMatrix, which does not count for its normals.',
+        note: 'changes gl_Position after projectionMatrix, which its normals ignore.',
       }
 }
 
@@ -44,8 +44,13 @@ export function readPositionCode(main: string, top: string, isInstancing: boolea
 const afterProjection =
   /(?<![.\w])gl_Position\s*(?:\.\w+\s*[-+*/]?=(?!=)|[-+*/]=|=(?!=)[^;]*\bgl_Position\b)[^;]*;/g
 
-/** `user` is `main` without the lines by which three.js' chunks apply matrices. */
-function bodyOf(main: string, user: string, top: string, isInstancing: boolean): PositionCode {
+/** Reads `main`. `user` is `main` without the lines by which three.js' chunks apply matrices. */
+function extractPosition(
+  main: string,
+  user: string,
+  top: string,
+  isInstancing: boolean,
+): PositionCode {
   const end = anchor.exec(main)?.index
   const open = (text: string) =>
     text.replace(/\bvoid\s+main\s*\([^)]*\)/, `vec3 ${movedFunction}()`)
@@ -56,7 +61,7 @@ function bodyOf(main: string, user: string, top: string, isInstancing: boolean):
   const isInstanced = /\btransformedNormal\b/.test(main)
     ? isInstancing
     : countOf(user, 'instanceMatrix') > 0
-  return { body: open(main).replace(/\}\s*$/, ''), ...chainOf(user, top, isInstanced) }
+  return { body: open(main).replace(/\}\s*$/, ''), ...findLastMatrix(user, top, isInstanced) }
 }
 
 /** Throws for a position that is moved after the projection, and for a shader that uses `projectionMatrix` in another way. */
@@ -64,12 +69,12 @@ function rejectOtherProjections(text: string) {
   const reads = text.match(/(?<![.\w])projectionMatrix\b(?!\s*\*)/)
   if (reads)
     throw new WarpError(
-      'the vertex shader reads projectionMatrix by itself, while exactNormals takes the position in front of it; write gl_Position = projectionMatrix * position.',
+      'the vertex shader reads projectionMatrix without multiplying it by the position, so exactNormals cannot find the position; write gl_Position = projectionMatrix * position.',
     )
   for (const [, name] of text.matchAll(/\bvec4\s+(\w+)\s*=\s*[^;]*\bprojectionMatrix\s*\*/g))
     if ([...text.matchAll(assignmentsTo(name!))].length > 1)
       throw new WarpError(
-        `the vertex shader changes ${name} after projectionMatrix; move the vertex in front of that.`,
+        `the vertex shader changes ${name} after projectionMatrix; move the vertex before that.`,
       )
 }
 
@@ -93,7 +98,11 @@ export const removeProjection = (main: string) =>
  * Finds the last matrix that is applied to the finished position, and the expression for the position before it. Earlier matrices stay in
  * the computation, since the shader may move vertices between them.
  */
-function chainOf(user: string, top: string, isInstanced: boolean): Omit<PositionCode, 'body'> {
+function findLastMatrix(
+  user: string,
+  top: string,
+  isInstanced: boolean,
+): Omit<PositionCode, 'body'> {
   const text = `${top}\n${user}`
   const isLast = (matrix: string, others: readonly string[]) =>
     countOf(text, matrix) === 1 &&
