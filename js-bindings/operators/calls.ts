@@ -2,7 +2,7 @@
 import { isClass, isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import { guardedKey, isLibraryFunction } from '../errors/operators.js'
-import { callOnExpressions, callOnNumbers, isKnown } from './functions.js'
+import { callOnExpressions, callOnNumbers, hasFormula } from './functions.js'
 import { isOfOperator, wrapHelper } from './messages.js'
 import {
   holdsExpression,
@@ -27,7 +27,7 @@ const isNative = (f: Any) =>
 function knownName(f: Any): string | undefined {
   const unguarded = removeGuard(f)
   const name = unguarded.name.replace(/^bound /, '')
-  return isNative(unguarded) && isKnown(name) ? name : undefined
+  return isNative(unguarded) && hasFormula(name) ? name : undefined
 }
 
 /** Returns whether a function belongs to the sketch, and neither to JavaScript nor to p5. `host` is the object that has p5's functions. */
@@ -99,7 +99,7 @@ export function callsOf(
   function invokeBy(name: string, f: Any, self: unknown, x: unknown[]): unknown {
     if (needsTranslation(f, self, x)) return Reflect.apply(translateHelper(f, name), self, x)
     const alias = knownName(f)
-    if (alias && x.some(isExpressionLike)) return callKnown(alias, f, x)
+    if (alias && x.some(isExpressionLike)) return callFormula(alias, f, x)
     try {
       return Reflect.apply(f, self, x)
     } catch (error) {
@@ -118,7 +118,7 @@ export function callsOf(
       throw new WarpError(`p5's ${name} works on numbers, not on expressions of a warp.`)
   }
 
-  const callKnown = (name: string, page: Any | undefined, x: unknown[]) =>
+  const callFormula = (name: string, page: Any | undefined, x: unknown[]) =>
     x.some(isExpressionLike)
       ? callOnExpressions(glsl, name, x, page)
       : callOnNumbers(glsl, name, x, page)
@@ -131,21 +131,21 @@ export function callsOf(
     const found = valueOf(get)
     const page = typeof found === 'function' ? (found as Any) : undefined
     if (page && belongsToSketch(name, page)) return invokeBy(name, removeGuard(page), undefined, x)
-    if (isKnown(name)) return callKnown(name, page, x)
+    if (hasFormula(name)) return callFormula(name, page, x)
     if (page) rejectP5Function(name, x)
     return (get() as Any)(...x)
   }
 
   /** `object[key](...x)` */
   function method(object: unknown, key: string, ...x: unknown[]): unknown {
-    if (object === Math && isKnown(key)) return call(key, () => Reflect.get(Math, key), ...x)
+    if (object === Math && hasFormula(key)) return call(key, () => Reflect.get(Math, key), ...x)
     const f = (object as Record<string, unknown>)[key]
     if (isExpression(object)) return Reflect.apply(callable(f, key), object, x)
     if (
       isSketch(object) &&
       !belongsToSketch(key, callable(f, key), Object.getPrototypeOf(object) as object)
     ) {
-      if (isKnown(key)) return callKnown(key, (f as Any).bind(object), x)
+      if (hasFormula(key)) return callFormula(key, (f as Any).bind(object), x)
       rejectP5Function(key, x)
     }
     if (isVectorClass(object) && x.some(isExpressionLike)) return callVectorFunction(key, x)

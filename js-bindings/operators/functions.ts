@@ -136,7 +136,7 @@ export const formulas: Readonly<Record<string, Formula>> = {
 /** Functions for which an array is a list of operands rather than a vector. */
 const listFunctions = new Set(['min', 'max'])
 
-export const isKnown = (name: string) => Object.hasOwn(formulas, name)
+export const hasFormula = (name: string) => Object.hasOwn(formulas, name)
 
 /** Calls a known function with operands of which at least one is an expression. */
 export const callOnExpressions = (

@@ -41,11 +41,11 @@ export interface Missing {
 }
 
 /** Returns the message for a method that reads a property of `this` but was passed without its object. */
-export const lacksThis = (member: string) =>
+export const describeMissingThis = (member: string) =>
   `the function reads this.${member}, but a method that is passed by itself has no "this"; write (inputs) => object.method(inputs), or take ${member} from a variable.`
 
 /** Returns the message for a function whose source refers to variables around it, with advice on what to write. */
-export function cannotSee({ place, names, shadowed, members, helper }: Missing): string {
+export function describeInvisible({ place, names, shadowed, members, helper }: Missing): string {
   const text = helper
     ? `operators are translated in the source code of the function ${helper}, which it calls`
     : "operators are translated in the function's source code"

@@ -1,6 +1,6 @@
 // Decides whether a function contains anything to translate; otherwise it stays unchanged. Operators on values that cannot be
 // expressions, such as the counter of a loop, stay JavaScript's.
-import { isKnown } from './functions.js'
+import { hasFormula } from './functions.js'
 import { freeReferences } from './resolve.js'
 import { namesBoundBy, walk } from './scopes.js'
 import { isOperator } from './symbols.js'
@@ -90,7 +90,7 @@ function isCallToTranslate(
   const getsExpression =
     mayBeExpression(callee) ||
     values.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
-  return getsExpression && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
+  return getsExpression && (isBuiltIn(root.name) ? root.name === 'Math' && hasFormula(name) : true)
 }
 
 /**

@@ -5,9 +5,9 @@ import { callable, record } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import type { TranslationResult } from './calls.js'
 import { noteChanging } from './changing.js'
-import { isKnown } from './functions.js'
+import { hasFormula } from './functions.js'
 import { globalExists, isSurelyGlobal } from './globals.js'
-import { cannotSee, lacksThis, withOperatorMessage } from './messages.js'
+import { describeInvisible, describeMissingThis, withOperatorMessage } from './messages.js'
 import { needsOf, returnsArray } from './needs.js'
 import { parseFunction } from './parse.js'
 import { freeReferences, type References } from './resolve.js'
@@ -27,12 +27,12 @@ import type { Tree } from './tree.js'
 /** Values that a translated function may read by name, since it cannot access the variables around it. */
 export type Scope = Readonly<Record<string, unknown>>
 
-interface Reader {
+interface TranslationContext {
   /** The call that the function was passed to. */
   place: Place
   scope: Scope
   sketch: object | undefined
-  /** The source of functions that are being read: a function among them that is called again is recursive. */
+  /** Source code of the functions that are being translated. A call to one of them is recursive. */
   pending: Set<string>
 }
 
@@ -57,21 +57,21 @@ export function operators(
   functionKind.read(offset, operatorsPlace)
   rejectInvalidNames(scopeKind.read(scope, operatorsPlace.part('the scope')))
   if (translated.has(offset) || isLibraryFunction(offset)) return offset
-  const reader = { place: new Place(method), scope, sketch, pending: new Set<string>() }
+  const context = { place: new Place(method), scope, sketch, pending: new Set<string>() }
   const parsed = parseFunction(offset)
   if (!parsed) return offset
   const needs = needsOf(parsed.tree)
   const isVector = returnsArray(parsed.tree)
   if (needs === 'nothing' && !isVector) return offset
-  const translation = needs === 'nothing' ? undefined : read(offset, reader)
+  const translation = needs === 'nothing' ? undefined : read(offset, context)
   const result =
     translation && 'make' in translation
       ? withOperators(
           translation.make as (operators: Operators) => (inputs: WarpInputs) => unknown,
           {
-            readHelper: (helper, name) => readHelper(helper, name, reader),
-            isPlain: needs === 'logic' && !isVector,
-            check: makeThisCheck(parsed.tree, reader.place),
+            readHelper: (helper, name) => readHelper(helper, name, context),
+            testsExistence: needs === 'logic' && !isVector,
+            check: makeThisCheck(parsed.tree, context.place),
           },
         )
       : keepUntranslated(translation ? withOperatorMessage(offset, translation.explain) : offset)
@@ -83,7 +83,7 @@ function rejectInvalidNames(scope: Scope) {
   const invalid = Object.keys(scope).find((name) => !isVariableName(name))
   if (invalid !== undefined)
     throw operatorsPlace.error(
-      `expected names of variables in the scope, as in { amount }, got "${invalid}", which no function can read.`,
+      `expected variable names as keys of the scope, as in { amount }, got "${invalid}".`,
     )
 }
 
@@ -106,18 +106,22 @@ function isVariableName(name: string): boolean {
 }
 
 /** Reads a function or class that is called with expressions. Returns `undefined` if it has nothing to translate, or is not the sketch's. */
-function readHelper(helper: Function, name: string, reader: Reader): TranslationResult | undefined {
+function readHelper(
+  helper: Function,
+  name: string,
+  context: TranslationContext,
+): TranslationResult | undefined {
   const parsed = parseFunction(helper)
   return parsed && needsOf(parsed.tree, { isHelper: true }) !== 'nothing'
-    ? read(helper, reader, name)
+    ? read(helper, context, name)
     : undefined
 }
 
 /** Reads a function together with its surroundings in the script. */
-function read(f: Function, reader: Reader, helper?: string): TranslationResult {
+function read(f: Function, context: TranslationContext, helper?: string): TranslationResult {
   const parsed = parseFunction(f)!
   const text = parsed.source.slice(parsed.start, parsed.start + parsed.length)
-  return readSource({ ...parsed, text }, surroundingsOf(text), reader, helper)
+  return readSource({ ...parsed, text }, surroundingsOf(text), context, helper)
 }
 
 interface FunctionSource {
@@ -129,10 +133,10 @@ interface FunctionSource {
 function readSource(
   { source, tree }: FunctionSource,
   surroundings: Surroundings,
-  reader: Reader,
+  context: TranslationContext,
   helper: string | undefined,
 ): TranslationResult {
-  const { place, scope, sketch } = reader
+  const { place, scope, sketch } = context
   const references = freeReferences(tree)
   const values = new Map<string, (operators: Operators) => unknown>()
   const missing: string[] = []
@@ -141,7 +145,7 @@ function readSource(
     else if (name === surroundings.sketchName && sketch) values.set(name, () => sketch)
     else if (!isVisible(name, nodes, surroundings, tree)) {
       const definition = surroundings.functionOf(name)
-      const translation = definition && readDefinition(definition, reader, name)
+      const translation = definition && readDefinition(definition, context, name)
       if (translation && 'make' in translation) values.set(name, translation.make)
       else missing.push(name)
     }
@@ -149,7 +153,7 @@ function readSource(
   if (missing.length)
     return {
       explain: () =>
-        cannotSee({
+        describeInvisible({
           place,
           names: missing,
           shadowed: new Set(missing.filter((name) => globalExists(name))),
@@ -165,7 +169,7 @@ function readSource(
     readsHelpers: true,
   })
   const names = [...values.keys()]
-  // The source of a method begins with its parameters.
+  // The node of a method starts at its parameter list, after the name.
   const isMethod = tree.type === 'FunctionExpression' && source[tree.start] === '('
   const strict = surroundings.isStrict ? "'use strict'; " : ''
   let factory: Function
@@ -179,7 +183,7 @@ function readSource(
     const why =
       error instanceof SyntaxError
         ? `operators cannot be translated in the function's source code: ${error.message}; write x.add(1), x.mult(2), x.sin() in it`
-        : "operators are translated in the function's source code, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin"
+        : "operators are translated in the function's source code, which this page's Content-Security-Policy forbids. Allow 'unsafe-eval' in it, or translate the functions at build time, with warpjet/operators/plugin"
     return { explain: () => `${place}: ${why}.` }
   }
   noteChanging(references, values, surroundings, place)
@@ -190,11 +194,11 @@ function readSource(
 }
 
 /** Reads a function that was found in the script by its name; `undefined` if it is being read already. */
-function readDefinition(definition: Definition, reader: Reader, name: string) {
-  const { pending } = reader
+function readDefinition(definition: Definition, context: TranslationContext, name: string) {
+  const { pending } = context
   if (pending.has(definition.text)) return undefined
   pending.add(definition.text)
-  const translation = readSource(definition, definition.surroundings, reader, name)
+  const translation = readSource(definition, definition.surroundings, context, name)
   pending.delete(definition.text)
   return translation
 }
@@ -203,9 +207,9 @@ function readDefinition(definition: Definition, reader: Reader, name: string) {
 function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree: Tree): boolean {
   if (/^(this|super|new\.target|arguments|#.*)$/.test(name)) return false
   if (surroundings.bound) return !surroundings.bound.has(name)
-  return isKnown(name) && !globalExists(name)
-    ? true
-    : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
+  // Calls of sin, lerp and the like are translated by name, so these functions need not exist on the page.
+  if (hasFormula(name) && !globalExists(name)) return true
+  return isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
 }
 
 /** Returns a function that checks whether a node is the callee of a call in the tree. */
@@ -227,7 +231,7 @@ function makeThisCheck(tree: Tree, place: Place): (self: unknown) => void {
   return (self) => {
     if (self !== undefined && self !== globalThis) return
     const missing = members.find((member) => !(member in globalThis))
-    if (missing) throw place.error(lacksThis(missing))
+    if (missing) throw place.error(describeMissingThis(missing))
   }
 }
 

@@ -54,17 +54,17 @@ const isExistenceTest = (name: string, ...operands: unknown[]) =>
 
 const warnAboutEffect = (effect: string) =>
   noteOnce(
-    `${effect} is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.`,
+    `${effect} is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or use a condition on plain numbers, which JavaScript evaluates.`,
   )
 
 export type Operators = ReturnType<typeof operatorsOf>
 
 /**
- * Returns the operators for one run of an offset function. If `isPlain`, a numeric expression as a condition only tests whether the
+ * Returns the operators for one run of an offset function. If `testsExistence`, a numeric expression as a condition only tests whether the
  * expression exists, as in an untranslated function: `sum ? sum.add(x) : x`.
  */
-export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}) {
-  const differsByVertex = isPlain ? isCondition : decidesByVertex
+export function operatorsOf(glsl: Glsl, { readHelper, testsExistence }: RunOptions = {}) {
+  const differsByVertex = testsExistence ? isCondition : decidesByVertex
   /** Converts arrays and p5's vectors to vectors of `glsl`; returns other values unchanged. */
   const asOperand = (value: unknown) => toVector(glsl, value)
   const binary = (name: string) => (a: unknown, b: unknown) =>
@@ -239,7 +239,7 @@ interface RunOptions {
   /** Variables that are read only once although their values change. */
   once?: readonly string[]
   /** True if the function uses only logic (see needs.ts), so that a numeric condition tests for existence; see `operatorsOf`. */
-  isPlain?: boolean
+  testsExistence?: boolean
   /** Throws if the function cannot be called with this `this`. */
   check?: (self: unknown) => void
 }
@@ -250,13 +250,16 @@ let runningOperators: Operators | undefined
 /** Makes an offset function from the factory of a translated function. */
 export function withOperators(
   make: (operators: Operators) => (inputs: WarpInputs) => unknown,
-  { readHelper, once = [], isPlain = false, check }: RunOptions = {},
+  { readHelper, once = [], testsExistence = false, check }: RunOptions = {},
 ): OffsetFunction {
   const run = function (this: unknown, inputs: WarpInputs) {
     check?.(this)
     for (const name of once) noteReadOnce(new Place('createWarp'), name)
     const outer = runningOperators
-    runningOperators = operatorsOf(glslOf(inputs), { ...(readHelper && { readHelper }), isPlain })
+    runningOperators = operatorsOf(glslOf(inputs), {
+      ...(readHelper && { readHelper }),
+      testsExistence,
+    })
     try {
       return asVector(
         runningOperators,

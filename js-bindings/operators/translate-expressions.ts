@@ -2,7 +2,7 @@
 import { shorten } from '../errors/describe.js'
 import type { Edits } from './edits.js'
 import { canRepeat, containsSuspension, functionNamesIn } from './flow.js'
-import { isKnown } from './functions.js'
+import { hasFormula } from './functions.js'
 import { assignedIn, propertySetIn } from './scopes.js'
 import { binary, bits, logical, unary, unusedName } from './symbols.js'
 import { childrenOf, type Tree } from './tree.js'
@@ -256,7 +256,7 @@ export abstract class ExpressionTranslator {
     if (callee.type === 'Identifier') {
       const { name } = callee
       if (name === 'eval') return false
-      if (isFree(callee) && (readsHelpers || isKnown(name)))
+      if (isFree(callee) && (readsHelpers || hasFormula(name)))
         return translateCall(`${this.op('call')}'${name}', () => ${name}`)
       const isVariable = !isFree(callee) && !this.functionsHere.has(name)
       return (
@@ -268,8 +268,8 @@ export abstract class ExpressionTranslator {
     if (callee.type !== 'MemberExpression') return false
     const { object, property, computed } = callee
     if (object.type === 'Super' || property.type === 'PrivateIdentifier') return false
-    if (!readsHelpers && (computed || !isKnown(property.name))) return false
-    if (object.name === 'Math' && !computed && isKnown(property.name) && isFree(object))
+    if (!readsHelpers && (computed || !hasFormula(property.name))) return false
+    if (object.name === 'Math' && !computed && hasFormula(property.name) && isFree(object))
       return translateCall(`${this.op('call')}'${property.name}', () => Math.${property.name}`)
     this.operand(object)
     this.edits.open(node, object.start, this.op('method'))

@@ -113,13 +113,15 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
       if (!canMoveLines(text)) return undefined
       const base = canvas.baseStrokeShader()
       const lineCode = toWarpCode(text, base)
-      const points = style.point && pointShaderOf(renderer)
+      const points = style.hooksForPoints && pointShaderOf(renderer)
       return {
-        stroke: base.modify(style.stroke(lineCode, base)),
+        stroke: base.modify(style.hooksForStrokes(lineCode, base)),
         // p5 1.11 calls isPointShader, but does not define it.
         point:
           points &&
-          Object.assign(points.modify(style.point!(lineCode)), { isPointShader: () => true }),
+          Object.assign(points.modify(style.hooksForPoints!(lineCode)), {
+            isPointShader: () => true,
+          }),
       }
     }),
   }

@@ -18,19 +18,19 @@ Expression round(Expression x) { return build(ops::find("round"), x); }
 
 }  // namespace
 
-Separation::Separation(Graph& graph, Library& library, std::span<const std::uint32_t> known)
+Separation::Separation(Graph& graph, Library& library, std::span<const std::uint32_t> frameInputs)
     : graph_(graph),
       library_(library),
       inputs_(graph),
-      isKnown_(graph.inputCount()),
+      isFrameInput_(graph.inputCount()),
       isFrame_(graph.size()),
       replacements_(graph.size(), noNode),
       sums_(graph.size()) {
-  for (const std::uint32_t input : known) isKnown_[input] = true;
+  for (const std::uint32_t input : frameInputs) isFrameInput_[input] = true;
 }
 
 void Separation::visit(NodeId id) {
-  if (graph_.isInput(id)) isFrame_[index(id)] = isKnown_[graph_.node(id).operands[0]];
+  if (graph_.isInput(id)) isFrame_[index(id)] = isFrameInput_[graph_.node(id).operands[0]];
   if (graph_.isLeaf(id) || graph_.known(id)) {
     replacements_[index(id)] = id;
   } else if (graph_.isOperation(id)) {
@@ -134,7 +134,7 @@ NodeId Separation::reduceBy(double period, NodeId id) {
 NodeId Separation::remainder(Expression frame, double period) {
   const std::size_t before = inputs_.values().size();
   const NodeId input = inputs_.pass((frame - round(frame / period) * period).id);
-  reduced_ += inputs_.values().size() - before;
+  reducedCount_ += inputs_.values().size() - before;
   return input;
 }
 
@@ -149,8 +149,9 @@ NodeId Separation::callOf(NodeId call) {
       lacunarity = graph_.value(arguments[variables + 1]);
     const Definition& definition = library_.definition(function.name);
     period = noisePeriod(definition, lacunarity);
-    // The cell and the remainder of a coordinate are rounded together, so either both are frame
-    // inputs, or neither is.
+    // The cell and the remainder of a coordinate come from the same rounding, so both must be
+    // computed on the CPU: cells are used only if there is room for two frame inputs per
+    // coordinate.
     if (inputs_.values().size() + 2 * variables <= maxFrameValues &&
         canTakeCells(definition, lacunarity)) {
       for (std::size_t i = 0; i < variables; ++i)
@@ -158,8 +159,8 @@ NodeId Separation::callOf(NodeId call) {
     }
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool repeats = period > 0 && i < variables;
-    arguments[i] = repeats ? reduceBy(period, arguments[i]) : replacementOf(arguments[i]);
+    const bool isPeriodic = period > 0 && i < variables;
+    arguments[i] = isPeriodic ? reduceBy(period, arguments[i]) : replacementOf(arguments[i]);
   }
   return graph_.call(graph_.node(call).operands[1], arguments);
 }

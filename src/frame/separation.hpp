@@ -13,8 +13,8 @@ namespace warpjet {
 
 class Separation {
  public:
-  // `known` are the numbers of the inputs that are constant within a frame.
-  Separation(Graph& graph, Library& library, std::span<const std::uint32_t> known);
+  // `frameInputs` are the indices of the inputs that are constant within a frame.
+  Separation(Graph& graph, Library& library, std::span<const std::uint32_t> frameInputs);
 
   // Operands are visited before their users.
   void visit(NodeId id);
@@ -24,7 +24,7 @@ class Separation {
 
   const FrameInputs& inputs() const { return inputs_; }
   // Returns the number of frame constants that were reduced by whole periods.
-  std::size_t reduced() const { return reduced_; }
+  std::size_t reduced() const { return reducedCount_; }
 
  private:
   // A value as the sum of a varying part, in nodes of the shader, and a frame constant, which has
@@ -49,11 +49,11 @@ class Separation {
   Graph& graph_;
   Library& library_;
   FrameInputs inputs_;
-  Flags isKnown_;                     // by input
+  Flags isFrameInput_;                // by input
   Flags isFrame_;                     // by node: true for frame constants
   std::vector<NodeId> replacements_;  // by node
   std::vector<Sum> sums_;             // by node
-  std::size_t reduced_ = 0;
+  std::size_t reducedCount_ = 0;
 };
 
 }  // namespace warpjet

@@ -42,7 +42,7 @@ Id Lowering::iterate(const Statement& statement, bool evaluatesTest, const End& 
         [&] {
           resume();
           execute(statement.children[1]);
-          if (statement.isLate) return check(end);
+          if (statement.testsAfterBody) return check(end);
           end();
         });
   };
@@ -50,7 +50,7 @@ Id Lowering::iterate(const Statement& statement, bool evaluatesTest, const End& 
       stopCondition(), [] {},
       [&] {
         resume();
-        if (statement.isLate) return run();
+        if (statement.testsAfterBody) return run();
         check(run);
       });
   return test;
@@ -235,7 +235,7 @@ std::optional<std::uint32_t> Lowering::stepsOf(const Statement& statement,
   for (std::uint32_t step = 0; step <= maxFoldedSteps; ++step) {
     const auto test = run.value(folding.test);
     if (!test) return std::nullopt;
-    if (*test == 0) return step + statement.isLate;
+    if (*test == 0) return step + statement.testsAfterBody;
     run.advance();
   }
   return std::nullopt;
@@ -280,7 +280,7 @@ bool Lowering::close(const Statement& statement, const Folding& folding) {
     }
   }
   // The condition that ends the loop may have side effects, as in `i-- > 0`.
-  if (!folding.evaluatesTest && !statement.isLate)
+  if (!folding.evaluatesTest && !statement.testsAfterBody)
     branch(
         stopCondition(), [] {},
         [&] {

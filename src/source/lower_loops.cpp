@@ -46,7 +46,7 @@ void Lowering::unroll(const Statement& statement) {
   const Problems before = problems_;
   // Counts the iterations of which only the shader knows whether they are reached. The first
   // iteration of a `do` counts, too.
-  int unknown = statement.isLate;
+  int unknown = statement.testsAfterBody;
   const bool isEndless = hasNoEnd(statement);
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {
     if (iteration > maxUnrolledIterations) {
@@ -54,7 +54,7 @@ void Lowering::unroll(const Statement& statement) {
                                             std::to_string(maxUnrolledIterations) + " iterations");
       break;
     }
-    if (statement.expression != nothing && (iteration > 0 || !statement.isLate)) {
+    if (statement.expression != nothing && (iteration > 0 || !statement.testsAfterBody)) {
       const Id test = condition(statement.expression);
       if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
       if (!recorder_.isConstant(test)) {

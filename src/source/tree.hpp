@@ -76,7 +76,7 @@ struct Statement {
 
   Kind kind;
   // For a loop: true if its condition comes after the body.
-  bool isLate = false;
+  bool testsAfterBody = false;
   VariableId index = nothing;
   ExpressionId expression = nothing;
   Location location{};

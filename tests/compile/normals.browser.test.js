@@ -9,8 +9,8 @@
 // Excluded are vertices near a kink of the warp, and those where the surface has nearly collapsed, to 1/100,000 of its area, so that
 // float32 cannot represent its direction to 0.02°.
 //
-// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to `reach`, the size of the numbers in
-// the formula. At `millis` 98,765 the angles of these warps reach 1,000, where the spacing of float32 is 6e-5.
+// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to `reach`, the largest number in the
+// formula. At `millis` 98,765 the angles of these warps reach 1,000, where the spacing of float32 is 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'

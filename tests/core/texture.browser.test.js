@@ -35,7 +35,10 @@ async function run(target, shapes, build, points, images = { heights: image }) {
   })
 }
 
-/** Returns random float32 points in the image and two images around it, at least 1/64 texel from the borders of the polynomial pieces. */
+/**
+ * Returns random float32 points in the image and in its two repetitions on each side, at least 1/64 texel from the borders of the
+ * polynomial pieces.
+ */
 function smoothPoints(count) {
   const random = randomOf(11)
   const along = (size) => {
@@ -108,7 +111,7 @@ for (const target of targets)
           return texelFetch(heights, ij, 0);
         }`
       const { width, height } = image
-      const inside = [0.1, 0.3, 0.6, 0.9].flatMap((part) =>
+      const texelInteriors = [0.1, 0.3, 0.6, 0.9].flatMap((part) =>
         Array.from({ length: width + 2 }, (_, i) => [
           (i - 1 + part) / width,
           ((3 * i + 1) % height) / height + (1 - part) / height,
@@ -122,12 +125,12 @@ for (const target of targets)
           const fetched = glsl.source(text)(uv)
           return { nearest, fetched, slope: glsl.gradient(fetched.r().add(nearest.g()), uv) }
         },
-        inside,
+        texelInteriors,
       )
       results.forEach(({ nearest, fetched, slope }, i) => {
-        const expected = sample(image, ...inside[i], { filter: 'nearest' })
-        assertClose(nearest, expected, 1e-6, `nearest at ${inside[i]}`)
-        assertClose(fetched, expected, 1e-6, `fetched at ${inside[i]}`)
+        const expected = sample(image, ...texelInteriors[i], { filter: 'nearest' })
+        assertClose(nearest, expected, 1e-6, `nearest at ${texelInteriors[i]}`)
+        assertClose(fetched, expected, 1e-6, `fetched at ${texelInteriors[i]}`)
         assertClose(slope, [0, 0], 0, 'slope')
       })
     })
@@ -155,7 +158,7 @@ for (const target of targets)
       })
     })
 
-    test('GLSL 1.00 source with texture2D can be differentiated to GLSL 1.00', async () => {
+    test('GLSL 1.00 source with texture2D is differentiated to the language of the pipeline', async () => {
       const text = `#version 100
         uniform sampler2D heights;
         float height(vec2 uv) { return texture2D(heights, uv).r; }`
@@ -177,7 +180,7 @@ for (const target of targets)
       })
     })
 
-    test('is continuous at texels, and smooth if cubic', async () => {
+    test('every filter is continuous at texels; bicubic has a continuous slope, bspline also a continuous second derivative', async () => {
       // The points are just before and just after a line through the centers of texels.
       const side = 2 ** -20
       const lines = [0.5, 1.5, 3.5, 6.5, 7.5, -0.5].map((x) => x / image.width)
@@ -214,13 +217,13 @@ for (const target of targets)
     })
 
     test('the bicubic and the bilinear filter return the color of a texel at its center', async () => {
-      const centres = Array.from({ length: image.width * image.height }, (_, i) => [
+      const centers = Array.from({ length: image.width * image.height }, (_, i) => [
         ((i % image.width) + 0.5) / image.width,
         (Math.floor(i / image.width) + 0.5) / image.height,
       ])
       for (const filter of ['bilinear', 'bicubic']) {
         const build = (glsl, uv) => ({ color: glsl.texture('heights', uv, { filter }) })
-        const results = await run(target, { color: 4 }, build, centres)
+        const results = await run(target, { color: 4 }, build, centers)
         results.forEach(({ color }, i) => {
           const texel = image.data.slice(4 * i, 4 * i + 4).map((byte) => byte / 255)
           assertClose(color, texel, 1e-5, `${filter}, texel ${i}`)

@@ -116,7 +116,7 @@ TEST(LoadMesh, IgnoresPointsAndLines) {
   file.tree["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});
   EXPECT_EQ(loadValid(file.glb()).positions, triangle);
   EXPECT_EQ(warningsOf(file.glb()),
-            std::vector<std::string>{"Points and lines are left out; only triangles are read."});
+            std::vector<std::string>{"Points and lines are ignored; only triangles are read."});
 }
 
 template <typename T>

@@ -210,7 +210,7 @@ TEST(GltfExtensions, SkipsOnlyTexturesInUnsupportedFormats) {
     EXPECT_EQ(loaded.mesh->material->baseColor, (std::array<float, 4>{1, 0, 0, 1}));
     EXPECT_FALSE(loaded.mesh->material->baseColorTexture);
     EXPECT_EQ(loaded.warnings,
-              Names{"A base-colour texture has no PNG or JPEG image; it is left out."});
+              Names{"A base-colour texture has no PNG or JPEG image; it is ignored."});
   }
 }
 

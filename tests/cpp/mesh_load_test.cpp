@@ -106,7 +106,7 @@ TEST(LoadMesh, FillsAttributesThatOnlySomePartsHave) {
   EXPECT_TRUE(mesh.tangents.empty());
   EXPECT_EQ(warningsOf(file.glb()),
             std::vector<std::string>{
-                "Only some parts have tangents and normals; the tangents are left out."});
+                "Only some parts have tangents and normals; the tangents are ignored."});
 }
 
 TEST(LoadMesh, AcceptsJsonPaddedWithZeroBytes) {

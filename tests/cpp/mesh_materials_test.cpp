@@ -45,7 +45,7 @@ TEST(LoadMesh, ReadsImagesFromTheCallersFiles) {
   EXPECT_EQ(loadValid(file).material, Material{});
   EXPECT_EQ(warningsOf(file),
             std::vector<std::string>{"The base-colour texture (image 2, \"my%20wood.webp\") "
-                                     "is missing or broken; it is left out."});
+                                     "is missing or broken; it is ignored."});
 }
 
 TEST(LoadMesh, WarnsAboutWhatItIgnores) {

@@ -28,13 +28,13 @@ Loaded load(const std::string& text, const Files& files = {}) {
 
 Files withMaterials(const std::string& text) { return {{"a.mtl", bytesOf(text)}}; }
 
-Floats firstOf(const Floats& numbers, std::size_t count) {
+Floats takeFirst(const Floats& numbers, std::size_t count) {
   return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
 TEST(Mtl, ColorsFacesByTheirMaterial) {
-  for (const char* mark : {"", "\xEF\xBB\xBF"}) {
-    const Loaded loaded = load(twoParts, withMaterials(mark + colors));
+  for (const char* byteOrderMark : {"", "\xEF\xBB\xBF"}) {
+    const Loaded loaded = load(twoParts, withMaterials(byteOrderMark + colors));
     const Mesh& mesh = *loaded.mesh;
     // Corners with two colors become two vertices.
     ASSERT_EQ(mesh.vertexCount(), 6u);
@@ -59,7 +59,7 @@ TEST(Mtl, PreservesASingleColorAsTheMaterial) {
 TEST(Mtl, LeavesPartsWithoutMaterialWhiteAndMarksThemUnpainted) {
   const Loaded loaded =
       load("mtllib a.mtl\n" + square + "f 1 2 3\nusemtl red\nf 1 3 4", withMaterials(colors));
-  EXPECT_EQ(firstOf(loaded.mesh->colors, 4), (Floats{1, 1, 1, 1}));
+  EXPECT_EQ(takeFirst(loaded.mesh->colors, 4), (Floats{1, 1, 1, 1}));
   EXPECT_EQ((Floats{&loaded.mesh->colors[12], &loaded.mesh->colors[16]}), (Floats{1, 0, 0, 1}));
   EXPECT_EQ(loaded.mesh->painted, (std::vector<std::uint8_t>{0, 0, 0, 1, 1, 1}));
 }
@@ -76,6 +76,8 @@ TEST(Mtl, ListsTheFilesThatItNeeds) {
   const File obj =
       bytesOf("mtllib sub\\my mat#1.mtl\nmtllib b.mtl\n" + square + "usemtl wood\nf 1 2 3\n");
   ModelFile model(obj);
+  // The names after mtllib may be one name with spaces or several names, so both readings are
+  // listed.
   const Names libraries{"sub/my%20mat%231.mtl", "sub/my", "mat%231.mtl", "b.mtl"};
   EXPECT_EQ(model.externalFiles(), libraries);
   Names all = libraries;
@@ -102,7 +104,7 @@ TEST(Mtl, ReadsTheColorTexture) {
 
   files.erase("a.png");
   EXPECT_EQ(load("mtllib a.mtl\nusemtl red\n" + square + "f 1 2 3\n", files).warnings,
-            Names{"The texture \"a.png\" of the .mtl is missing or broken; it is left out."});
+            Names{"The texture \"a.png\" of the .mtl is missing or broken; it is ignored."});
   files = withMaterials("newmtl red\nmap_Kd a.png\nnewmtl blue\nmap_Kd b.png\n");
   files["a.png"] = files["b.png"] = png;
   EXPECT_EQ(
@@ -112,12 +114,12 @@ TEST(Mtl, ReadsTheColorTexture) {
 
 TEST(Mtl, WarnsAboutMissingMaterials) {
   EXPECT_EQ(load(twoParts).warnings,
-            Names{"The materials of the .obj are left out, since \"a.mtl\" is missing."});
+            Names{"The materials of the .obj are ignored, since \"a.mtl\" is missing."});
   EXPECT_EQ(load("usemtl red\n" + square + "f 1 2 3").warnings,
-            Names{"The materials of the .obj are left out, since it names no .mtl file (mtllib)."});
-  EXPECT_EQ(
-      load(twoParts, withMaterials("newmtl red\nKd 1 0 0\n")).warnings,
-      Names{"A material of the .obj is in none of its .mtl files; those faces have no colour."});
+            Names{"The materials of the .obj are ignored, since it names no .mtl file (mtllib)."});
+  EXPECT_EQ(load(twoParts, withMaterials("newmtl red\nKd 1 0 0\n")).warnings,
+            Names{"A material of the .obj is in none of its .mtl files; the faces that use it have "
+                  "no colour."});
   // The mesh is the same as without materials.
   EXPECT_EQ(load(twoParts).mesh->vertexCount(), 4u);
   EXPECT_TRUE(load("mtllib a.mtl\n" + square + "f 1 2 3").warnings.empty());

@@ -166,7 +166,7 @@ TEST(Obj, SkipsFacesWithInvalidPositions) {
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
   EXPECT_EQ(loaded.mesh->positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
   EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"Triangles with invalid positions are left out."});
+            std::vector<std::string>{"Triangles with invalid positions are ignored."});
   EXPECT_EQ(
       problemIn(square + "v nan 0 0\nf 1 2 5\n"),
       "loadMesh: line 5 of the .obj has \"nan\" where a number belongs; export the model again.");
@@ -242,8 +242,8 @@ TEST(Obj, IgnoresUnknownStatements) {
   EXPECT_EQ(loaded.mesh->indices, (Indices{0, 1, 2}));
   EXPECT_EQ(loaded.warnings,
             (std::vector<std::string>{
-                "The materials of the .obj are left out, since \"a.mtl\" is missing.",
-                "Faces of fewer than three corners are left out."}));
+                "The materials of the .obj are ignored, since \"a.mtl\" is missing.",
+                "Faces of fewer than three corners are ignored."}));
 }
 
 TEST(Obj, ReportsTheLineOfAnError) {

@@ -127,7 +127,7 @@ TEST(Stl, SkipsFacetsWithInvalidPositions) {
   const Loaded loaded = load(binary({broken, facetWith(tilted)}));
   EXPECT_EQ(loaded.mesh->positions, corners);
   EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"Triangles with invalid positions are left out."});
+            std::vector<std::string>{"Triangles with invalid positions are ignored."});
   EXPECT_NE(load(binary({broken})).problem.find("nothing to draw"), std::string::npos);
 }
 
@@ -135,7 +135,7 @@ TEST(Stl, IgnoresColors) {
   // p5 doesn't show the colors either.
   const Loaded loaded = load(binary({facetWith(tilted)}, "COLOR=abcd,MATERIAL="));
   EXPECT_TRUE(loaded.mesh->colors.empty());
-  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"The colours of the .stl are left out."});
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"The colours of the .stl are ignored."});
 }
 
 TEST(Stl, ReportsBrokenFiles) {

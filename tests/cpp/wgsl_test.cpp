@@ -179,7 +179,15 @@ TEST(WgslMessages, SayWhatToWrite) {
             "a time.");
   EXPECT_EQ(problemIn("let x = a & b | c;"), "\"a\" is not declared.");
   EXPECT_EQ(problemIn("let x = 1 & 2 | 4;"),
-            "put parentheses around one of & and |, whose order WGSL does not define.");
+            "expected parentheses, since WGSL does not define the order of & and |.");
+  EXPECT_EQ(problemIn("let x = 1 * 2 + 3 << 4;"),
+            "expected parentheses, since WGSL does not define the order of * and <<.");
+  EXPECT_EQ(problemIn("let x = 1--2 & 4;"),
+            "expected parentheses, since WGSL does not define the order of - and &.");
+  EXPECT_EQ(problemIn("let x = 1 < 2 & 4;"),
+            "expected parentheses, since WGSL does not define the order of < and &.");
+  EXPECT_EQ(problemIn("let x = true && true & false;"),
+            "expected parentheses, since WGSL does not define the order of && and &.");
   EXPECT_EQ(problemIn("var v: vec3h;"), "f16 is not supported; write f32.");
   EXPECT_EQ(problemIn("let t: mat3 = 1;"), "\"mat3\" is a type of GLSL; write mat3x3f.");
   EXPECT_EQ(problemIn("let x = vec3f(p.xy);"), "expected 3 components for vec3f, got 2.");

@@ -143,7 +143,7 @@ describe('functions, methods and classes:', () => {
       assert.throws(
         () => operators(offset, { [name]: 1 }),
         new RegExp(
-          `^WarpError: operators: expected names of variables in the scope, .* got "${name}"`,
+          `^WarpError: operators: expected variable names as keys of the scope, .* got "${name}"`,
         ),
       )
     assert.equal(compileWarp(operators(offset, { größe: 1, $: 2 })).code, expected)

@@ -168,7 +168,7 @@ function setup() {
     )
     assert.match(
       errorMessage,
-      /^createWarp: operators are translated in the function's source code, which this page's Content-Security-Policy forbids; allow 'unsafe-eval'/,
+      /^createWarp: operators are translated in the function's source code, which this page's Content-Security-Policy forbids\. Allow 'unsafe-eval'/,
     )
   })
 }

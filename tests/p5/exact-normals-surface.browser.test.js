@@ -228,7 +228,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         server,
         [...scripts, ...addons],
         `const warps = {}
-        window.said = {}
+        window.reported = {}
         ${isWebGPU ? 'async ' : ''}function setup() {
           ${isWebGPU ? 'await ' : ''}createCanvas(50, 50, ${renderer})
           const { warn } = console
@@ -236,8 +236,8 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
             .map(
               ([name, [shader]]) => `{
             const shader = ${shader}
-            console.warn = (text) => (said['${name}'] = text)
-            try { exactNormals(shader) } catch (error) { said['${name}'] = error.name + ': ' + error.message }
+            console.warn = (text) => (reported['${name}'] = text)
+            try { exactNormals(shader) } catch (error) { reported['${name}'] = error.name + ': ' + error.message }
             console.warn = warn
           }`,
             )
@@ -245,9 +245,9 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           window.done = true
         }`,
       )
-      const said = await page.evaluate('said')
+      const reported = await page.evaluate('reported')
       await leavePage(page)
       for (const [name, [, message]] of Object.entries(mistakes))
-        assert.match(`${said[name]}`, message, name)
+        assert.match(`${reported[name]}`, message, name)
     })
   })

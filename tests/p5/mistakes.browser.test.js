@@ -18,7 +18,7 @@ for (const host of hosts)
         checkMistakes(host, table(host)))
 
 for (const { name, canvas, open } of hosts)
-  test(`${name}: a warp made in every frame warns once, and a message names a missing script`, async () => {
+  test(`${name}: a warp made in every frame warns once; reading a deformer without its script throws an error that names the script`, async () => {
     const { page, messages } = await open(
       `let scriptError
     try { const { twist } = warpjet } catch (error) { scriptError = [error.name, error.message.replace(/ \\(\\S+, line \\d+\\)$/, '')] }
@@ -47,7 +47,7 @@ for (const { name, isWebGPU, canvas, open } of hosts)
     const expected = { ...offsets, ...calls, ...(isWebGPU && onWebGPU) }
     // Leaves out cases that are null.
     const codesWithMessage = (all) => Object.keys(all).filter((code) => expected[code])
-    const works = [
+    const snippets = [
       ...codesWithMessage(offsets).map(
         (code) =>
           `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${toBody(code)} })`,
@@ -57,25 +57,25 @@ for (const { name, isWebGPU, canvas, open } of hosts)
     const { page, messages } = await open(
       `let warp, flat
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-const errorOf = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
-const works = [
-${works.map((work) => `() => ${work},`).join('\n')}
+const errorOf = (run) => { try { run(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
+const snippets = [
+${snippets.map((snippet) => `() => ${snippet},`).join('\n')}
 ]
 async function setup() {
   window.early = errorOf(() => createWarp(still))
   ${canvas(100, 100)}
   flat = createGraphics(10, 10)
   warp = createWarp(still)
-  window.said = works.map(errorOf)
+  window.reported = snippets.map(errorOf)
   // Functions that were replaced while the offset ran are restored.
-  window.after = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
+  window.restored = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
   noLoop()
   done = true
 }`,
     )
-    const said = await page.evaluate('said')
+    const reported = await page.evaluate('reported')
     const early = await page.evaluate('early')
-    const after = await page.evaluate('window.after')
+    const restored = await page.evaluate('window.restored')
     const source = await page.evaluate('document.documentElement.outerHTML')
     await leavePage(page)
     // p5's own friendly errors also report some of these calls.
@@ -84,19 +84,20 @@ async function setup() {
       [],
     )
     assert.match(early.join(), /^WarpError,.*needs a 3D canvas/)
-    assert.deepEqual(after, [0, 2, 1])
+    assert.deepEqual(restored, [0, 2, 1])
     const lines = source.split('\n')
-    const first = lines.findIndex((line) => line.startsWith('const works')) + 1
+    const first = lines.findIndex((line) => line.startsWith('const snippets')) + 1
     const expectedMessages = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
       (code) => expected[code],
     )
     const number = /, line (\d+)\)$/
-    const shift = number.exec(said[0][1])[1] - first
-    said.forEach(([name, message], i) => {
-      assert.equal(name, 'WarpError', works[i])
-      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), expectedMessages[i], works[i])
-      assert.match(message, number, works[i])
-      assert.equal(number.exec(message)[1] - first, shift + i, `${works[i]}: ${message}`)
+    // The lines of outerHTML differ by a constant from those of the page as served, which browsers report: it lacks the doctype.
+    const shift = number.exec(reported[0][1])[1] - first
+    reported.forEach(([name, message], i) => {
+      assert.equal(name, 'WarpError', snippets[i])
+      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), expectedMessages[i], snippets[i])
+      assert.match(message, number, snippets[i])
+      assert.equal(number.exec(message)[1] - first, shift + i, `${snippets[i]}: ${message}`)
     })
   })
 
@@ -109,25 +110,27 @@ for (const { name, isV1, canvas, open } of hosts)
         ? 'vec3 is not defined: write glsl.vec3.'
         : "p5's vec3 works on numbers, not on expressions of a warp; write glsl.vec3(x, y, z).",
     }
-    const works = Object.keys(all)
+    const snippets = Object.keys(all)
     const { page } = await open(
-      `let said = []
+      `let reported = []
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-p5._friendlyError = (message) => said.push(message)
-const works = [
-${works.map((work) => `() => ${work},`).join('\n')}
+p5._friendlyError = (message) => reported.push(message)
+const snippets = [
+${snippets.map((snippet) => `() => ${snippet},`).join('\n')}
 ]
 async function setup() { ${canvas(20, 20)}
   noLoop()
-  for (const work of works) setTimeout(work)
+  for (const run of snippets) setTimeout(run)
   setTimeout(async () => { await null; createWarp() })
   setTimeout(() => setTimeout(() => (window.over = true)))
 }`,
     )
     await page.waitForFunction('window.over')
-    const said = await page.evaluate('said.filter((text) => /\\(\\S+, line \\d+\\)$/.test(text))')
+    const reported = await page.evaluate(
+      'reported.filter((text) => /\\(\\S+, line \\d+\\)$/.test(text))',
+    )
     await leavePage(page)
-    const messages = said.map((text) => text.replace(/ \(\S+, line \d+\)$/, ''))
+    const messages = reported.map((text) => text.replace(/ \(\S+, line \d+\)$/, ''))
     for (const message of [
       ...Object.values(all),
       'createWarp: expected a function, got undefined.',
@@ -186,34 +189,34 @@ test('an unused condition causes a warning with its line', async () => {
 
 const withoutLine = (text) => text.replace(/ \(\S+, line \d+\)/, ' (line)')
 
-test('operators that mean something else on expressions than in JavaScript cause a warning', async () => {
+test('code that runs only once or in one branch of an if gets a warning or an error', async () => {
   const { page, messages } = await hosts[0].open(
     `let list = []
 let wave
-const methods = (offset) => createWarp((inputs) => offset(inputs), { scope: { offset } })
+const createWarpWithoutOperators = (offset) => createWarp((inputs) => offset(inputs), { scope: { offset } })
 function setup() {
   createCanvas(20, 20, WEBGL)
   noLoop()
-  methods(({ glsl }) => glsl.vec3(0, millis(), 0))
-  methods(({ glsl, millis, position }) => glsl.vec3(position.x.gt(0).ifElse(millis(), position().y), 0, 0))
+  createWarpWithoutOperators(({ glsl }) => glsl.vec3(0, millis(), 0))
+  createWarpWithoutOperators(({ glsl, millis, position }) => glsl.vec3(position.x.gt(0).ifElse(millis(), position().y), 0, 0))
   createWarp(({ position }) => {
     let x = 0
     if (position.y > 0) { x = 1; list.push(x) }
     return [x, 0, 0]
   })
-  try { createWarp(({ position }) => { if (position.y > 0) return position }) } catch ({ message }) { window.said = message }
+  try { createWarp(({ position }) => { if (position.y > 0) return position }) } catch ({ message }) { window.reported = message }
   done = true
 }`,
     [...hosts[0].scripts, '/dist/warpjet.operators.min.js'],
   )
-  const said = await page.evaluate('window.said')
+  const reported = await page.evaluate('window.reported')
   await leavePage(page)
   assert.deepEqual(messages.map(withoutLine), [
     "createWarp: p5's millis() is constant in a warp; use the millis that the offset function gets, as in ({ glsl, millis }) => ….",
-    'list.push(x) is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.',
+    'list.push(x) is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or use a condition on plain numbers, which JavaScript evaluates.',
   ])
   assert.equal(
-    withoutLine(said),
+    withoutLine(reported),
     'An if that is decided for each vertex returns a value in only one of its branches; let the other branch return a value too, such as return [0, 0, 0] at the end. (line)',
   )
 })

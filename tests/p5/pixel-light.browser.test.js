@@ -99,7 +99,7 @@ for (const { name: host, isV1, open } of glslHosts)
       : `{ 'Vertex getCameraInputs': '(Vertex v) { v.normal = -v.normal; return v; }' }`
     const noise = `({ glsl, position }) => position.mult(glsl.simplex(position).mult(0.2))`
 
-    test('with a hook that changes normals after the warp, they are computed at vertices, with a message if the option is pixel', async () => {
+    test('normals that a hook changes after the warp are computed at vertices, with a message if the option normals is pixel', async () => {
       const { page, messages } = await open(
         `function setup() {
           createCanvas(100, 100, WEBGL)

@@ -46,7 +46,7 @@ if (scripts) {
   const { browser, server } = await openHost('WEBGPU')
   const allScripts = [...scripts, '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
 
-  test('sketches in p5.strands have the light of meshes that were moved by hand', async (t) => {
+  test('sketches in p5.strands have the light of meshes that were moved in double precision', async (t) => {
     const problems = []
     for (const [name, sketch] of entries.filter(([, { rejected }]) => !rejected)) {
       const meshes = meshesByHand(sketch, eye)

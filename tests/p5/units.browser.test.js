@@ -1,5 +1,5 @@
-// The docs page about units has a table and pictures of `position`: compares them with the vertices of each shape and the matrices that p5
-// passes to the GPU.
+// Compares the table and the pictures of `position` in the docs page about units with the vertices of each shape and the matrices that
+// p5 passes to the GPU.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
@@ -35,9 +35,10 @@ const others = [
   'ellipsoid(50, 80, 100)',
   'cone(50, 200)',
   'ellipse(0, 0, 90, 60)',
-  'translate(150, -50); rotateZ(0.35); box(100)',
 ]
-const calls = [...shapes.map(({ call }) => call), ...others]
+/** The box in the picture units-spaces.svg. */
+const boxInSpaces = 'translate(150, -50); rotateZ(0.35); box(100)'
+const calls = [...shapes.map(({ call }) => call), ...others, boxInSpaces]
 
 const transform = (m, [x, y, z]) =>
   [0, 1, 2].map((i) => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i])
@@ -61,7 +62,7 @@ function rangesInSpaces({ numbers, view, modelView }) {
 }
 
 /** Asserts that ranges agree within 1.2%: round shapes are polygons, which do not quite reach the ideal extent. */
-function assertAbout(actual, expected, what) {
+function assertClose(actual, expected, what) {
   for (const [i, range] of expected.entries())
     for (const [k, x] of range.entries()) {
       const bound = 0.012 * (range[1] - range[0])
@@ -73,11 +74,11 @@ function assertAbout(actual, expected, what) {
 /** Parses a cell of the table, such as `x and y from 0 to 1, z is 0`; `undefined` if it has no numbers. */
 function parseCell(text) {
   const ranges = [[], [], []]
-  for (const [, letters, low, high, only] of text.matchAll(
-    /([xyz](?:(?:, | and )[xyz])*) (?:from (\S+) to ([-\d.]+)|is (\d))/g,
+  for (const [, letters, low, high, isZero] of text.matchAll(
+    /([xyz](?:(?:, | and )[xyz])*) (?:from (\S+) to ([-\d.]+)|is (0))/g,
   ))
     for (const letter of letters.match(/[xyz]/g))
-      ranges['xyz'.indexOf(letter)] = only ? [0, 0] : [Number(low), Number(high)]
+      ranges['xyz'.indexOf(letter)] = isZero ? [0, 0] : [Number(low), Number(high)]
   return ranges.every(({ length }) => length) ? ranges : undefined
 }
 
@@ -115,16 +116,15 @@ function draw() {
     assert.equal(drawn.length, calls.length)
     const found = new Map(calls.map((call, i) => [call, rangesInSpaces(drawn[i])]))
     for (const { call, local, world } of shapes) {
-      assertAbout(found.get(call).local, local, `${call} in local space`)
-      assertAbout(found.get(call).world, world, `${call} in world space`)
+      assertClose(found.get(call).local, local, `${call} in local space`)
+      assertClose(found.get(call).world, world, `${call} in world space`)
     }
     for (const [call, { local }] of found) {
       const documented = table.get(/^\w+/.exec(call)[0])
-      if (documented) assertAbout(local, documented, `${call} in the table`)
+      if (documented) assertClose(local, documented, `${call} in the table`)
     }
-    // Checks the box in the picture units-spaces.svg.
-    const { local, world, camera } = found.get(others.at(-1))
-    assertAbout(local, Array(3).fill([-0.5, 0.5]), 'the box in local space')
+    const { local, world, camera } = found.get(boxInSpaces)
+    assertClose(local, Array(3).fill([-0.5, 0.5]), 'the box in local space')
     const middle = (ranges) => ranges.map(([low, high]) => (low + high) / 2)
     for (const [ranges, z] of [
       [world, 0],
@@ -135,7 +135,7 @@ function draw() {
         assert.ok(Math.abs(x - [150, -50, z][i]) < 1e-3, `${ranges}`)
   })
 
-test('the pictures of the docs show these shapes with their numbers', () => {
+test('the pictures of the docs show the shapes of units.js with their numbers', () => {
   const pictures = ['units-1.svg', 'units-2.svg', 'units-spaces.svg']
   const text = pictures.map((file) => readFileSync(path(`web/docs/${file}`), 'utf8')).join('')
   for (const { call, title = call } of shapes) assert.ok(text.includes(`>${title}</text>`), title)

@@ -199,9 +199,9 @@ test('a mistake in the WGSL of defs is reported with its line in defs and in the
     server,
     [p5, p5WebGPU, ...scripts],
     `p5.disableFriendlyErrors = true
-    const said = []
+    const reported = []
     addEventListener('unhandledrejection', (event) => {
-      said.push([event.reason.name, event.reason.message])
+      reported.push([event.reason.name, event.reason.message])
       window.done = true
     })
     const shift = ({ glsl }) => glsl.vec3(glsl.param('twice(1.0)'), 0, 0)
@@ -213,11 +213,11 @@ test('a mistake in the WGSL of defs is reported with its line in defs and in the
       createWarp(shift, { defs: 'fn twice(x: f32) -> f32 { return 2.0 * x' })
     }`,
   )
-  await page.waitForFunction('said.length >= 2')
-  const said = await page.evaluate('said')
+  await page.waitForFunction('reported.length >= 2')
+  const reported = await page.evaluate('reported')
   await leavePage(page)
   const plain = ([name, message]) => [name, message.replace(/ \(\S+, line \d+\)$/, '')]
-  assert.deepEqual(said.map(plain), [
+  assert.deepEqual(reported.map(plain), [
     [
       'WarpError',
       `createWarp: the option "defs" has a mistake in its line 3, "return 2.0 * y; }": unresolved value 'y'.`,
@@ -227,7 +227,7 @@ test('a mistake in the WGSL of defs is reported with its line in defs and in the
       `createWarp: the option "defs" has a mistake in its line 1, "fn twice(x: f32) -> f32 { return 2.0 * x": expected ';' for return statement.`,
     ],
   ])
-  const [first, second] = said.map(([, message]) => +/, line (\d+)\)$/.exec(message)[1])
+  const [first, second] = reported.map(([, message]) => +/, line (\d+)\)$/.exec(message)[1])
   assert.equal(second - first, 1)
 })
 

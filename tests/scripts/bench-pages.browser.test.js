@@ -7,10 +7,10 @@ import {
   choose,
   desktop,
   difference,
-  patience,
   phone,
   pixels,
-  readOuts,
+  readFigures,
+  timeoutOptions,
   waitUntilMeasured,
 } from '../support/browser/bench.js'
 import { launchBrowser, openPage } from '../support/browser/browser.js'
@@ -31,9 +31,9 @@ after(async () => {
   await server.close()
 })
 
-describe('the benchmark by hand', () => {
+describe('the interactive benchmark', () => {
   /** Opens the page after `prepare(context)` has changed its browser context. */
-  async function openByHand(options, prepare) {
+  async function openInteractive(options, prepare) {
     const context = await browser.newContext(options)
     await prepare?.(context)
     return openPage(context, `${url}bench/index.html?size=240`)
@@ -42,7 +42,7 @@ describe('the benchmark by hand', () => {
   describe('on a desktop', () => {
     let page, messages
     before(async () => {
-      ;({ page, messages } = await openByHand(stillDesktop))
+      ;({ page, messages } = await openInteractive(stillDesktop))
       await waitUntilMeasured(page)
     })
     after(() => page.context().close())
@@ -56,14 +56,17 @@ describe('the benchmark by hand', () => {
       assert.equal(difference(first, await pixels(page)), 0)
     })
 
-    test('shows the size of the row', async () => {
-      assert.deepEqual(await readOuts(page, ['vertices', 'triangles', 'nodes']), [14363, 27360, 15])
+    test('shows the size of the mesh and the offset', async () => {
+      assert.deepEqual(
+        await readFigures(page, ['vertices', 'triangles', 'nodes']),
+        [14363, 27360, 15],
+      )
     })
 
     for (const name of names)
-      test(`draws by ${name}`, async () => {
+      test(`draws with the method ${name}`, async () => {
         await choose(page, name)
-        const [rate, frame, first, error] = await readOuts(page, [
+        const [rate, frame, first, error] = await readFigures(page, [
           'rate',
           'frame',
           'first',
@@ -95,15 +98,15 @@ describe('the benchmark by hand', () => {
       await choose(page, 'forward differences')
       const step = page.getByText(/^h = /)
       assert.equal(await step.textContent(), 'h = 0.1')
-      const [before] = await readOuts(page, ['error'])
+      const [before] = await readFigures(page, ['error'])
       await page.getByRole('button', { name: 'find the best h' }).click()
-      await page.getByText(/^h = (?!0\.1$)/).waitFor(patience)
+      await page.getByText(/^h = (?!0\.1$)/).waitFor(timeoutOptions)
       await page.waitForFunction(
         (before) => parseFloat(document.querySelector('dd.error').textContent) !== before,
         before,
-        patience,
+        timeoutOptions,
       )
-      const [after] = await readOuts(page, ['error'])
+      const [after] = await readFigures(page, ['error'])
       assert.ok(after < before, `${after}° is not less than ${before}°`)
     })
 
@@ -118,7 +121,7 @@ describe('the benchmark by hand', () => {
       await page.getByRole('checkbox').uncheck()
     })
 
-    test('rotates the mesh by dragging', async () => {
+    test('rotates the mesh when dragged', async () => {
       const before = await pixels(page)
       const { x, y, width, height } = await page.locator('canvas').boundingBox()
       await page.mouse.move(x + width / 2, y + height / 2)
@@ -134,21 +137,22 @@ describe('the benchmark by hand', () => {
       assert.ok(changed > 0.01)
     })
 
-    test('measures the row, and stops on request', async () => {
+    test('measures the selected mesh and offset, and stops on request', async () => {
       await page.getByRole('button', { name: 'Measure this row' }).click()
-      await page.getByText(/^Measuring: round/).waitFor(patience)
+      await page.getByText(/^Measuring: round/).waitFor(timeoutOptions)
       await page.getByRole('button', { name: 'Stop measuring' }).click()
-      await page.getByRole('button', { name: 'Measure this row' }).click(patience)
+      await page.getByRole('button', { name: 'Measure this row' }).click(timeoutOptions)
       assert.equal(await page.locator('table').count(), 0)
 
       const table = page.locator('.measured table')
-      await table.waitFor(patience)
+      await table.waitFor(timeoutOptions)
       const lines = await cells(table)
       assert.deepEqual(
         lines.map(([name]) => name),
         names,
       )
-      // The columns: median and quartiles of the frame times; relative to positions and to warpjet; compile + first draw, and its ratio.
+      // The columns: method, median of the frame times, lower quartile, upper quartile, ratio to positions only, ratio to warpjet, first draw
+      // with compilation, its ratio to positions only.
       for (const [name, ...figures] of lines)
         for (const figure of figures.slice(0, 7))
           assert.ok(Number(figure) > 0, `${name}: ${figure}`)
@@ -162,20 +166,20 @@ describe('the benchmark by hand', () => {
     })
   })
 
-  test('draws the row that is selected', async () => {
-    const { page, messages } = await openByHand(stillDesktop)
+  test('draws the mesh and offset that are selected', async () => {
+    const { page, messages } = await openInteractive(stillDesktop)
     await waitUntilMeasured(page)
     await page.locator('.panel select').first().selectOption('14,000 × 3,000')
-    await page.locator('dd.nodes').getByText('3,000').waitFor(patience)
+    await page.locator('dd.nodes').getByText('3,000').waitFor(timeoutOptions)
     await waitUntilMeasured(page)
-    const [error] = await readOuts(page, ['error'])
+    const [error] = await readFigures(page, ['error'])
     assert.ok(error < 0.001, `off by ${error}°`)
     await page.context().close()
     assert.deepEqual(messages, [])
   })
 
   test('fits a phone', async () => {
-    const { page, messages } = await openByHand(phone)
+    const { page, messages } = await openInteractive(phone)
     await waitUntilMeasured(page)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     await page.context().close()
@@ -183,7 +187,7 @@ describe('the benchmark by hand', () => {
   })
 
   test('shows a message and a picture if there is no WebGL 2', async () => {
-    const { page, messages } = await openByHand(desktop, (context) =>
+    const { page, messages } = await openInteractive(desktop, (context) =>
       context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)),
     )
     assert.match(await page.getByRole('alert').textContent(), /needs WebGL 2/)
@@ -194,7 +198,7 @@ describe('the benchmark by hand', () => {
   })
 
   test('shows a message if a shader does not compile, and continues with another one', async () => {
-    const { page } = await openByHand(stillDesktop, (context) =>
+    const { page } = await openInteractive(stillDesktop, (context) =>
       context.addInitScript(() => {
         const prototype = WebGL2RenderingContext.prototype
         const { shaderSource } = prototype
@@ -206,7 +210,9 @@ describe('the benchmark by hand', () => {
     await waitUntilMeasured(page)
     await page.locator('.panel select').nth(1).selectOption('central differences')
     const alert = page.getByRole('alert')
-    await alert.getByText('The shader of central differences does not compile').waitFor(patience)
+    await alert
+      .getByText('The shader of central differences does not compile')
+      .waitFor(timeoutOptions)
     await choose(page, 'dFdx')
     assert.equal(await alert.textContent(), '')
     await page.context().close()
@@ -222,12 +228,12 @@ test('both built pages work in any folder, and the gallery links to them', async
       new URL(base, built.resolvedUrls.local[0]).href,
     )
     await page.getByRole('link', { name: 'Measured', exact: true }).click()
-    await page.getByRole('heading', { name: 'What right normals cost' }).waitFor(patience)
-    await page.locator('.plot svg, .nothing:not([hidden])').first().waitFor(patience)
-    await page.getByRole('link', { name: 'The benchmark by hand' }).click()
+    await page.getByRole('heading', { name: 'What correct normals cost' }).waitFor(timeoutOptions)
+    await page.locator('.plot svg, .nothing:not([hidden])').first().waitFor(timeoutOptions)
+    await page.getByRole('link', { name: 'The interactive benchmark' }).click()
     await waitUntilMeasured(page)
     await page.getByRole('link', { name: 'gallery' }).click()
-    await page.getByRole('heading', { name: 'warpjet', exact: true }).waitFor(patience)
+    await page.getByRole('heading', { name: 'warpjet', exact: true }).waitFor(timeoutOptions)
     await page.context().close()
     assert.deepEqual(messages, [])
   } finally {

@@ -6,7 +6,7 @@ import { placeBeside, spread } from '../../web/bench/labels.js'
 import { methods } from '../../web/bench/methods.js'
 import { deviceOf, parseRecords, runsOf } from '../../web/bench/records.js'
 import { costAgainstNodes, costAgainstVertices, errorAgainstCost } from '../../web/bench/series.js'
-import { cells, desktop, path, patience, phone } from '../support/browser/bench.js'
+import { cells, desktop, path, phone, timeoutOptions } from '../support/browser/bench.js'
 import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { serveSources } from '../support/browser/site.js'
 
@@ -181,7 +181,7 @@ describe('the results page', () => {
     before(async () => {
       const csv = [header, ...olderLines, ...newerLines].join('\n')
       ;({ page, messages } = await openResults(desktop, csv))
-      await page.locator('.error svg').waitFor(patience)
+      await page.locator('.error svg').waitFor(timeoutOptions)
     })
     after(() => page.context().close())
 
@@ -256,7 +256,7 @@ describe('the results page', () => {
 
   test('fits a phone screen, and its labels do not overlap', async () => {
     const { page, messages } = await openResults(phone, [header, ...newerLines].join('\n'))
-    await page.locator('.error svg').waitFor(patience)
+    await page.locator('.error svg').waitFor(timeoutOptions)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     for (const plot of ['nodes', 'vertices', 'error']) {
       // On a phone, names next to the lines would leave too little space for the plot, so there is a legend.
@@ -288,7 +288,7 @@ describe('the results page', () => {
 
   test('says that nothing has been measured, if there are no results', async () => {
     const { page, messages } = await openResults(desktop, header)
-    await page.getByText('Nothing has been measured yet').waitFor(patience)
+    await page.getByText('Nothing has been measured yet').waitFor(timeoutOptions)
     assert.equal(await page.locator('svg').count(), 0)
     await page.context().close()
     assert.deepEqual(messages, [])

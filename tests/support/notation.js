@@ -30,7 +30,7 @@ function tokenize(text) {
   return tokens
 }
 
-/** Parses a formula. Returns a function that maps the values of its names to the value of the formula. */
+/** Parses a formula. Returns a function that maps the values of the formula's names to its result. */
 function parse(text) {
   const tokens = tokenize(text)
   let at = 0
@@ -128,6 +128,7 @@ function parse(text) {
       return elements.length > 1 ? (values) => elements.map((inner) => inner(values)) : elements[0]
     }
     if (!/^[A-Za-zα-ω]/.test(name)) throw new Error(`unexpected ${name} in ${text}`)
+    // f(x) is a call if f is a known function or a name that begins with rotate; otherwise it is a product, such as A(b + c).
     const getFunction = (values) => values[name] ?? functions[name]
     if (isNext('(') && (functions[name] || /^rotate/.test(name))) {
       take()
@@ -147,6 +148,7 @@ function parse(text) {
         (a, b) => (values) =>
           times(a(values), b(values))
       )(term, factor())
+    // `index` is the value of ᵢ or ₖ in the term.
     return (values) =>
       Array.from({ length: values.count }, (_, index) =>
         term(Object.create(values, { index: { value: index } })),
@@ -158,7 +160,7 @@ function parse(text) {
   return result
 }
 
-/** Evaluates a formula. `where` defines names in it, which may refer to each other. */
+/** Evaluates a formula. `where` defines names in `text`, which may refer to each other. `values.count` is the number of terms of Σ. */
 export function evaluateFormula(text, values, where = {}) {
   const all = { ...values }
   for (const [name, definition] of Object.entries(where))

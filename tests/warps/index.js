@@ -54,7 +54,7 @@ const sketches = (await sketchWarps())
  * - `step` is the step of the oracle's differences;
  * - `degrees` is the max error of its normals;
  * - `every` selects every n-th vertex, for slow oracles;
- * - `reach` is the max size of numbers in the formulas, to which rounding errors are proportional;
+ * - `reach` is the largest number in the formulas, to which rounding errors are proportional;
  * - `mirrors` returns, from the inputs, whether the warp mirrors all of space;
  * - `params` are values of the warp's own parameters;
  * - `collapses` is true if its derivatives are exactly zero, in float32 too, wherever the moved surface has no normal;

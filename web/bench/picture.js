@@ -37,7 +37,7 @@ export class Picture {
   async use(method, uniforms) {
     this.#discardPrograms()
     if (method.name === 'by hand' && !this.workload.handwritten)
-      throw new Error('This row has no derivatives by hand: choose another method or row.')
+      throw new Error('This row has no handwritten derivatives: choose another method or row.')
     const { scene } = this
     // Discard the first run, in which the JavaScript engine has not optimized the compiler yet.
     method.program(this.workload)

@@ -100,7 +100,7 @@ async function decodePicture(mesh) {
     const blob = new Blob([texture.bytes], { type: texture.mimeType })
     return await createImageBitmap(blob, { colorSpaceConversion: 'none' })
   } catch {
-    const warning = 'The image of the material cannot be decoded and is left out.'
+    const warning = 'The image of the material cannot be decoded and is ignored.'
     mesh.warnings = [...(mesh.warnings ?? []), warning]
   }
 }

@@ -1,8 +1,9 @@
-/** Stores a sketch in a link, compressed, after the #, which is never sent to a server. */
-const mark = '#sketch='
+// Stores a sketch in a link: compressed, in the fragment, which browsers do not send to the server.
+
+const prefix = '#sketch='
 
 /** Max size of a sketch with its settings, in bytes. Without a limit, a short link could decompress to a text that fills the memory. */
-const MAX_BYTES = 1_000_000
+const maxBytes = 1_000_000
 
 /** Sends bytes through a stream, and returns the result. */
 async function pipeThrough(bytes, stream) {
@@ -10,7 +11,7 @@ async function pipeThrough(bytes, stream) {
   let size = 0
   for await (const part of readAll(new Blob([bytes]).stream().pipeThrough(stream))) {
     size += part.length
-    if (size > MAX_BYTES) throw new RangeError('too large')
+    if (size > maxBytes) throw new RangeError('too large')
     parts.push(part)
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer())
@@ -27,19 +28,19 @@ async function* readAll(stream) {
 }
 
 /** Returns the fragment of a link, including the #. */
-export async function fragmentOf(sketch) {
+export async function encodeSketch(sketch) {
   const bytes = new TextEncoder().encode(JSON.stringify(sketch))
   const packed = await pipeThrough(bytes, new CompressionStream('deflate-raw'))
   let text = ''
   for (const byte of packed) text += String.fromCharCode(byte)
-  return mark + btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
+  return prefix + btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
 }
 
-export const holdsSketch = (fragment) => fragment.startsWith(mark)
+export const hasSketch = (fragment) => fragment.startsWith(prefix)
 
 const isShort = (value) => typeof value === 'string' && value.length <= 300
 
-/** Keeps the settings that have the expected type; drops anything else. */
+/** Keeps the settings that have the expected type; drops anything else. `chosen` has the names of the chosen scripts, see hosts.js. */
 function keepValid({ text, host, chosen, model, values }) {
   const isList = Array.isArray(chosen) && chosen.length <= 20 && chosen.every(isShort)
   return {
@@ -51,19 +52,19 @@ function keepValid({ text, host, chosen, model, values }) {
   }
 }
 
-/** Inverts `fragmentOf`. If the link is broken, throws an error whose message is meant for the user. */
-export async function sketchOf(fragment) {
+/** Inverts `encodeSketch`. If the link is broken, throws an error whose message is meant for the user. */
+export async function decodeSketch(fragment) {
   let sketch
   try {
-    if (fragment.length > 2 * MAX_BYTES) throw new RangeError('too large')
-    const text = atob(fragment.slice(mark.length).replaceAll('-', '+').replaceAll('_', '/'))
+    if (fragment.length > 2 * maxBytes) throw new RangeError('too large')
+    const text = atob(fragment.slice(prefix.length).replaceAll('-', '+').replaceAll('_', '/'))
     const packed = Uint8Array.from(text, (character) => character.charCodeAt(0))
     const bytes = await pipeThrough(packed, new DecompressionStream('deflate-raw'))
     sketch = JSON.parse(new TextDecoder().decode(bytes))
   } catch (error) {
     throw new Error(
       error instanceof RangeError
-        ? `The sketch in this link is too large: expected at most ${MAX_BYTES / 1e6} MB.`
+        ? `The sketch in this link is too large: expected at most ${maxBytes / 1e6} MB.`
         : 'The sketch in this link is damaged: copy the whole link once more.',
     )
   }

@@ -8,7 +8,7 @@ import { takeFiles } from './drop.js'
 import { makeEditor } from './editor.js'
 import { help } from './help.js'
 import { boxNamedIn, hosts, scripts } from './hosts.js'
-import { fragmentOf, holdsSketch, sketchOf } from './link.js'
+import { decodeSketch, encodeSketch, hasSketch } from './link.js'
 import { makeMenu } from './menu.js'
 import { glbOf } from './mesh.js'
 import { fileOf } from './messages.js'
@@ -100,7 +100,7 @@ function run() {
 
 /** Writes the sketch into the address, so that a reload or a copied address restores it. */
 async function keepInAddress(sketch) {
-  history.replaceState(null, '', await fragmentOf({ ...sketch, values: sliders.moved() }))
+  history.replaceState(null, '', await encodeSketch({ ...sketch, values: sliders.moved() }))
 }
 
 function listen(message) {
@@ -239,9 +239,9 @@ async function openFragment() {
   // The permission to load from other sites is for one sketch only.
   network.checked = false
   const [, name] = /^#example=([\w-]+)$/.exec(hash) ?? []
-  if (name || !holdsSketch(hash)) return choices.begin(name)
+  if (name || !hasSketch(hash)) return choices.begin(name)
   try {
-    const { text, host: named, chosen = [], model = 'sphere', values } = await sketchOf(hash)
+    const { text, host: named, chosen = [], model = 'sphere', values } = await decodeSketch(hash)
     sliders.set(values)
     editor.set({
       text,

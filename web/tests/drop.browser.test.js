@@ -3,7 +3,13 @@ import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
-import { desktop, difference, path, patience, pixels } from '../../tests/support/browser/bench.js'
+import {
+  desktop,
+  difference,
+  path,
+  pixels,
+  timeoutOptions,
+} from '../../tests/support/browser/bench.js'
 import { bytesOf, launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { disableAntialiasing } from '../../tests/support/browser/frames.js'
 import { sphereMesh } from '../../tests/support/browser/mesh.js'
@@ -51,7 +57,11 @@ after(async () => {
 
 /** Waits until no work is pending. */
 const waitUntilIdle = (page) =>
-  page.waitForFunction(() => document.querySelector('main').ariaBusy === 'false', null, patience)
+  page.waitForFunction(
+    () => document.querySelector('main').ariaBusy === 'false',
+    null,
+    timeoutOptions,
+  )
 
 async function open(options = paused) {
   const context = await browser.newContext(options)
@@ -251,7 +261,7 @@ describe('the page for your own model', () => {
       .setInputFiles(
         files.map(([name, buffer]) => ({ name, buffer, mimeType: 'application/octet-stream' })),
       )
-    await page.getByText('ball', { exact: true }).waitFor(patience)
+    await page.getByText('ball', { exact: true }).waitFor(timeoutOptions)
     await waitUntilIdle(page)
     assert.equal(await readProblem(page), '')
     assert.deepEqual(await readNumbers(page, '.triangles'), [1024])
@@ -303,7 +313,7 @@ describe('the page for your own model', () => {
     await page.waitForFunction(
       () => Number(document.querySelector('#time').value) > 0.5,
       null,
-      patience,
+      timeoutOptions,
     )
     await page.getByRole('button', { name: 'Pause' }).press('Enter')
   })

@@ -6,7 +6,7 @@ import { after, before, describe, test } from 'node:test'
 import { attacks, hostileSketch, leave } from '../../tests/support/browser/hostile-sketch.js'
 import { serveSite } from '../../tests/support/browser/site.js'
 import { browsers } from '../../tests/support/browser/two-browsers.js'
-import { fragmentOf } from '../playground/link.js'
+import { encodeSketch } from '../playground/link.js'
 
 const patience = { timeout: 60_000 }
 const base = '/some/folder/'
@@ -43,7 +43,7 @@ const settle = (page) =>
   page.waitForFunction(() => document.querySelector('main')?.ariaBusy === 'false', patience)
 
 const linkTo = async (text, host = 'p5') =>
-  `${site}playground/index.html${await fragmentOf({ text, host, chosen: [] })}`
+  `${site}playground/index.html${await encodeSketch({ text, host, chosen: [] })}`
 
 /** Returns the frame of the visible sketch, once the previous sketch's frame is removed from its host. */
 async function frameOf(page) {

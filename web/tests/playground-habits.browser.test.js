@@ -253,9 +253,9 @@ test('the Tab key leaves the editor', async () => {
 
 test('reports that there is no picture to save if nothing was drawn', async () => {
   const other = await openPage(context, 'about:blank')
-  const { fragmentOf } = await import('../playground/link.js')
+  const { encodeSketch } = await import('../playground/link.js')
   const wrong = { text: stillSketch('#ff8040', 'nothing'), host: 'p5', chosen: [] }
-  await other.page.goto(page.url().replace(/#.*/, '') + (await fragmentOf(wrong)))
+  await other.page.goto(page.url().replace(/#.*/, '') + (await encodeSketch(wrong)))
   await waitUntilSettled(other.page)
   assert.match(await other.page.locator('.mistake').textContent(), /^Line 5 .*nothing/)
   await other.page.getByText('Save', { exact: true }).click()

@@ -5,7 +5,7 @@ import { compileWarp } from '../../dist/warpjet.js'
 import { convert } from '../playground/convert.js'
 import { escapeForScript } from '../playground/document.js'
 import { guardLoops } from '../playground/guard.js'
-import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
+import { decodeSketch, encodeSketch, hasSketch } from '../playground/link.js'
 import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
 import { modulesAsData } from '../playground/modules.js'
 import { completeSketch } from '../playground/offset.js'
@@ -55,33 +55,33 @@ function draw() {}
 describe('a link', () => {
   test('restores the sketch, with any characters', async () => {
     const sketch = { text: `sphere(${'9'.repeat(999)}) // ä ≠ 🌸 “”`, host: 'p5', chosen: ['glsl'] }
-    const fragment = await fragmentOf(sketch)
+    const fragment = await encodeSketch(sketch)
     assert.match(fragment, /^#sketch=[\w-]+$/)
     assert.ok(fragment.length < 300)
-    assert.ok(holdsSketch(fragment))
-    assert.deepEqual(await sketchOf(fragment), sketch)
+    assert.ok(hasSketch(fragment))
+    assert.deepEqual(await decodeSketch(fragment), sketch)
   })
 
   test('that would fill the memory is rejected', async () => {
-    const bomb = await fragmentOf({ text: ' '.repeat(300_000_000) })
+    const bomb = await encodeSketch({ text: ' '.repeat(300_000_000) })
     assert.ok(bomb.length < 500_000)
     const before = process.memoryUsage().arrayBuffers
-    await assert.rejects(sketchOf(bomb), /too large: expected at most 1 MB/)
+    await assert.rejects(decodeSketch(bomb), /too large: expected at most 1 MB/)
     assert.ok(process.memoryUsage().arrayBuffers - before < 50_000_000)
-    await assert.rejects(sketchOf(`#sketch=${'A'.repeat(3_000_000)}`), /too large/)
+    await assert.rejects(decodeSketch(`#sketch=${'A'.repeat(3_000_000)}`), /too large/)
   })
 
   test('keeps only values of the expected type', async () => {
     const odd = { text: 'a', host: 7, chosen: 'glsl', model: {}, values: 3, more: 1 }
-    assert.deepEqual(await sketchOf(await fragmentOf(odd)), { text: 'a' })
+    assert.deepEqual(await decodeSketch(await encodeSketch(odd)), { text: 'a' })
   })
 
   test('that is cut off or contains something else gives a message', async () => {
-    const fragment = await fragmentOf({ text: 'sphere()' })
+    const fragment = await encodeSketch({ text: 'sphere()' })
     for (const broken of [fragment.slice(0, -4), '#sketch=%%%', '#sketch='])
-      await assert.rejects(sketchOf(broken), /damaged: copy the whole link once more\.$/)
-    const other = await fragmentOf([1])
-    await assert.rejects(sketchOf(other), /no sketch in this link/)
+      await assert.rejects(decodeSketch(broken), /damaged: copy the whole link once more\.$/)
+    const other = await encodeSketch([1])
+    await assert.rejects(decodeSketch(other), /no sketch in this link/)
   })
 })
 

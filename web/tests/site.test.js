@@ -6,7 +6,7 @@ import { dirname, join } from 'node:path/posix'
 import { before, describe, test } from 'node:test'
 import { viteBuild } from '../../.scripts/lib/vite.mjs'
 import { sections } from '../catalogue.js'
-import { sketchOf } from '../playground/link.js'
+import { decodeSketch } from '../playground/link.js'
 import { blocksOf, makeMarkdown } from '../site/markdown.js'
 import { pages as listedPages } from '../site/navigation.js'
 import { sitePages } from '../site/pages.js'
@@ -68,7 +68,7 @@ test('a block survives the round trip through its link', async () => {
   const text = read('web/docs/tutorial-1-first-warp.md')
   const [{ text: block, sketch }] = blocksOf(text)
   assert.equal(sketch.text, block)
-  assert.deepEqual(await sketchOf(linkTo(sketch)), { text: block, host: 'p5', chosen: [] })
+  assert.deepEqual(await decodeSketch(linkTo(sketch)), { text: block, host: 'p5', chosen: [] })
 })
 
 test('a part of a sketch is completed', () => {

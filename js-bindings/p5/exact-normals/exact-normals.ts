@@ -16,7 +16,7 @@ import {
 import {
   addAttributes,
   attributesOf,
-  privatesFor,
+  declarePrivates,
   variationInWgsl,
 } from '../variation/variation-wgsl.js'
 import { makeExactHooks, type ExactHooks, type Hooks } from './exact-hooks.js'
@@ -170,7 +170,7 @@ ${variationInWgsl({ text: warp, space: spaceOf(name) }, normalMatrix)}${code}
     ...exact.hooks,
     vertexDeclarations: [
       shader.hooks.vertex.declarations ?? '',
-      ...privatesFor(names),
+      ...declarePrivates(names),
       ...exact.declarations,
       ...exact.texts.map((text) =>
         text.replace(/\)\s*\{/, ', instanceID: u32, _p5VertexId: u32) -> Vertex {'),

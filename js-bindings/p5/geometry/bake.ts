@@ -19,42 +19,45 @@ import { variationOf } from '../variation/shape-variation.js'
 import { nameOf } from '../variation/variation-buffers.js'
 
 /** Moves the vertices of a shape; `name` is the name that p5 gave it. */
-type Bake = (shape: BuiltShape, name: string) => Pick<BuiltShape, 'vertices' | 'vertexNormals'>
+type BakeFunction = (
+  shape: BuiltShape,
+  name: string,
+) => Pick<BuiltShape, 'vertices' | 'vertexNormals'>
 
-interface Baking {
-  bake: Bake
+interface BakedWarp {
+  bake: BakeFunction
   /** True if the warp moves vertices after the model's transforms. */
   isInWorldSpace: boolean
 }
 
-/** Maps each builder → the warps called since it was started, by the warp's shader. */
-const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
+/** Maps builder → the warps called since it was started, each under its shader. */
+const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, BakedWarp>>()
 
 /**
  * Applies the warp to the geometry being built, if one is being built. Called whenever a warp is applied. Throws a `WarpError` for a warp
  * that cannot be baked.
  */
 export function bakeIntoGeometry(
-  made: MadeWarp,
+  madeWarp: MadeWarp,
   shader: Shader,
   overrides: WarpUniforms,
   values: CallValues,
 ) {
-  const renderer = rendererOf(made.canvas)!
+  const renderer = rendererOf(madeWarp.canvas)!
   const builder = renderer.geometryBuilder
   if (!builder) return
-  checkBakeable(made)
+  checkBakeable(madeWarp)
   const warps = warpsOf.get(builder) ?? watchBuilder(builder, renderer)
   warps.set(shader, {
-    bake: bakeOf(made, overrides, values),
-    isInWorldSpace: made.settings.space === 'world',
+    bake: makeBake(madeWarp, overrides, values),
+    isInWorldSpace: madeWarp.settings.space === 'world',
   })
 }
 
 function checkBakeable({ settings: { space, shader } }: MadeWarp) {
   if (space === 'camera')
     throw new WarpError(
-      `buildGeometry: a warp of space: 'camera' depends on the camera, and a geometry has none; call the warp before model(…), or make it with space: 'world'.`,
+      `buildGeometry: a warp with space: 'camera' depends on the camera, which a geometry does not have; call the warp before model(…), or make it with space: 'world'.`,
     )
   if (Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0)
     throw new WarpError(
@@ -64,7 +67,7 @@ function checkBakeable({ settings: { space, shader } }: MadeWarp) {
 
 /** Makes the builder move the shapes that it collects while a warp is in use. */
 function watchBuilder(builder: GeometryBuilder, renderer: Renderer) {
-  const warps = new Map<Shader, Baking>()
+  const warps = new Map<Shader, BakedWarp>()
   warpsOf.set(builder, warps)
   const add = builder.addGeometry.bind(builder)
   builder.addGeometry = (shape) => {
@@ -82,7 +85,7 @@ function addMoved(
   { geometry }: GeometryBuilder,
   add: (shape: BuiltShape) => void,
   shape: BuiltShape,
-  bake: Bake,
+  bake: BakeFunction,
 ) {
   const countsBefore = {
     vertices: geometry.vertices.length,
@@ -114,9 +117,10 @@ function addMoved(
 const vectorLike = (vector: Vector, x: number, y: number, z: number) =>
   Object.assign(vector.copy!(), { x, y, z })
 
-function bakeOf(made: MadeWarp, overrides: WarpUniforms, values: CallValues): Bake {
-  const { canvas, warp, settings } = made
+function makeBake(madeWarp: MadeWarp, overrides: WarpUniforms, values: CallValues): BakeFunction {
+  const { canvas, warp, settings } = madeWarp
   const cpu = lazily(() => warp.cpu())
+  // `values` has the declared uniforms. The offset may read others by `glsl.param`; their values are in `overrides`.
   const undeclared = Object.entries(overrides).filter(([name]) => !warp.uniforms.declared.has(name))
   const uniforms = lazily(() => ({ ...values, instance: 0, ...Object.fromEntries(undeclared) }))
   return (shape, name) => {

@@ -149,6 +149,6 @@ async function putTexture(
     image.drawingContext.drawImage(bitmap, 0, 0)
     model.texture = image
   } catch {
-    model.warnings.push('The image of the material cannot be decoded, and is left out.')
+    model.warnings.push('The image of the material cannot be decoded, and is ignored.')
   }
 }

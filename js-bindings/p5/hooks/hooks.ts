@@ -32,7 +32,7 @@ export function addWarp(
   warpCode: WarpCode,
   type: MaterialKind,
 ): Shader {
-  const ours = style.fill(warpCode, type, base)
+  const ours = style.hooksForFills(warpCode, type, base)
   const shader = base.modify(mergeHooks(base, ours, (name) => style.orderOf(name, warpCode)))
   style.finish?.(shader, warpCode)
   if (readsVariation(warpCode.text) && shader._renderer?.GL) forgetLastShape(shader)

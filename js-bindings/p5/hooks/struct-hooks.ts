@@ -71,7 +71,7 @@ export const structHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(warpCode, _type, base) {
+  hooksForFills(warpCode, _type, base) {
     const { text, space, target } = warpCode
     const pixel = readsNormals(base) ? warpCode.pixel : undefined
     const varies = readsVariation(text)
@@ -102,7 +102,7 @@ ${space === 'camera' ? position : ''}`,
         : zeroNormalHooks(base, target)),
     }
   },
-  stroke: (warpCode) => ({
+  hooksForStrokes: (warpCode) => ({
     vertexDeclarations: glslDeclarations(warpCode, 'vec3 warpjetTangentIn, warpjetTangentOut;'),
     ...strokeHooks(warpCode),
   }),

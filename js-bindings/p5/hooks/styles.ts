@@ -51,16 +51,16 @@ export interface HookStyle {
   /** Maps inputs of the offset to expressions in the hooks. */
   names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
   /** Returns the hooks for filled shapes, which run a warp's code and pass its `warpjetPosition` and `warpjetNormal` to p5. */
-  fill(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications
+  hooksForFills(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications
   /** Makes changes that hooks cannot make. */
   finish?(shader: Shader, warpCode: WarpCode): void
   /**
    * Returns the hooks for lines, from `warpjetPosition` and `warpjetJacobian`, the Jacobian J of the offset: they move both ends of a line
    * and transform its incoming and outgoing tangents t to t + J t.
    */
-  stroke(warpCode: WarpCode, base: Shader): Modifications
+  hooksForStrokes(warpCode: WarpCode, base: Shader): Modifications
   /** Returns the hooks for points, if points have a shader of their own. */
-  point?(warpCode: WarpCode): Modifications
+  hooksForPoints?(warpCode: WarpCode): Modifications
 }
 
 /** Returns the language of a renderer's shaders. */

@@ -37,7 +37,7 @@ export const valueHooks: HookStyle = {
     color: 'HOOK_getVertexColor(uUseVertexColor ? aVertexColor : uMaterialColor)',
     instance: 'warpjetInstance',
   },
-  fill(warpCode, _type, base) {
+  hooksForFills(warpCode, _type, base) {
     const { position, viewPosition } = positions[warpCode.space]
     const { normal, matrix, toView } = normals[warpCode.space]
     const { transform } = toView
@@ -77,7 +77,7 @@ ${passViewPosition(pixel, base, 'warpjetViewPosition')}  return warpjetViewPosit
    * p5 computes the directions of a line from attributes and a matrix after its last hook. We redefine these names as globals: they
    * start with the original values, and end as directions in view space with an identity matrix.
    */
-  stroke(warpCode) {
+  hooksForStrokes(warpCode) {
     const { position, viewPosition, direction } = positions[warpCode.space]
     const transformTangent = (name: string) => `  {
     vec3 warpjetDirection = ${direction.toOffsetSpace(name)};
@@ -102,7 +102,7 @@ ${transformTangent('warpjetTangentOut')}
 }`,
     }
   },
-  point: (warpCode) => ({
+  hooksForPoints: (warpCode) => ({
     vertexDeclarations: glslDeclarations(
       warpCode,
       'precision highp float;',

@@ -1,6 +1,6 @@
 /**
- * p5 2.x on WebGPU has the hooks of WebGL in WGSL, where a parameter cannot be assigned and we cannot change the varyings that `main`
- * writes. So the last hook stores the normal in a varying of ours, from which the fragment hooks compute colours.
+ * On WebGPU, p5 2.x has the same hooks as on WebGL, written in WGSL. WGSL parameters are immutable, and a hook cannot change the varyings
+ * that `main` writes. So the last hook stores the normal in a varying that we declare, and the fragment hooks read it.
  */
 import type { Declared, HostText } from '../../compile/hosts.js'
 import type { Modifications, Shader } from '../host.js'
@@ -8,7 +8,7 @@ import { variationVariables } from '../variation/variation-text.js'
 import {
   addAttributes,
   attributesOf,
-  privatesFor,
+  declarePrivates,
   variationInWgsl,
 } from '../variation/variation-wgsl.js'
 import { facingInWgsl } from './facing.js'
@@ -28,7 +28,7 @@ export const wgslHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(code, type, base) {
+  hooksForFills(code, type, base) {
     const readsNormals = type === 'normal' || isLit(base)
     const warpCode = readsNormals ? code : { ...code, pixel: undefined }
     const { pixel } = warpCode
@@ -37,7 +37,7 @@ export const wgslHooks: HookStyle = {
         warpCode,
         base,
         'var<private> warpjetNormalIsZero: bool;',
-        ...privatesFor(attributesOf(warpCode)),
+        ...declarePrivates(attributesOf(warpCode)),
       ),
       fragmentDeclarations: [
         ...(pixel ? [warpCode.defs, pixel.text.declarations] : []),
@@ -54,7 +54,7 @@ export const wgslHooks: HookStyle = {
       }),
       ...hooks(
         'Vertex',
-        fillHooks(warpCode, { ...this.names, ...variationVariables }, readsNormals),
+        fillVertexHooks(warpCode, { ...this.names, ...variationVariables }, readsNormals),
       ),
       ...fragmentHooks(warpCode, type, base),
     }
@@ -63,9 +63,9 @@ export const wgslHooks: HookStyle = {
     addAttributes(
       shader,
       attributesOf(warpCode),
-      'createWarp: on WEBGPU an offset that depends on both normal and uv needs more attributes than a shader may have; write it with one of them, or add the option { surfaceVariation: false }, which treats both as constant.',
+      'createWarp: on WEBGPU an offset that depends on both normal and uv needs more attributes than a shader may have; read only one of them, or add the option { surfaceVariation: false }, which treats both as constant.',
     ),
-  stroke: (warpCode, base) => ({
+  hooksForStrokes: (warpCode, base) => ({
     ...declarationsOf(
       warpCode,
       base,
@@ -79,8 +79,8 @@ export const wgslHooks: HookStyle = {
 const isLit = ({ hooks }: Shader) => 'Inputs getPixelInputs' in hooks.fragment
 
 /**
- * Returns the hook that lights the normal or, like p5's normal shader on WebGL, draws it as a colour; on WebGPU p5 has no such shader. A
- * collapsed surface, whose normal is zero, gets its geometric normal.
+ * Returns the hook that passes the normal to p5's lighting or, for normalMaterial(), draws it as a colour, since p5 has no normal shader
+ * on WebGPU. A collapsed surface, whose normal is zero, gets its geometric normal.
  */
 function fragmentHooks(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications {
   const { pixel, space } = warpCode
@@ -109,7 +109,7 @@ ${body}
   }
 }
 
-function fillHooks(
+function fillVertexHooks(
   warpCode: WarpCode,
   names: Readonly<Record<string, string>>,
   readsNormals: boolean,
@@ -129,7 +129,7 @@ function fillHooks(
   }
 }
 
-/** Makes hooks that take and return `struct` from their bodies. */
+/** Wraps each body in a function that takes a `struct` and returns it. */
 function hooks(struct: string, bodies: Record<string, string>): Modifications {
   return Object.fromEntries(
     Object.entries(bodies).map(([name, body]) => [
@@ -139,7 +139,10 @@ function hooks(struct: string, bodies: Record<string, string>): Modifications {
   )
 }
 
-/** Returns the code, below local variables that give uniforms the same names as in GLSL. */
+/**
+ * Returns the warp's code, preceded by statements that declare the instance if the code reads it, by `pass`, and by a local variable per
+ * uniform, named as in GLSL.
+ */
 const warpStatements = ({ text, uniforms }: WarpCode, pass = '') =>
   (readsInstance(text) ? '  let warpjetInstance = f32(instanceID);\n' : '') +
   pass +
@@ -179,7 +182,7 @@ function declarationsOf({ text, defs, uniforms }: WarpCode, base: Shader, ...own
   }
 }
 
-/** See struct-hooks.ts. In world space, p5 passes directions that are translated too, so the first hook stores the originals. */
+/** See struct-hooks.ts. In world space, p5 also translates the tangents, which are directions, so the first hook stores the originals. */
 function strokeHooks(warpCode: WarpCode): Record<string, string> {
   const { space } = warpCode
   const moved = `${warpStatements(warpCode)}\n  warpjetInputs.position = warpjetPosition;`

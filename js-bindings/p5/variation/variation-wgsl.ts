@@ -11,7 +11,7 @@ const maxBuffers = 4
 const isOfNormal = (name: string) => name.startsWith('normal')
 
 /** Declares globals for attributes: `main` takes attributes in a struct, which hooks cannot access. */
-export const privatesFor = (names: readonly VariationInput[]) =>
+export const declarePrivates = (names: readonly VariationInput[]) =>
   names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
 
 /**

@@ -8,9 +8,9 @@ import type { Settings, WarpSpace } from '../settings.js'
 import { ThreeWarp } from '../three-warp.js'
 import { three } from '../values.js'
 import { withNamesOfShader } from './exact-names.js'
-import { movedFunction } from './moved-body.js'
+import { movedFunction } from './position-code.js'
 import type { ExactShader } from './shader.js'
-import { vertexSource } from './vertex-source.js'
+import { makeVertexSource } from './vertex-source.js'
 
 /** A variable of the shader that the displacement reads, and whose value the CPU does not know. */
 export interface Parameter {
@@ -49,7 +49,7 @@ export function readDisplacement(
   values: Record<string, () => unknown> = {},
   material: object = {},
 ): Displacement {
-  const { text, attributes, note } = vertexSource(shader)
+  const { text, attributes, note } = makeVertexSource(shader)
   const { offset, externals } = readOffset(new Place(settings.method), 'glsl', text, {
     function: movedFunction,
     returns: 'position',

@@ -14,7 +14,7 @@ import { noteConstants } from './constants.js'
 import { readDisplacement, type Displacement, type ExactSettings } from './displacement.js'
 import { withExactFunctions, withExactNames, withNamesOfShader } from './exact-names.js'
 import { declareParameters, obstacleInParameters } from './parameters.js'
-import { spaceOf } from './pose-space.js'
+import { findSpace } from './pose-space.js'
 import type { ExactShader } from './shader.js'
 import { weaveAttribute } from './weave-attribute.js'
 import { makesNormal, obstacleInChunks, weaveChunks } from './weave-chunks.js'
@@ -100,7 +100,7 @@ export class ExactMaterial {
     return readDisplacement(
       shader,
       this.settings,
-      spaceOf(shader, this.place),
+      findSpace(shader, this.place),
       values,
       this.material,
     )

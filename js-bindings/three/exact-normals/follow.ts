@@ -1,6 +1,6 @@
 /**
  * Lets shadows, culling and rays of a mesh follow the displacement of its material. Before three.js has compiled the material, the
- * displacement is read from a new shader that is passed to the material's `onBeforeCompile`.
+ * displacement is read from a shader object that we make and pass to the material's `onBeforeCompile`.
  */
 import {
   MeshDepthMaterial,
@@ -39,12 +39,12 @@ export function followDisplacement(mesh: Mesh, method: string) {
   mesh.customDistanceMaterial ??= displaceShadow(new MeshDistanceMaterial(), displacement)
 }
 
-type Extent = ReturnType<typeof extentOf>
+type ComputeExtent = ReturnType<typeof extentOf>
 
-const extents = new WeakMap<ThreeWarp, Extent>()
+const extents = new WeakMap<ThreeWarp, ComputeExtent>()
 
 /** Returns the function that computes the current extent. Each warp is made for one mesh, so it has one extent. */
-function extentFor(warp: ThreeWarp, mesh: Mesh): Extent {
+function extentFor(warp: ThreeWarp, mesh: Mesh): ComputeExtent {
   let extent = extents.get(warp)
   if (!extent) extents.set(warp, (extent = extentOf(warp, mesh)))
   return extent
@@ -77,7 +77,7 @@ function followRays(mesh: Mesh, displacement: MeshDisplacement) {
     return function (this: Mesh, raycaster, intersects) {
       const warp = displacement.readForCpu()?.warp
       if (warp && !warp.canRunOnCpu)
-        displacement.exact?.warn(
+        displacement.exactMaterial?.warn(
           'moves vertices by values that only the GPU has, so raycasts hit the undisplaced mesh.',
         )
       if (!warp?.canRunOnCpu) return original.call(this, raycaster, intersects)

@@ -1,4 +1,4 @@
-// The displacement of a mesh, read from the shader that was compiled last. Before the first compilation it is read from a new shader.
+// The displacement of a mesh, read from the shader that was compiled last. Before the first compilation it is read from a shader object that we make.
 import type { IUniform, Material, Mesh } from 'three'
 import { definesFor } from './defines.js'
 import type { Displacement } from './displacement.js'
@@ -16,7 +16,7 @@ export class MeshDisplacement {
 
   constructor(readonly mesh: Mesh) {}
 
-  get exact(): ExactMaterial | undefined {
+  get exactMaterial(): ExactMaterial | undefined {
     return exactMaterialOf(this.mesh.material as Material)
   }
 
@@ -32,7 +32,7 @@ export class MeshDisplacement {
 
   /** Returns `undefined` if the material has no exact normals or no shader; warns and returns `undefined` if the shader cannot be read. */
   private read(key: string, values?: Record<string, () => unknown>): Displacement | undefined {
-    const { exact } = this
+    const exact = this.exactMaterial
     const shader = exact && this.shaderOf(exact)
     if (!shader) return undefined
     const complete = this.forMesh(exact, shader)

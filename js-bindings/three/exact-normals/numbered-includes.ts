@@ -2,7 +2,7 @@
 import { chunkSource } from '../shader-source.js'
 
 /** Replaces `#include` lines by the chunks that they name; `#line` restores the numbers of the lines after each chunk. */
-export const numberedIncludes = (source: string): string =>
+export const numberIncludes = (source: string): string =>
   source
     .split('\n')
     .map((line, i) => {

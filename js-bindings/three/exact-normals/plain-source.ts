@@ -1,7 +1,7 @@
 // GLSL in a form that can be compared and searched.
 
 /** Replaces comments by spaces, so that lines and columns stay. */
-export function withoutComments(text: string): string {
+export function removeComments(text: string): string {
   return text.replace(/\/\/[^\n]*|\/\*[^]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '))
 }
 

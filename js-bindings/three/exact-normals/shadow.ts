@@ -25,11 +25,11 @@ const declared = new Set(['instanceMatrix', 'instanceColor'])
 /** Makes three.js compile the shadow's material again when the shader of the mesh has changed. */
 function followVersion(material: Material, displacement: MeshDisplacement) {
   let { version } = material
-  let state = displacement.exact?.state
+  let state = displacement.exactMaterial?.state
   replaceProperties(material, {
     version: {
       get() {
-        const currentState = displacement.exact?.state
+        const currentState = displacement.exactMaterial?.state
         if (currentState !== state) version++
         state = currentState
         return version
@@ -51,7 +51,9 @@ export function displaceShadow<Kind extends Material>(
     try {
       insertDisplacement(shader as unknown as ExactShader, found, material)
     } catch (error) {
-      displacement.exact?.warn(`cannot displace the shadow of the mesh: ${messageOf(error)}`)
+      displacement.exactMaterial?.warn(
+        `cannot displace the shadow of the mesh: ${messageOf(error)}`,
+      )
     }
   }
   return material

@@ -1,16 +1,16 @@
 /**
- * Completes the vertex shader of a material, so that it can be read by itself: as a GLSL function that returns the position to which the
- * shader moves a vertex, in the space of the geometry.
+ * Makes self-contained GLSL of a material's vertex shader: a function that returns the moved position of a vertex, in the space of the
+ * geometry. Everything that three.js would add to the shader is declared in it.
  */
 import { splitAtMain } from '../shader-source.js'
 import { definesFor } from './defines.js'
 import { inputPrefix, isInputName } from './exact-names.js'
-import { movedBody, type MovedBody } from './moved-body.js'
-import { numberedIncludes } from './numbered-includes.js'
-import { withoutComments } from './plain-source.js'
+import { numberIncludes } from './numbered-includes.js'
+import { removeComments } from './plain-source.js'
+import { readPositionCode, type PositionCode } from './position-code.js'
 import type { ExactShader } from './shader.js'
 
-/** Maps a variable that three.js declares → type. */
+/** Maps each variable that three.js declares → type. */
 export const uniforms: Record<string, string> = {
   modelMatrix: 'mat4',
   modelViewMatrix: 'mat4',
@@ -30,29 +30,29 @@ export interface VertexSource {
   note?: string
 }
 
-export function vertexSource(shader: ExactShader): VertexSource {
-  const resolved = withoutComments(numberedIncludes(shader.vertexShader))
+export function makeVertexSource(shader: ExactShader): VertexSource {
+  const resolved = removeComments(numberIncludes(shader.vertexShader))
   const { top, main } = splitAtMain(resolved)!
-  const { body, result, hidden, note }: MovedBody = movedBody(
+  const { body, result, identityMatrices, note }: PositionCode = readPositionCode(
     main,
-    withoutThreeDeclarations(top),
+    removeThreeDeclarations(top),
     shader.instancing === true,
   )
   const attributes = new Set<string>()
-  const declarations = withoutThreeDeclarations(top).replace(
+  const declarations = removeThreeDeclarations(top).replace(
     /\b(?:attribute|in)\s+((?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*(?:\[[^\]]*\]\s*)?;)/g,
     (_, rest: string, name: string) => {
       attributes.add(name)
       return `uniform ${rest}`
     },
   )
-  const optional = optionalAttributes(shader)
+  const optional = listOptionalAttributes(shader)
   for (const [name] of optional) attributes.add(name)
   const declared = [...declarations.matchAll(/\buniform\s[^;{]*?\b(\w+)\s*(?:\[[^\]]*\]\s*)?;/g)]
   const renamed = [...declared.map(([, name]) => name!), ...attributes].filter(isInputName)
   const text = `${definesFor(shader)}
 ${Object.entries(uniforms)
-  .filter(([name]) => !hidden.includes(name))
+  .filter(([name]) => !identityMatrices.includes(name))
   .map(([name, type]) => `uniform ${type} ${name};`)
   .join('\n')}
 attribute vec3 position;
@@ -62,7 +62,7 @@ ${[...new Set(renamed)].map((name) => `#define ${name} ${inputPrefix}${name}`).j
 ${optional.map(([name, type]) => `uniform ${type} ${name};`).join('\n')}
 vec4 warpjetClip;
 #define gl_Position warpjetClip
-${hidden.map((name) => `#define ${name} mat4( 1.0 )`).join('\n')}
+${identityMatrices.map((name) => `#define ${name} mat4( 1.0 )`).join('\n')}
 #line 1
 ${declarations}${body}
 return ${result};
@@ -71,8 +71,8 @@ return ${result};
   return { text, attributes, ...(note && { note }) }
 }
 
-/** Returns name and type of those attributes of the shader that three.js declares only if a geometry or an object has them. */
-function optionalAttributes(shader: ExactShader) {
+/** Returns the name and type of those attributes of the shader that three.js declares only if a geometry or an object has them. */
+function listOptionalAttributes(shader: ExactShader) {
   const all: (readonly [name: string, type: string, isPresent: boolean | undefined])[] = [
     ['instanceMatrix', 'mat4', shader.instancing],
     ['instanceColor', 'vec3', shader.instancingColor],
@@ -86,10 +86,10 @@ function optionalAttributes(shader: ExactShader) {
 }
 
 /**
- * Removes declarations of variables that `vertexSource` declares. A RawShaderMaterial contains them; for other materials, three.js adds
- * them.
+ * Removes declarations of variables that `makeVertexSource` declares. A RawShaderMaterial contains them; for other materials, three.js
+ * adds them.
  */
-const withoutThreeDeclarations = (top: string) =>
+const removeThreeDeclarations = (top: string) =>
   top.replace(
     new RegExp(
       `\\b(?:uniform|attribute|in)\\s+(?:(?:high|medium|low)p\\s+)?\\w+\\s+(?:${[...Object.keys(uniforms), 'position', 'normal', 'uv', 'instanceMatrix'].join('|')})\\s*;`,

@@ -8,7 +8,7 @@ import { resolveIncludes, splitAtMain } from '../shader-source.js'
 import { WarpCode } from '../warp-code.js'
 import type { WeaveOptions } from '../weave-options.js'
 import type { Displacement } from './displacement.js'
-import { withoutComments } from './plain-source.js'
+import { removeComments } from './plain-source.js'
 import { declaredBy, effectsOf, localTypes, statementsOf, type Statement } from './statements.js'
 import { uniforms } from './vertex-source.js'
 
@@ -21,7 +21,7 @@ export function weaveAttribute(
   options: WeaveOptions,
   place: Place,
 ): string {
-  const { top, main } = splitAtMain(withoutComments(resolveIncludes(vertexShader)))!
+  const { top, main } = splitAtMain(removeComments(resolveIncludes(vertexShader)))!
   const open = main.indexOf('{')
   const close = main.lastIndexOf('}')
   const code = new WarpCode(warp, {
@@ -85,7 +85,7 @@ const short = (statement: string) => statement.trim().replace(/\s+/g, ' ').slice
 
 /** Returns line and column of a statement in the form of messages about GLSL; empty if the statement comes from a chunk. */
 function lineOf(vertexShader: string, statement: string): string {
-  const start = withoutComments(vertexShader).indexOf(statement.trim())
+  const start = removeComments(vertexShader).indexOf(statement.trim())
   if (start < 0) return ''
   const lines = vertexShader.slice(0, start).split('\n')
   return `line ${lines.length}, column ${lines.at(-1)!.length + 1}: `
@@ -136,12 +136,15 @@ function withNewNormals(
         if (isBlock && readsNormal && writtenVaryings.length)
           throw fail(
             statement,
-            'moves the vertex and makes a varying of the normal; write these as two',
+            'moves the vertex and writes a varying that depends on the normal; write these as two statements',
           )
         return text
       }
       if (isBlock || [...calls].some((name) => effects.get(name)?.reads.has('normal')))
-        throw fail(statement, 'reads the normal for the position and for light; write these as two')
+        throw fail(
+          statement,
+          'reads the normal for the position and for light; write these as two statements',
+        )
       // A number that moves the vertex and is shown, such as a height, is no normal.
       if ([...writes].every((name) => varyings.has(name) && !isVector(varyings.get(name)!)))
         return text
@@ -156,7 +159,7 @@ function withNewNormals(
         if (!type)
           throw fail(
             statement,
-            'reads the normal for the position and for light; write these as two',
+            'reads the normal for the position and for light; write these as two statements',
           )
         return `${type} ${copied} = ${name};\n`
       })
@@ -167,7 +170,7 @@ function withNewNormals(
       if (readsPosition || some(calls, (name) => movingCalls.has(name)))
         throw fail(
           statement,
-          'makes something of normal and position together, which looks like a normal by hand; leave that out and write vNormal = normalMatrix * normal',
+          'computes a value from both normal and position, which looks like a handwritten normal; remove it and write vNormal = normalMatrix * normal',
         )
       if (some(calls, (name) => effects.get(name)?.reads.has('normal') ?? false))
         throw fail(
@@ -182,7 +185,7 @@ function withNewNormals(
   })
   if (!hasNormals)
     throw new WarpError(
-      'the vertex shader makes no varying of the attribute normal; write vNormal = normalMatrix * normal, and leave out normals by hand.',
+      'the vertex shader writes no varying that depends on the attribute normal; write vNormal = normalMatrix * normal, and remove handwritten normals.',
     )
   return [...lines, ...copiesToVaryings].join('\n')
 }

@@ -1,4 +1,4 @@
-// `<Warp>` for @react-three/fiber: warps the object around it, or the objects in it.
+// `<Warp>` for @react-three/fiber: warps its parent object or its children.
 import { useFrame } from '@react-three/fiber'
 import {
   createElement,
@@ -17,22 +17,24 @@ import type { ThreeUniforms, ValuesOf } from '../uniforms.js'
 import { warp, type WarpedObject } from '../warp.js'
 
 export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOptions<Uniforms> {
-  /** Maps a vertex to the offset that moves it. Another function is another warp: define it outside of the component, or
-   * with `useCallback`, so that it stays the same from one rendering to the next. */
+  /**
+   * Maps a vertex to the offset that moves it. Each new function is compiled as a new warp, so define the function outside of the component
+   * or with `useCallback`: it then stays the same from one rendering to the next.
+   */
   offset: ThreeOffset<ValuesOf<Uniforms>>
 }
 
 /**
- * Without children, warps the mesh, points or line around it: `<mesh>…<Warp offset={wave} /></mesh>`. With children, warps everything in
- * it: `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is the time of the
- * clock. Another offset is compiled, and replaces the previous one. `ref` is the result of `warp`. A WebGPURenderer needs
+ * Without children, warps its parent, a mesh, points or a line: `<mesh>…<Warp offset={wave} /></mesh>`. With children, warps all of
+ * them: `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is the time of the
+ * clock. A new `offset` is compiled and replaces the previous one. `ref` receives the result of `warp`. A WebGPURenderer needs
  * `import 'warpjet/three/webgpu'`. Throws a `WarpError` where `warp` does.
  */
-export const Warp = forwardRef(WarpOf) as <const Uniforms extends ThreeUniforms = {}>(
+export const Warp = forwardRef(renderWarp) as <const Uniforms extends ThreeUniforms = {}>(
   props: PropsWithChildren<WarpProps<Uniforms>> & { ref?: Ref<WarpedObject<ValuesOf<Uniforms>>> },
 ) => ReactElement
 
-function WarpOf(
+function renderWarp(
   { children, ...props }: PropsWithChildren<WarpProps<ThreeUniforms>>,
   ref: ForwardedRef<WarpedObject>,
 ) {

@@ -17,11 +17,11 @@ bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
     throw FileProblem("a primitive has the unknown mode " + std::to_string(primitive.mode) +
                       "; export the model again.");
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
-    gltf.warn("Points and lines are left out; only triangles are read.");
+    gltf.warn("Points and lines are ignored; only triangles are read.");
     return false;
   }
   if (primitive.attributes.count("POSITION") == 0) {
-    gltf.warn("Parts without positions are left out.");
+    gltf.warn("Parts without positions are ignored.");
     return false;
   }
   if (primitive.attributes.count("JOINTS_1") != 0)
@@ -98,7 +98,7 @@ std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {
       draw.vertices = countOf(gltf, draw.accessor("POSITION"));
       draw.corners = draw.isIndexed() ? countOf(gltf, primitive.indices) : draw.vertices;
       if (draw.kind() == Primitives::Triangles && draw.corners % 3 != 0)
-        gltf.warn("A part ends in the middle of a triangle, which is left out.");
+        gltf.warn("A part ends in the middle of a triangle, which is ignored.");
       draw.weights = morphWeightsOf(gltf, primitive, place);
       if (trianglesOf(draw.kind(), draw.corners) > 0) draws.push_back(draw);
     }
@@ -114,7 +114,7 @@ Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws, const std::vector<Sk
   layout.hasTangents = all(draws, "TANGENT") && all(draws, "NORMAL");
   for (const Draw& draw : draws) layout.isIndexed |= needsIndices(draw, skins);
   if (any(draws, "TANGENT") && !layout.hasTangents)
-    gltf.warn("Only some parts have tangents and normals; the tangents are left out.");
+    gltf.warn("Only some parts have tangents and normals; the tangents are ignored.");
   checkSize(draws, layout);
   return layout;
 }

@@ -68,7 +68,7 @@ void warnOfLook(Gltf& gltf, int material) {
     gltf.warn("Base colours outside 0 to 1 are clamped.");
   if (baseColor.texture == noPlace) return;
   if (imageOfTexture(gltf, baseColor.texture) == noPlace)
-    gltf.warn("A base-colour texture has no PNG or JPEG image; it is left out.");
+    gltf.warn("A base-colour texture has no PNG or JPEG image; it is ignored.");
   if (baseColor.isTransformed)
     gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
   if (baseColor.texCoord != 0)
@@ -82,7 +82,7 @@ std::optional<Image> readImage(Gltf& gltf, int number, const Files& files) {
   std::optional<Image> found = bytesOf(gltf, image, files);
   if (!found || found->bytes.empty()) {
     gltf.warn("The base-colour texture (image " + std::to_string(number) + ", " +
-              quoteText(image.uri) + ") is missing or broken; it is left out.");
+              quoteText(image.uri) + ") is missing or broken; it is ignored.");
     return std::nullopt;
   }
   if (found->mimeType.empty()) found->mimeType = sniffType(found->bytes);

@@ -117,20 +117,21 @@ std::optional<Material> ObjColors::material(const Files& files,
     material.baseColorTexture = Image{*file, sniffType(*file)};
   else
     warnings.push_back("The texture " + quoteText(*image_) +
-                       " of the .mtl is missing or broken; it is left out.");
+                       " of the .mtl is missing or broken; it is ignored.");
   return material;
 }
 
 void ObjColors::warn(std::vector<std::string>& warnings) const {
   if (!usesMaterials_) return;
-  const std::string leftOut = "The materials of the .obj are left out, since ";
+  const std::string ignored = "The materials of the .obj are ignored, since ";
   if (names_.libraries.empty())
-    warnings.push_back(leftOut + "it names no .mtl file (mtllib).");
+    warnings.push_back(ignored + "it names no .mtl file (mtllib).");
   else if (!missing_.empty())
-    warnings.push_back(leftOut + quoteText(missing_) + " is missing.");
+    warnings.push_back(ignored + quoteText(missing_) + " is missing.");
   else if (isUnknown_)
     warnings.push_back(
-        "A material of the .obj is in none of its .mtl files; those faces have no colour.");
+        "A material of the .obj is in none of its .mtl files; the faces that use it have no "
+        "colour.");
   if (isClamped_) warnings.push_back("Colours of the .mtl outside 0 to 1 are clamped.");
 }
 

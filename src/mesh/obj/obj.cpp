@@ -103,7 +103,7 @@ struct Losses {
   bool positions = false, uvs = false, normals = false;
 
   void warn(std::vector<std::string>& warnings) const {
-    if (positions) warnings.push_back("Triangles with invalid positions are left out.");
+    if (positions) warnings.push_back("Triangles with invalid positions are ignored.");
     if (normals)
       warnings.push_back("The .obj has invalid normals, which were replaced by computed ones.");
     if (uvs) warnings.push_back("Invalid uvs of the .obj are set to 0.");
@@ -216,7 +216,7 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
   }
   if (faces.empty()) failEmpty(lists);
   colors.warn(warnings);
-  if (hasFlatFaces) warnings.push_back("Faces of fewer than three corners are left out.");
+  if (hasFlatFaces) warnings.push_back("Faces of fewer than three corners are ignored.");
   if (hasLongFaces)
     warnings.push_back("Faces of more than " + groupDigits(maxCutCorners) +
                        " corners are treated as convex.");

@@ -63,7 +63,7 @@ Mesh Facets::takeMesh(std::vector<std::string>& warnings) {
   if (hasInvalidNormals_)
     warnings.push_back(
         "The .stl has invalid normals, which were replaced by normals of the triangles.");
-  if (hasInvalidPositions_) warnings.push_back("Triangles with invalid positions are left out.");
+  if (hasInvalidPositions_) warnings.push_back("Triangles with invalid positions are ignored.");
   return std::move(mesh_);
 }
 

@@ -155,7 +155,7 @@ Mesh meshOfBinaryStl(Bytes bytes, std::vector<std::string>& warnings) {
                       "); export or download it again.");
   // The colors of Materialise Magics.
   if (textOf(bytes).substr(0, headerSize).find("COLOR=") != std::string_view::npos)
-    warnings.push_back("The colours of the .stl are left out.");
+    warnings.push_back("The colours of the .stl are ignored.");
   Facets facets;
   facets.reserve((size - start) / facetSize);
   for (std::size_t at = start; at < size; at += facetSize)

@@ -60,10 +60,11 @@ std::int32_t compute(Operator op, std::int32_t a, std::int32_t b) {
 
 class Condition {
  public:
-  Condition(const Token& word, std::vector<Token> tokens, const Macros& macros, Problems& problems)
+  Condition(const Token& directive, std::vector<Token> tokens, const Macros& macros,
+            Problems& problems)
       : tokens_(std::move(tokens)), macros_(macros), problems_(problems), what_("#") {
-    end_.location = tokens_.empty() ? word.location : tokens_.back().location;
-    what_ += word.text;
+    end_.location = tokens_.empty() ? directive.location : tokens_.back().location;
+    what_ += directive.text;
   }
 
   bool evaluate() {
@@ -163,7 +164,7 @@ class Condition {
 
 }  // namespace
 
-bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros& macros,
+bool evaluateCondition(const Token& directive, std::span<const Token> tokens, Macros& macros,
                        Problems& problems) {
   // `defined` is evaluated before macros are expanded.
   std::vector<Token> answered;
@@ -185,18 +186,18 @@ bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros&
   }
   std::vector<Token> expanded;
   macros.expand(answered, expanded);
-  return !problems.any() && Condition(word, std::move(expanded), macros, problems).evaluate();
+  return !problems.any() && Condition(directive, std::move(expanded), macros, problems).evaluate();
 }
 
-LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macros& macros,
+LineNumbers evaluateLine(const Token& directive, std::span<const Token> tokens, Macros& macros,
                          Problems& problems) {
   std::vector<Token> expanded;
   macros.expand(tokens, expanded);
-  if (expanded.empty()) problems.add(word.location, "expected a line number after #line");
+  if (expanded.empty()) problems.add(directive.location, "expected a line number after #line");
   for (const Token& token : expanded)
     if (token.kind == Kind::Int && intValue(token, problems) >= 0x7fffffff)
       problems.add(token.location, "this line number is too large");
-  Condition reader(word, std::move(expanded), macros, problems);
+  Condition reader(directive, std::move(expanded), macros, problems);
   LineNumbers numbers;
   if (!problems.any()) numbers.line = reader.next();
   if (!problems.any() && !reader.isAtEnd()) numbers.file = reader.next();

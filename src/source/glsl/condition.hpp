@@ -1,4 +1,5 @@
-// Evaluates the condition of an `#if`, and the numbers of a `#line`.
+// Evaluates the condition of an `#if`, and the numbers of a `#line`. `directive` is the token `if`,
+// `elif` or `line`, for messages and their locations.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace warpjet::source::glsl {
 
-bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros& macros,
+bool evaluateCondition(const Token& directive, std::span<const Token> tokens, Macros& macros,
                        Problems& problems);
 
 // The number of the next line and, if present, that of the file.
@@ -16,7 +17,7 @@ struct LineNumbers {
   std::int32_t line = 0;
   std::optional<std::int32_t> file{};
 };
-LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macros& macros,
+LineNumbers evaluateLine(const Token& directive, std::span<const Token> tokens, Macros& macros,
                          Problems& problems);
 
 }  // namespace warpjet::source::glsl

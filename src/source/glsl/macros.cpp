@@ -23,9 +23,9 @@ void Macros::define(std::string_view name, int value) {
   macros_[name] = {false, {}, {Token{Kind::Int, false, true, made_.back(), {}}}, 0, true};
 }
 
-void Macros::define(const Token& word, std::span<const Token> rest) {
+void Macros::define(const Token& directive, std::span<const Token> rest) {
   if (rest.empty() || rest[0].kind != Kind::Name)
-    return problems_.add(word.location, "#define needs a name");
+    return problems_.add(directive.location, "#define needs a name");
   const Token& name = rest[0];
   const auto known = macros_.find(name.text);
   const bool isKnown = known != macros_.end();
@@ -81,9 +81,9 @@ bool Macros::isSame(const Macro& a, const Macro& b) {
   return true;
 }
 
-void Macros::undefine(const Token& word, std::span<const Token> rest) {
+void Macros::undefine(const Token& directive, std::span<const Token> rest) {
   if (rest.empty() || rest[0].kind != Kind::Name)
-    return problems_.add(word.location, "#undef needs a name");
+    return problems_.add(directive.location, "#undef needs a name");
   const std::string_view name = rest[0].text;
   const auto known = macros_.find(name);
   if (name == "__LINE__" || (known != macros_.end() && known->second.isOfLanguage))

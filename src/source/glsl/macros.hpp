@@ -19,9 +19,9 @@ class Macros {
 
   // Defines a predefined macro.
   void define(std::string_view name, int value);
-  // `rest` is the rest of the line after the word of the directive.
-  void define(const Token& word, std::span<const Token> rest);
-  void undefine(const Token& word, std::span<const Token> rest);
+  // `rest` is the rest of the line after `directive`.
+  void define(const Token& directive, std::span<const Token> rest);
+  void undefine(const Token& directive, std::span<const Token> rest);
 
   // Every token of an expansion has the location of the macro's call, except tokens of arguments,
   // which have their own.

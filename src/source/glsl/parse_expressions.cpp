@@ -54,7 +54,7 @@ ExpressionId Parser::expression() {
 }
 
 ExpressionId Parser::assignment() {
-  if (!goDeeper()) return failExpression(peek().location, "");
+  if (!checkDepth()) return failExpression(peek().location, "");
   ++depth_;
   const ExpressionId made = [&] {
     const ExpressionId left = choice();
@@ -153,7 +153,7 @@ ExpressionId Parser::makeBinary(Operator op, ExpressionId left, ExpressionId rig
 }
 
 ExpressionId Parser::unary() {
-  if (!goDeeper()) return failExpression(peek().location, "");
+  if (!checkDepth()) return failExpression(peek().location, "");
   ++depth_;
   const ExpressionId made = [&] {
     const Token token = peek();

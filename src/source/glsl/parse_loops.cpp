@@ -168,7 +168,7 @@ StatementId Parser::doStatement() {
   const ExpressionId test = condition("while");
   expect(";", "do … while ( )");
   return add(Statement{.kind = Statement::Kind::Loop,
-                       .isLate = true,
+                       .testsAfterBody = true,
                        .expression = test,
                        .location = location,
                        .children = {nothing, nothing, body}});

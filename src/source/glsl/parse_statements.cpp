@@ -33,7 +33,7 @@ StatementId Parser::block() {
 }
 
 StatementId Parser::statement(bool opensScope) {
-  if (!goDeeper()) return nothing;
+  if (!checkDepth()) return nothing;
   ++depth_;
   const Token& token = peek();
   const StatementId parsed = [&] {

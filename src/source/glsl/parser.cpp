@@ -59,7 +59,7 @@ std::string_view Parser::takeName(std::string_view what) {
   return take().text;
 }
 
-bool Parser::goDeeper() {
+bool Parser::checkDepth() {
   if (depth_ < maxDepth) return true;
   fail(peek().location, "this is nested more than " + std::to_string(maxDepth) + " deep");
   return false;

@@ -47,7 +47,7 @@ class Parser {
   void requireVersion(std::string_view what, Location location);
   std::string describeNext() const;
   std::string_view takeName(std::string_view what);
-  bool goDeeper();
+  bool checkDepth();
   void global();
   // Returns true if the source declares the name: a keyword of one language may be a name in the
   // other.

@@ -38,7 +38,7 @@ class Preprocessor {
       applyLineShift(start, end);
       const Line line = Line(tokens_).subspan(start, end - start);
       if (isDirective) {
-        directive(line);
+        handleDirective(line);
       } else if (isLive()) {
         macros_.expand(line, result_.tokens);
       }
@@ -69,106 +69,111 @@ class Preprocessor {
       tokens_[i].location.shown = static_cast<std::uint32_t>(tokens_[i].location.line + lineShift_);
   }
 
-  void directive(Line line) {
+  void handleDirective(Line line) {
     if (line.size() == 1) return;
-    const Token& word = line[1];
+    const Token& directive = line[1];
     const bool isFirst = &line[0] == &tokens_[0];
     const Line rest = line.subspan(2);
-    if (word.is("if") || word.is("ifdef") || word.is("ifndef")) return open(word, rest);
-    if (word.is("elif") || word.is("else") || word.is("endif"))
-      return continueOrCloseBlock(word, rest);
+    if (directive.is("if") || directive.is("ifdef") || directive.is("ifndef"))
+      return open(directive, rest);
+    if (directive.is("elif") || directive.is("else") || directive.is("endif"))
+      return continueOrCloseBlock(directive, rest);
     if (!isLive()) return;
-    if (word.is("define")) return macros_.define(word, rest);
-    if (word.is("undef")) return macros_.undefine(word, rest);
-    if (word.is("version")) return version(word, rest, isFirst);
-    if (word.is("line")) return renumber(word, rest);
-    if (word.is("error")) {
+    if (directive.is("define")) return macros_.define(directive, rest);
+    if (directive.is("undef")) return macros_.undefine(directive, rest);
+    if (directive.is("version")) return version(directive, rest, isFirst);
+    if (directive.is("line")) return renumber(directive, rest);
+    if (directive.is("error")) {
       std::string text;
       for (const Token& token : rest) (text += text.empty() ? "" : " ") += token.text;
-      return problems_.add(word.location, "#error" + (text.empty() ? "" : ": " + text));
+      return problems_.add(directive.location, "#error" + (text.empty() ? "" : ": " + text));
     }
-    if (word.is("extension")) return extension(word, rest);
-    if (word.is("pragma")) return pragma(rest);
-    if (word.is("include"))
-      return problems_.add(word.location,
+    if (directive.is("extension")) return extension(directive, rest);
+    if (directive.is("pragma")) return pragma(rest);
+    if (directive.is("include"))
+      return problems_.add(directive.location,
                            "GLSL has no #include; replace it with the source in the file");
-    problems_.add(word.location, word.kind == Kind::Other
-                                     ? problemOf(word)
-                                     : "there is no directive #" + std::string(word.text));
+    problems_.add(directive.location,
+                  directive.kind == Kind::Other
+                      ? problemOf(directive)
+                      : "there is no directive #" + std::string(directive.text));
   }
 
-  void rejectExtra(const Token& word, Line rest, std::size_t count) {
+  void rejectExtra(const Token& directive, Line rest, std::size_t count) {
     if (rest.size() > count)
       problems_.add(rest[count].location, "unexpected " + quote(rest[count].text) + " after #" +
-                                              std::string(word.text) +
+                                              std::string(directive.text) +
                                               "; put it into a comment, or on a line of its own");
   }
 
-  void open(const Token& word, Line rest) {
+  void open(const Token& directive, Line rest) {
     const bool isOuterLive = isLive();
     bool holds = false;
     if (isOuterLive) {
-      if (word.is("if")) {
-        holds = isTrue(word, rest);
+      if (directive.is("if")) {
+        holds = isTrue(directive, rest);
       } else if (rest.empty() || rest[0].kind != Kind::Name) {
-        problems_.add(word.location, "#" + std::string(word.text) + " needs a name");
+        problems_.add(directive.location, "#" + std::string(directive.text) + " needs a name");
       } else {
-        holds = macros_.has(rest[0].text) == word.is("ifdef");
-        rejectExtra(word, rest, 1);
+        holds = macros_.has(rest[0].text) == directive.is("ifdef");
+        rejectExtra(directive, rest, 1);
       }
     }
-    blocks_.push_back({word.location, isOuterLive && holds, holds, isOuterLive});
+    blocks_.push_back({directive.location, isOuterLive && holds, holds, isOuterLive});
   }
 
   // Handles #elif, #else and #endif.
-  void continueOrCloseBlock(const Token& word, Line rest) {
+  void continueOrCloseBlock(const Token& directive, Line rest) {
     if (blocks_.empty())
-      return problems_.add(word.location, "#" + std::string(word.text) + " has no #if before it");
+      return problems_.add(directive.location,
+                           "#" + std::string(directive.text) + " has no #if before it");
     Block& block = blocks_.back();
-    if (word.is("endif")) {
-      rejectExtra(word, rest, 0);
+    if (directive.is("endif")) {
+      rejectExtra(directive, rest, 0);
       return blocks_.pop_back();
     }
     if (!block.isOuterLive) return;
-    if (word.is("else")) rejectExtra(word, rest, 0);
+    if (directive.is("else")) rejectExtra(directive, rest, 0);
     if (block.hasElse)
-      return problems_.add(word.location, "#" + std::string(word.text) + " comes after #else");
-    block.hasElse = word.is("else");
+      return problems_.add(directive.location,
+                           "#" + std::string(directive.text) + " comes after #else");
+    block.hasElse = directive.is("else");
     const bool mayHold = !block.wasLive;
-    block.isLive = mayHold && (block.hasElse || isTrue(word, rest));
+    block.isLive = mayHold && (block.hasElse || isTrue(directive, rest));
     block.wasLive = block.wasLive || block.isLive;
   }
 
-  bool isTrue(const Token& word, Line rest) {
-    return evaluateCondition(word, rest, macros_, problems_);
+  bool isTrue(const Token& directive, Line rest) {
+    return evaluateCondition(directive, rest, macros_, problems_);
   }
 
-  void version(const Token& word, Line rest, bool isFirst) {
-    if (!isFirst) return problems_.add(word.location, "#version must come before everything else");
+  void version(const Token& directive, Line rest, bool isFirst) {
+    if (!isFirst)
+      return problems_.add(directive.location, "#version must come before everything else");
     const bool isNumber = !rest.empty() && rest[0].kind == Kind::Int;
     const std::uint32_t number = isNumber ? intValue(rest[0], problems_) : 0;
     const bool isWhole = number == 300 ? rest.size() == 2 && rest[1].is("es") : rest.size() == 1;
     if ((number != 100 && number != 300) || !isWhole)
-      return problems_.add(word.location,
+      return problems_.add(directive.location,
                            "write #version 300 es or #version 100; WebGL has no other");
     result_.version = static_cast<int>(number);
     macros_.define("__VERSION__", result_.version);
   }
 
-  void renumber(const Token& word, Line rest) {
-    const LineNumbers numbers = evaluateLine(word, rest, macros_, problems_);
+  void renumber(const Token& directive, Line rest) {
+    const LineNumbers numbers = evaluateLine(directive, rest, macros_, problems_);
     // A directive may span several lines that are joined by a backslash.
-    const std::uint32_t last = rest.empty() ? word.location.line : rest.back().location.line;
+    const std::uint32_t last = rest.empty() ? directive.location.line : rest.back().location.line;
     lineShift_ = static_cast<std::int64_t>(numbers.line) - last - 1;
     if (numbers.file) macros_.define("__FILE__", *numbers.file);
   }
 
   // Reads `name : behavior`: GLSL ES 3.00, section 3.5. Doesn't check whether the extension is
   // available: only the host can query that.
-  void extension(const Token& word, Line rest) {
+  void extension(const Token& directive, Line rest) {
     const bool isName = !rest.empty() && rest[0].kind == Kind::Name;
     if (!isName || rest.size() < 3 || !rest[1].is(":") || rest.size() > 3)
-      return problems_.add(word.location,
+      return problems_.add(directive.location,
                            "write it as #extension NAME : enable; instead of enable, "
                            "require, warn or disable are allowed");
     const Token &name = rest[0], &behavior = rest[2];
@@ -186,7 +191,7 @@ class Preprocessor {
       return problems_.add(name.location, "WebGL has no extension " + quote(name.text) +
                                               "; write enable to go on without it");
     if (result_.version == 300 && !result_.tokens.empty())
-      problems_.add(word.location,
+      problems_.add(directive.location,
                     "#extension must come before everything but other directives in "
                     "#version 300 es; move it up");
   }

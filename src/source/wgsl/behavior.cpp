@@ -4,17 +4,11 @@
 
 namespace warpjet::source::wgsl {
 
-namespace {
-
-enum Behavior : unsigned { Next = 1, Return = 2, Breaks = 4, Continues = 8 };
-
-}  // namespace
-
 unsigned Parser::behaviorOfLoop(const Statement& loop) const {
   unsigned all = behaviorOf(loop.children[2]);
   if (loop.children[1] != nothing) all |= behaviorOf(loop.children[1]);
   const bool hasEnd = loop.expression != nothing || (all & Breaks);
-  return (all & Return) | (hasEnd ? Next : 0u);
+  return (all & Returns) | (hasEnd ? Next : 0u);
 }
 
 unsigned Parser::behaviorOf(StatementId id) const {
@@ -43,7 +37,7 @@ unsigned Parser::behaviorOf(StatementId id) const {
       return (all & ~Breaks) | (all & Breaks ? Next : 0u);
     }
     case Return:
-      return Behavior::Return;
+      return Returns;
     case Break:
       return Breaks;
     case Continue:

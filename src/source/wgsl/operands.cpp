@@ -180,7 +180,7 @@ Operand Parser::abstractOf(Type type, std::vector<double> numbers, Location loca
 }
 
 // Returns the value of a constant whole number; nullopt if it is unknown.
-std::optional<std::int64_t> Parser::wholeOf(const Operand& operand) {
+std::optional<std::int64_t> Parser::constantInteger(const Operand& operand) {
   if (operand.isAbstract())
     return operand.type == intType ? std::optional(static_cast<std::int64_t>(operand.known[0]))
                                    : std::nullopt;

@@ -19,10 +19,13 @@ bool isOneOf(const std::array<std::string_view, size>& all, std::string_view tex
   return false;
 }
 
+constexpr std::array bitOperators{std::string_view("&"), std::string_view("|"),
+                                  std::string_view("^")};
+
 }  // namespace
 
 // Returns the operator at the current position; >=, >> and >>= consist of several tokens.
-std::string_view Parser::operatorHere() const {
+std::string_view Parser::peekOperator() const {
   const Token &first = peek(), &second = peek(1);
   if (first.kind != Token::Kind::Symbol) return {};
   if (!first.is(">") || !first.touches(second)) return first.text;
@@ -41,42 +44,46 @@ Operand Parser::value() {
 }
 
 void Parser::rejectMixed(std::string_view before) {
-  const std::string_view next = operatorHere();
+  const std::string_view next = peekOperator();
   constexpr std::array all{std::string_view("||"), std::string_view("&&"), std::string_view("|"),
                            std::string_view("&"),  std::string_view("^"),  std::string_view("<<"),
                            std::string_view(">>"), std::string_view("+"),  std::string_view("-"),
                            std::string_view("*"),  std::string_view("/"),  std::string_view("%")};
   if (isOneOf(all, next) || isOneOf(relations, next))
-    fail(peek().location, "put parentheses around one of " + std::string(before) + " and " +
-                              std::string(next) + ", whose order WGSL does not define");
+    fail(peek().location, "expected parentheses, since WGSL does not define the order of " +
+                              std::string(before) + " and " + std::string(next));
+  rejectConditional();
+}
+
+void Parser::rejectConditional() {
   if (peek().is("?"))
     fail(peek().location, "WGSL has no ? : ; write select(valueIfFalse, valueIfTrue, condition)");
 }
 
 Operand Parser::expression() {
-  if (!goDeeper()) return failOperand(peek().location, "");
-  return deeper([&]() -> Operand {
+  if (!checkDepth()) return failOperand(peek().location, "");
+  return withDepth([&]() -> Operand {
     const Operand first = unary();
-    const std::string_view symbol = operatorHere();
-    if (symbol == "&" || symbol == "|" || symbol == "^") return bitwise(first, symbol);
+    const std::string_view symbol = peekOperator();
+    if (isOneOf(bitOperators, symbol)) return bitwise(first, symbol);
     Operand left = relational(first);
-    const std::string_view logical = operatorHere();
+    const std::string_view logical = peekOperator();
     if (logical == "&&" || logical == "||") {
-      while (operatorHere() == logical) {
+      while (peekOperator() == logical) {
         const Location location = take().location;
         left = makeBinary(logical == "&&" ? Operator::And : Operator::Or, left, relational(unary()),
                           location);
       }
       rejectMixed(logical);
     }
-    if (peek().is("?")) rejectMixed("");
+    rejectConditional();
     return left;
   });
 }
 
 Operand Parser::bitwise(Operand left, std::string_view symbol) {
   const Operator op = findOperator(symbol)->op;
-  while (operatorHere() == symbol) {
+  while (peekOperator() == symbol) {
     const Location location = take().location;
     left = makeBinary(op, left, unary(), location);
   }
@@ -86,29 +93,31 @@ Operand Parser::bitwise(Operand left, std::string_view symbol) {
 
 Operand Parser::relational(Operand first) {
   const Operand left = shift(first);
-  const std::string_view symbol = operatorHere();
+  const std::string_view symbol = peekOperator();
   if (!isOneOf(relations, symbol)) return left;
   const Location location = peek().location;
   takeOperator(symbol);
   const Operand right = shift(unary());
-  if (isOneOf(relations, operatorHere())) rejectMixed(symbol);
+  const std::string_view next = peekOperator();
+  if (isOneOf(relations, next) || isOneOf(bitOperators, next)) rejectMixed(symbol);
   return makeBinary(findOperator(symbol)->op, left, right, location);
 }
 
 Operand Parser::shift(Operand first) {
-  const std::string_view symbol = operatorHere();
+  const std::string_view symbol = peekOperator();
   if (symbol == "<<" || symbol == ">>") {
     const Location location = peek().location;
     takeOperator(symbol);
     const Operand parsed = makeBinary(findOperator(symbol)->op, first, unary(), location);
-    const std::string_view next = operatorHere();
+    const std::string_view next = peekOperator();
     if (!isOneOf(relations, next) && next != "&&" && next != "||") rejectMixed(symbol);
     return parsed;
   }
   const Operand left = additive(first);
-  const std::string_view next = operatorHere();
-  if (next == "<<" || next == ">>" || next == "&" || next == "|" || next == "^")
-    rejectMixed("this");
+  const std::string_view next = peekOperator();
+  // If `left` is a sum or product, `symbol` is its first operator; -- is a minus.
+  if (next != symbol && (next == "<<" || next == ">>" || isOneOf(bitOperators, next)))
+    rejectMixed(symbol.substr(0, 1));
   return left;
 }
 
@@ -136,17 +145,17 @@ Operand Parser::multiplicative(Operand first) {
 
 Operand Parser::unary() {
   const Token token = peek();
-  const bool isTwice = token.is("--");
-  const bool isUnary =
-      isTwice || token.is("-") || token.is("!") || token.is("~") || token.is("&") || token.is("*");
+  const bool isDoubleMinus = token.is("--");
+  const bool isUnary = isDoubleMinus || token.is("-") || token.is("!") || token.is("~") ||
+                       token.is("&") || token.is("*");
   if (!isUnary) return postfix(primary());
-  if (!goDeeper()) return failOperand(token.location, "");
+  if (!checkDepth()) return failOperand(token.location, "");
   take();
-  const Operand operand = deeper([&] { return unary(); });
+  const Operand operand = withDepth([&] { return unary(); });
   if (problems_.any()) return failOperand(token.location, "");
   if (token.is("&")) return addressOf(operand, token.location);
   if (token.is("*")) return dereference(operand, token.location);
-  if (!isTwice) return makeUnary(token, load(operand, token.location));
+  if (!isDoubleMinus) return makeUnary(token, load(operand, token.location));
   const Token minus{token.kind, "-", token.location};
   return makeUnary(minus, makeUnary(minus, load(operand, token.location)));
 }

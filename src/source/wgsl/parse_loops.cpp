@@ -10,7 +10,7 @@ namespace warpjet::source::wgsl {
 // Parses the block after `continuing`; `breakIf` becomes the condition of a final `break if`.
 StatementId Parser::continuing(ExpressionId& breakIf) {
   const Location location = take().location;
-  const bool outer = std::exchange(isContinuing_, true);
+  const bool wasContinuing = std::exchange(isContinuing_, true);
   const int loops = std::exchange(loops_, 0), switches = std::exchange(switches_, 0);
   attributes();
   scopes_.open();
@@ -33,13 +33,14 @@ StatementId Parser::continuing(ExpressionId& breakIf) {
   scopes_.close();
   loops_ = loops;
   switches_ = switches;
-  isContinuing_ = outer;
+  isContinuing_ = wasContinuing;
   return makeBlock(location, std::move(children));
 }
 
-// Moves the declarations of variables that the continuing block reads out of the loop's body: they
-// are declared before the loop, and assigned in the body. Returns the declarations, or `nothing`.
-StatementId Parser::hoist(std::vector<StatementId>& body, const Marks& continuing,
+// Hoists the variables that the continuing block reads: declares them before the loop, and turns
+// their declarations in the body into assignments. `sizeBefore` is the size of the tree before the
+// continuing block was parsed. Returns the declarations, or `nothing`.
+StatementId Parser::hoist(std::vector<StatementId>& body, const TreeSize& sizeBefore,
                           ExpressionId breakIf) {
   std::set<VariableId> read;
   const auto visit = [&](ExpressionId id) {
@@ -47,9 +48,9 @@ StatementId Parser::hoist(std::vector<StatementId>& body, const Marks& continuin
     const Expression& node = tree_.expressions[id];
     if (node.kind == Code::Variable) read.insert(node.index);
   };
-  for (std::size_t i = continuing.expressions; i < tree_.expressions.size(); ++i)
+  for (std::size_t i = sizeBefore.expressions; i < tree_.expressions.size(); ++i)
     for (const ExpressionId operand : tree_.expressions[i].operands) visit(operand);
-  for (std::size_t i = continuing.statements; i < tree_.statements.size(); ++i)
+  for (std::size_t i = sizeBefore.statements; i < tree_.statements.size(); ++i)
     visit(tree_.statements[i].expression);
   visit(breakIf);
   std::vector<StatementId> before;
@@ -91,10 +92,10 @@ StatementId Parser::loopStatement() {
   while (!peek().is("}") && !problems_.any()) {
     if (peek().kind == Token::Kind::End) fail(location, "this loop has no }");
     if (peek().is("continuing")) {
-      const Marks first{tree_.expressions.size(), tree_.statements.size()};
+      const TreeSize sizeBefore{tree_.expressions.size(), tree_.statements.size()};
       step = continuing(breakIf);
       if (!peek().is("}")) fail(peek().location, "continuing must be the last statement of a loop");
-      if (!problems_.any()) before = hoist(body, first, breakIf);
+      if (!problems_.any()) before = hoist(body, sizeBefore, breakIf);
       break;
     }
     if (const StatementId child = statement(); child != nothing) body.push_back(child);
@@ -110,11 +111,11 @@ StatementId Parser::loopStatement() {
                 .kind = Code::Not, .type = boolType, .location = location, .operands = {breakIf}});
   const StatementId parsed =
       add({.kind = Statement::Kind::Loop,
-           .isLate = breakIf != nothing,
+           .testsAfterBody = breakIf != nothing,
            .expression = test,
            .location = location,
            .children = {before, step, makeBlock(location, std::move(body))}});
-  if (!problems_.any() && !(behaviorOf(parsed) & 3u))
+  if (!problems_.any() && !(behaviorOf(parsed) & (Next | Returns)))
     fail(location, "this loop never ends; write break, return or break if");
   return parsed;
 }
@@ -162,7 +163,7 @@ StatementId Parser::whileStatement() {
 }
 
 // Parses `case 1, 2:` or `default:`.
-void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
+void Parser::caseLabels(Type type, std::vector<StatementId>& children,
                         std::vector<std::int32_t>& labels, bool& hasDefault) {
   const Token word = take();
   const auto addDefault = [&](Location location) {
@@ -181,16 +182,16 @@ void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
       }
       const Operand label = value();
       if (problems_.any()) return;
-      const auto known = wholeOf(label);
-      if (!canConvert(label, wanted) || !known)
-        return fail(token.location, "expected a constant " + nameOf(wanted) + " after case, got " +
-                                        describe(label));
-      const auto bits = static_cast<std::int32_t>(static_cast<std::uint32_t>(*known));
+      const auto constant = constantInteger(label);
+      if (!canConvert(label, type) || !constant)
+        return fail(token.location,
+                    "expected a constant " + nameOf(type) + " after case, got " + describe(label));
+      const auto bits = static_cast<std::int32_t>(static_cast<std::uint32_t>(*constant));
       if (std::find(labels.begin(), labels.end(), bits) != labels.end())
-        return fail(token.location, "this switch already has a case " + std::to_string(*known));
+        return fail(token.location, "this switch already has a case " + std::to_string(*constant));
       labels.push_back(bits);
       children.push_back(add({.kind = Statement::Kind::Case,
-                              .expression = convert(label, wanted, token.location),
+                              .expression = convert(label, type, token.location),
                               .location = token.location}));
     } while (accept(","));
   }
@@ -201,9 +202,9 @@ void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
 // Parses a switch. Cases don't fall through, so we add a break to the end of each.
 StatementId Parser::switchStatement() {
   const Location location = take().location;
-  Operand given = concrete(value(), location);
-  if (!problems_.any() && !(given.type.isScalar() && given.type.isInteger()))
-    fail(location, "expected an i32 or u32 as the value of this switch, got " + describe(given));
+  Operand selector = concrete(value(), location);
+  if (!problems_.any() && !(selector.type.isScalar() && selector.type.isInteger()))
+    fail(location, "expected an i32 or u32 as the value of this switch, got " + describe(selector));
   attributes();
   expect("{", "the value of a switch");
   ++switches_;
@@ -215,7 +216,7 @@ StatementId Parser::switchStatement() {
       fail(peek().location, "expected case or default, " + describeNext());
       break;
     }
-    caseLabels(given.type, children, labels, hasDefault);
+    caseLabels(selector.type, children, labels, hasDefault);
     const Location end = peek().location;
     children.push_back(block());
     children.push_back(add({.kind = Statement::Kind::Break, .location = end}));
@@ -224,7 +225,7 @@ StatementId Parser::switchStatement() {
   --switches_;
   if (!hasDefault) fail(location, "this switch needs a default; write default: {}");
   return add({.kind = Statement::Kind::Switch,
-              .expression = given.id,
+              .expression = selector.id,
               .location = location,
               .children = std::move(children)});
 }

@@ -170,7 +170,7 @@ Operand Parser::elementOf(const Operand& whole, const Operand& index, Location l
   if (!canConvert(index, intType) && !canConvert(index, uintType))
     return failOperand(location, "expected an i32 or u32 as index, got " + describe(index));
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
-  const auto known = wholeOf(index);
+  const auto known = constantInteger(index);
   if (known && (*known < 0 || (*known >= count && count > 0)))
     return failOperand(location, "expected an index from 0 to " + std::to_string(count - 1) +
                                      ", got " + std::to_string(*known));

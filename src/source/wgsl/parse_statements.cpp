@@ -42,8 +42,8 @@ StatementId Parser::block() {
 }
 
 StatementId Parser::statement() {
-  if (!goDeeper()) return nothing;
-  return deeper([&]() -> StatementId {
+  if (!checkDepth()) return nothing;
+  return withDepth([&]() -> StatementId {
     if (accept(";")) return nothing;
     attributes();
     const Token token = peek();
@@ -92,8 +92,8 @@ StatementId Parser::ifStatement() {
   if (accept("else")) {
     if (!peek().is("if")) {
       children.push_back(block());
-    } else if (goDeeper()) {
-      children.push_back(deeper([&] { return ifStatement(); }));
+    } else if (checkDepth()) {
+      children.push_back(withDepth([&] { return ifStatement(); }));
     }
   }
   return add({.kind = Statement::Kind::If,

@@ -78,7 +78,7 @@ std::int32_t Parser::arrayLength() {
   const Location location = peek().location;
   Operand length = load(additive(unary()), location);
   if (problems_.any()) return 1;
-  const auto known = wholeOf(length);
+  const auto known = constantInteger(length);
   if (!known || *known < 1 || *known > maxArrayLength) {
     fail(location, "the length of an array must be a constant whole number from 1 to " +
                        std::to_string(maxArrayLength));
@@ -176,7 +176,7 @@ Parser::DeclaredType Parser::textureType(const Token& word) {
 // Parses the type in a declaration: there, it may also be a pointer, a texture or a sampler.
 Parser::DeclaredType Parser::declaredType() {
   const Token word = peek();
-  if (word.kind != Token::Kind::Name || !goDeeper()) {
+  if (word.kind != Token::Kind::Name || !checkDepth()) {
     fail(word.location, "expected a type, " + describeNext());
     return {floatType};
   }
@@ -193,8 +193,8 @@ Parser::DeclaredType Parser::declaredType() {
 
 Type Parser::type() {
   const Token word = peek();
-  if (!goDeeper()) return floatType;
-  return deeper([&]() -> Type {
+  if (!checkDepth()) return floatType;
+  return withDepth([&]() -> Type {
     if (word.kind != Token::Kind::Name) {
       fail(word.location, "expected a type, " + describeNext());
       return floatType;

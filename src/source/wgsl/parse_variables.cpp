@@ -160,7 +160,7 @@ StatementId Parser::assignment() {
     return nothing;
   }
   const Operand target = unary();
-  const std::string_view symbol = operatorHere();
+  const std::string_view symbol = peekOperator();
   const Location location = peek().location;
   if (problems_.any()) return nothing;
   const bool isStep = symbol == "++" || symbol == "--";

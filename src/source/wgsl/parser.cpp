@@ -54,7 +54,7 @@ Token Parser::takeName(std::string_view what) {
   return token;
 }
 
-bool Parser::goDeeper() {
+bool Parser::checkDepth() {
   if (depth_ < maxDepth) return !problems_.any();
   fail(peek().location, "this is nested more than " + std::to_string(maxDepth) + " deep");
   return false;
@@ -126,7 +126,7 @@ Entity Parser::resolve(std::string_view name) {
     fail(global.location, quote(name) + " depends on itself");
     return {};
   }
-  if (global.state == Global::State::New && goDeeper()) {
+  if (global.state == Global::State::New && checkDepth()) {
     global.state = Global::State::Open;
     const std::size_t at = std::exchange(at_, global.start);
     Scopes outer = std::exchange(scopes_, {});

@@ -55,7 +55,7 @@ class Parser {
   void fail(Location location, std::string message) { problems_.add(location, std::move(message)); }
   std::string describeNext() const;
   Token takeName(std::string_view what);
-  bool goDeeper();
+  bool checkDepth();
   void attributes();
   Entity resolve(std::string_view name);
   bool isDeclared(std::string_view name) const;
@@ -63,7 +63,7 @@ class Parser {
   void declare(const Token& name, Entity entity);
   VariableId addVariable(std::string_view name, Type type, Variable::Kind kind, Location location);
   template <class Work>
-  auto deeper(const Work& work);
+  auto withDepth(const Work& work);
 
   // parse_globals.cpp
   void directives();
@@ -110,7 +110,8 @@ class Parser {
   void functionBody(std::size_t index);
   void rejectRecursion();
 
-  // behavior.cpp: WGSL, section 9.7
+  // behavior.cpp: how a statement may end, as a union of values of Behavior. WGSL, section 9.7.
+  enum Behavior : unsigned { Next = 1, Returns = 2, Breaks = 4, Continues = 8 };
   unsigned behaviorOf(StatementId statement) const;
   unsigned behaviorOfLoop(const Statement& loop) const;
 
@@ -141,14 +142,15 @@ class Parser {
   StatementId forStatement();
   StatementId whileStatement();
   StatementId continuing(ExpressionId& breakIf);
-  // The numbers of expressions and statements when the parser reached a place in the source.
-  struct Marks {
+  // How many expressions and statements the tree has.
+  struct TreeSize {
     std::size_t expressions, statements;
   };
-  StatementId hoist(std::vector<StatementId>& body, const Marks& continuing, ExpressionId breakIf);
+  StatementId hoist(std::vector<StatementId>& body, const TreeSize& sizeBefore,
+                    ExpressionId breakIf);
   StatementId switchStatement();
-  void caseLabels(Type wanted, std::vector<StatementId>& children,
-                  std::vector<std::int32_t>& labels, bool& hasDefault);
+  void caseLabels(Type type, std::vector<StatementId>& children, std::vector<std::int32_t>& labels,
+                  bool& hasDefault);
 
   // parse_expressions.cpp
   Operand expression();
@@ -159,9 +161,10 @@ class Parser {
   Operand multiplicative(Operand first);
   Operand bitwise(Operand first, std::string_view symbol);
   Operand unary();
-  std::string_view operatorHere() const;
+  std::string_view peekOperator() const;
   void takeOperator(std::string_view text);
   void rejectMixed(std::string_view before);
+  void rejectConditional();
 
   // parse_operators.cpp
   Operand makeBinary(Operator op, Operand left, Operand right, Location location);
@@ -195,7 +198,7 @@ class Parser {
   ExpressionId constantOf(Type type, const double* numbers, Location location);
   Operand zero(Type type, Location location);
   Operand abstractOf(Type type, std::vector<double> numbers, Location location);
-  std::optional<std::int64_t> wholeOf(const Operand& operand);
+  std::optional<std::int64_t> constantInteger(const Operand& operand);
 
   // parse_construct.cpp
   Operand construct(Location location);
@@ -245,7 +248,7 @@ class Parser {
 };
 
 template <class Work>
-auto Parser::deeper(const Work& work) {
+auto Parser::withDepth(const Work& work) {
   ++depth_;
   auto made = work();
   --depth_;

@@ -1,6 +1,6 @@
 // Checks that a baked mesh equals what the GPU draws: compares `evaluate` with a vertex shader.
 //
-// With an accurate sine in GLSL instead of the built-in one, positions agree to 1e-5 of `reach`, the size of the numbers in the formula,
+// With an accurate sine in GLSL instead of the built-in one, positions agree to 1e-5 of `reach`, the largest number in the formula,
 // and normals to `degrees` of the warp. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,
 // positions agree to 2e-5, as they do with the oracle in double. SwiftShader's built-in sine is 2e-4 off, and with it positions
 // agree to 1e-3. We skip vertices where the oracle finds a kink nearby, since two roundings may be on different sides, and

@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url'
 
 export const path = (relative) => fileURLToPath(new URL(`../../../${relative}`, import.meta.url))
 
-export const patience = { timeout: 60_000 }
+export const timeoutOptions = { timeout: 60_000 }
 export const desktop = { viewport: { width: 1280, height: 900 } }
 export const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
 
@@ -25,18 +25,18 @@ export function waitUntilMeasured(page) {
         /\d/.test(document.querySelector(`dd.${name}`).textContent),
       ),
     null,
-    patience,
+    timeoutOptions,
   )
 }
 
 export async function choose(page, method) {
   await page.locator('.panel select').nth(1).selectOption(method)
-  await page.locator('figcaption b').getByText(method, { exact: true }).waitFor(patience)
+  await page.locator('figcaption b').getByText(method, { exact: true }).waitFor(timeoutOptions)
   await waitUntilMeasured(page)
 }
 
 /** Returns the figures with these names. */
-export const readOuts = (page, names) =>
+export const readFigures = (page, names) =>
   Promise.all(
     names.map(async (name) => {
       const text = await page.locator(`dd.${name}`).textContent()

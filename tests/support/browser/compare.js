@@ -1,10 +1,11 @@
 // Measures the errors of warped vertices.
 import { angleBetween, distanceBetween } from './oracle.js'
 
-/** The default bound of a warp's errors of normals, in degrees. */
+/** The default max error of a warp's normals, in degrees. */
 export const maxDegrees = 0.02
 
-/** Above this sensitivity a surface is almost collapsed, and float32 cannot represent its direction. */
+/** Max sensitivity (see `warpVertex` in oracle.js) of compared normals. Above it the surface is almost collapsed, and float32 cannot
+ * represent its direction. */
 export const maxSensitivity = 1e5
 
 export const moments = [0, 1234, 98765].map((millis) => ({
@@ -16,7 +17,7 @@ export const moments = [0, 1234, 98765].map((millis) => ({
 
 const vectorAt = (numbers, start) => [numbers[start], numbers[start + 1], numbers[start + 2]]
 
-/** Returns position and normal of vertex i, which has six numbers. */
+/** Returns the position and the normal of vertex i; `results` has 6 floats per vertex. */
 export const positionAndNormal = (results, i) => [
   vectorAt(results, 6 * i),
   vectorAt(results, 6 * i + 3),
@@ -24,21 +25,20 @@ export const positionAndNormal = (results, i) => [
 
 /**
  * Returns the max differences between `results` and `expected`. Both have a list per moment: `results` with six numbers per vertex,
- * `expected` with the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For
- * vertices with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees
- * off. Of the other counts, `kinks` and `collapsing` are vertices whose normals are not compared; `vanishing` are those where the moved
- * surface has no normal, and `notZero` those of them where the result has one.
+ * `expected` with the results of `warpVertex`. Errors of positions are relative to the larger of the distance from the origin and
+ * `reach`, the largest number in the offset's formula. For vertices with a kink nearby, checks only whether the result is finite. Also
+ * returns the counts.
  */
 export function compare(results, expected, reach, bound = maxDegrees) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }
   const counts = {
-    count: 0,
-    kinks: 0,
-    collapsing: 0,
-    vanishing: 0,
+    count: 0, // all vertices
     notFinite: 0,
-    notZero: 0,
-    beyond: 0,
+    kinks: 0, // not compared: a kink nearby
+    vanishing: 0, // expected normal is zero
+    notZero: 0, // expected normal is zero, but the result has a normal
+    collapsing: 0, // normal not compared: surface almost collapsed
+    beyond: 0, // normals off by more than `bound` degrees
   }
   const raise = (name, value) => (worst[name] = Math.max(worst[name], value))
   expected.forEach((moment, k) =>

@@ -13,20 +13,26 @@ function finish(gl) {
   gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
 }
 
-/** Draws a batch of frames and returns the milliseconds of each. The camera moves by a quarter of a degree per frame. */
-async function measureBatch({ gl, frame }, first, { distance, millis, moves }) {
+/** Draws a batch of frames and returns the mean time of a frame, in milliseconds. The camera moves by a quarter of a degree per frame. */
+async function measureBatch({ gl, frame }, first, { distance, millis, moves: isAnimated }) {
   const begin = performance.now()
   for (let i = first; i < first + framesPerBatch; i++) {
     const angle = (i * Math.PI) / 720
     const radius = distance * Math.sin(1.1)
-    const place = [radius * Math.sin(angle), distance * Math.cos(1.1), radius * Math.cos(angle)]
-    await frame(place, millis + (moves ? 16 * i : 0))
+    const cameraPosition = [
+      radius * Math.sin(angle),
+      distance * Math.cos(1.1),
+      radius * Math.cos(angle),
+    ]
+    await frame(cameraPosition, millis + (isAnimated ? 16 * i : 0))
   }
   finish(gl)
   return (performance.now() - begin) / framesPerBatch
 }
 
-/** Measures a mesh with detail, and the same mesh with each side of its triangles split into `pieces` pieces. */
+/**
+ * Measures a mesh with detail (`divided`), and the same mesh with each side of its triangles split into `pieces` pieces (`uniform`).
+ */
 async function measureCase(start, offset, { mesh, pieces, sizes, uniforms, normals, ...settings }) {
   const { millis = 0, ...own } = uniforms
   const options = { normals, ...(Object.keys(own).length && { uniforms: own }) }
@@ -37,6 +43,7 @@ async function measureCase(start, offset, { mesh, pieces, sizes, uniforms, norma
   }
   const times = { divided: [], uniform: [] }
   const triangles = {}
+  // The first two batches warm up.
   for (let i = -2; i < batches; i++)
     for (const [name, each] of Object.entries(meshes)) {
       const time = await measureBatch(each, (i + 2) * framesPerBatch, { millis, ...settings })
@@ -53,10 +60,11 @@ async function measureCase(start, offset, { mesh, pieces, sizes, uniforms, norma
 }
 
 /**
- * Lets the page measure: `start(mesh, offset, options, extent)` warps a mesh and returns { gl, frame(place, millis), triangles(),
- * dispose() }. `frame` draws a frame as seen from `place`, and `triangles` returns how many triangles it had.
+ * Defines `startFrames(folders)` on the page, which defines `measureFrames(settings)`. `start(mesh, offset, options, extent)` must warp a
+ * mesh and return { gl, frame(cameraPosition, millis), triangles(), dispose() }. `frame` draws a frame as seen from `cameraPosition`, and
+ * `triangles` returns how many triangles it had.
  */
-export function offerFrames(start) {
+export function defineFrameGlobals(start) {
   globalThis.startFrames = async (folders) => {
     globalThis.sketchFolders = folders
     const { sketchWarps } = await import('../../warps/sketches.js')

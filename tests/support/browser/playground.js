@@ -5,7 +5,7 @@ import { openPage } from './browser.js'
 import { drawLittle, framesInPlayground } from './frames.js'
 import { serveSources } from './site.js'
 
-const patience = { timeout: 120_000 }
+const timeoutOptions = { timeout: 120_000 }
 
 /** Waits until the edited sketch is shown, or an error. */
 export const waitUntilSettled = (page) =>
@@ -14,7 +14,7 @@ export const waitUntilSettled = (page) =>
       document.querySelector('main')?.ariaBusy === 'false' &&
       document.querySelector('.cm-content') !== null,
     null,
-    patience,
+    timeoutOptions,
   )
 
 /** Returns the complete text in the editor. */
@@ -47,8 +47,8 @@ export async function dragNumber(page, number, pixels) {
 
 /** Returns the frame of the visible picture: a sandboxed frame inside another frame of the playground. */
 export async function visibleFrame(page) {
-  const host = await (await page.waitForSelector('.stage iframe', patience)).contentFrame()
-  const element = await host.waitForSelector('iframe.shown', patience)
+  const host = await (await page.waitForSelector('.stage iframe', timeoutOptions)).contentFrame()
+  const element = await host.waitForSelector('iframe.shown', timeoutOptions)
   return element.contentFrame()
 }
 
@@ -106,7 +106,7 @@ export async function downloadFromMenu(page, title) {
 export async function openFromDisk(page, file, isReady = () => window.frameCount > 1) {
   await (await downloadFromMenu(page, 'Page that opens anywhere')).saveAs(file)
   const opened = await openPage(page.context(), pathToFileURL(file).href)
-  await opened.page.waitForFunction(isReady, null, patience)
+  await opened.page.waitForFunction(isReady, null, timeoutOptions)
   return opened
 }
 

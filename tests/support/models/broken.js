@@ -1,7 +1,7 @@
 // Invalid model files, each with the reason that loadMesh must report.
 import { readGlb, writeGlb } from '../glb.js'
 import { extensionVariants } from './extension-variants.js'
-import { plain, plainVariants } from './gltf-variants.js'
+import { makePlain, plainVariants } from './gltf-variants.js'
 import { packedVariants } from './packed-variants.js'
 import { shapes } from './shapes.js'
 import { textVariants } from './text-variants.js'
@@ -17,7 +17,7 @@ function modifyGlb(file, change) {
   return writeGlb(json, binary)
 }
 
-const cubeFile = (change) => modifyGlb(plain(cube).glb().file, change)
+const cubeFile = (change) => modifyGlb(makePlain(cube).glb().file, change)
 const variant = (variants, name, change) => modifyGlb(variants[name](cube).file, change)
 const firstPrimitive = (json) => json.meshes[0].primitives[0]
 const packedView = (json) =>

@@ -1,5 +1,5 @@
 // glTF files that use extensions or morph targets, each with the triangles that it must have.
-import { as, plain, sparse } from './gltf-variants.js'
+import { makePlain, sparse, writeAs } from './gltf-variants.js'
 import { reverseTriangles, trianglesOf } from './shapes.js'
 
 const morphOffsets = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
@@ -10,7 +10,7 @@ const morphOffsets = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i 
  */
 const makeMorphed = (weights, addTarget) => (shape) => {
   const offsets = morphOffsets(shape)
-  const writer = plain(shape, {
+  const writer = makePlain(shape, {
     mesh: { weights: weights.mesh },
     node: () => (weights.node ? { weights: weights.node } : {}),
     more: (writer) => ({ targets: [{ POSITION: addTarget(writer, offsets) }] }),
@@ -57,7 +57,7 @@ const rotations = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, 
 const makeInstances =
   (names, toArray = (numbers) => Float32Array.from(numbers), more) =>
   (shape) => {
-    const writer = plain(shape, {
+    const writer = makePlain(shape, {
       node: (writer) => {
         writer.extension('EXT_mesh_gpu_instancing')
         const attributes = {
@@ -95,12 +95,12 @@ const addTexture = (extension, texture) => (writer) => {
 }
 
 const requireExtension = (extension) =>
-  as((shape) =>
-    plain(shape, {}, addTexture(extension, { extensions: { [extension]: { source: 0 } } })),
+  writeAs((shape) =>
+    makePlain(shape, {}, addTexture(extension, { extensions: { [extension]: { source: 0 } } })),
   )
 
-const withGlossiness = as((shape) =>
-  plain(shape, {}, (writer) => {
+const withGlossiness = writeAs((shape) =>
+  makePlain(shape, {}, (writer) => {
     const name = 'KHR_materials_pbrSpecularGlossiness'
     writer.extension(name)
     writer.add('materials', { extensions: { [name]: { diffuseFactor: [1, 0.5, 0.25, 1] } } })
@@ -109,8 +109,8 @@ const withGlossiness = as((shape) =>
 )
 
 /**
- * Stores positions as integers: `unit` represents the largest coordinate. A `shift` of 1 adds the largest coordinate to all first, so that
- * the integers can be unsigned.
+ * Stores positions as integers: `unit` represents the largest coordinate. A `shift` of 1 first adds the largest coordinate to all numbers,
+ * so that the integers can be unsigned.
  */
 function quantize(Type, { unit, normalized = false, shift = 0 }) {
   return (shape) => {
@@ -119,7 +119,7 @@ function quantize(Type, { unit, normalized = false, shift = 0 }) {
       Math.round(((x / range + shift) / (1 + shift)) * unit),
     )
     const step = (range * (1 + shift)) / (normalized ? 1 : unit)
-    const writer = plain(shape, {
+    const writer = makePlain(shape, {
       own: (writer) => {
         writer.extension('KHR_mesh_quantization')
         const padded = new Type((numbers.length / 3) * 4)
@@ -176,14 +176,14 @@ export const extensionVariants = {
     (numbers) => Int8Array.from(numbers, (x) => Math.round(x * 127)),
     { normalized: true },
   ),
-  'a hidden node': as((shape) =>
-    plain(shape, {}, (writer) => {
+  'a hidden node': writeAs((shape) =>
+    makePlain(shape, {}, (writer) => {
       writer.extension('KHR_node_visibility')
       writer.node({ mesh: 0, translation: [9, 9, 9], ...hidden })
     }),
   ),
-  'a node below a hidden one': as((shape) =>
-    plain(shape, {}, (writer) => {
+  'a node below a hidden one': writeAs((shape) =>
+    makePlain(shape, {}, (writer) => {
       writer.extension('KHR_node_visibility')
       const child = writer.add('nodes', { mesh: 0 })
       writer.node({ children: [child], ...hidden })

@@ -11,10 +11,15 @@ const addAttributes = (writer, shape, own = {}) => ({
 })
 
 /**
- * Makes a file of one node with one mesh. `node`, `mesh` and `more` have further properties of the node, the mesh and the primitive; `own`
- * is a function that adds other accessors for some attributes; `change` modifies the document before it is written.
+ * Makes a file of one node with one mesh. `mesh` has further properties of the mesh; `node(writer)` and `more(writer)` return those of
+ * the node and of the primitive. `own(writer)` adds other accessors for some attributes, and returns them by attribute. `change` modifies
+ * the document before it is written.
  */
-function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, change = () => {}) {
+function makePlain(
+  shape,
+  { indices = Uint16Array, node, mesh, more, own } = {},
+  change = () => {},
+) {
   const writer = new GltfWriter()
   const corners = indices && { indices: writer.accessor(indices.from(shape.indices), 'SCALAR') }
   const attributes = addAttributes(writer, shape, own?.(writer))
@@ -28,7 +33,7 @@ function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, cha
  * Returns a function that maps a shape to the file that `make` makes. `form` is the method of the writer that writes it; `move` moves the
  * expected corners.
  */
-const as =
+const writeAs =
   (make, form = 'glb', move) =>
   (shape) => ({ ...make(shape)[form](), triangles: trianglesOf(shape, move) })
 
@@ -92,7 +97,7 @@ function interleave(shape, byteStride) {
       TEXCOORD_0: addAccessor(24, 'VEC2'),
     }
   }
-  return plain(shape, { own })
+  return makePlain(shape, { own })
 }
 
 /** Adds an accessor whose elements from index 1 on are sparse. Without `hasBase`, it has no view, so that the first element is zero. */
@@ -101,6 +106,7 @@ export function sparse(writer, numbers, type, width, hasBase, more) {
   const indices = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)
   const componentType = type === 'SCALAR' ? 5123 : 5126
   const base = numbers.slice()
+  // Values that the sparse ones must replace.
   base.fill(7, width)
   return writer.add('accessors', {
     ...(hasBase && { bufferView: writer.view(base) }),
@@ -127,19 +133,19 @@ const sparsePositions = (startsAtZero) => (original) => {
   const own = (writer) => ({
     POSITION: sparse(writer, shape.positions, 'VEC3', 3, !startsAtZero, extent(shape.positions)),
   })
-  return { ...plain(shape, { own }).glb(), triangles: trianglesOf(shape) }
+  return { ...makePlain(shape, { own }).glb(), triangles: trianglesOf(shape) }
 }
 
 /** Reorders the triangles and their corners so that vertex 0 is first. */
 function startAtVertex0(indices) {
-  const place = indices.indexOf(0)
-  const start = place - (place % 3)
-  const first = [0, 1, 2].map((k) => indices[start + ((place + k) % 3)])
+  const position = indices.indexOf(0)
+  const start = position - (position % 3)
+  const first = [0, 1, 2].map((k) => indices[start + ((position + k) % 3)])
   return Uint16Array.from([...first, ...indices.slice(0, start), ...indices.slice(start + 3)])
 }
 
-const sparseIndices = as((shape) =>
-  plain(shape, {
+const sparseIndices = writeAs((shape) =>
+  makePlain(shape, {
     indices: null,
     more: (writer) => ({
       indices: sparse(writer, startAtVertex0(shape.indices), 'SCALAR', 1, false),
@@ -154,7 +160,7 @@ const applyMatrix = ([x, y, z]) => [-y + 3, 2 * x + 4, 1.5 * z + 5]
 function makeSkinned(shape) {
   const count = shape.positions.length / 3
   const repeat = (Type, four) => Type.from({ length: 4 * count }, (_, i) => four[i % 4])
-  return plain(shape, {}, (writer) => {
+  return makePlain(shape, {}, (writer) => {
     Object.assign(writer.json.meshes[0].primitives[0].attributes, {
       JOINTS_0: writer.accessor(repeat(Uint8Array, [0, 1, 0, 0]), 'VEC4'),
       WEIGHTS_0: writer.accessor(repeat(Float32Array, [0.25, 0.75, 0, 0]), 'VEC4'),
@@ -168,38 +174,42 @@ function makeSkinned(shape) {
 }
 
 export const plainVariants = {
-  'a GLB': as(plain),
-  'a data URI': as(plain, 'embedded'),
-  'an external buffer': as(plain, 'external'),
-  '8-bit indices': as((shape) => plain(shape, { indices: Uint8Array })),
-  '32-bit indices': as((shape) => plain(shape, { indices: Uint32Array })),
-  'no indices': as((shape) => plain(removeIndices(shape), { indices: null })),
-  'a strip': as((shape) =>
-    plain({ ...shape, indices: makeStrip(shape.indices) }, { more: () => ({ mode: 5 }) }),
+  'a GLB': writeAs(makePlain),
+  'a data URI': writeAs(makePlain, 'embedded'),
+  'an external buffer': writeAs(makePlain, 'external'),
+  '8-bit indices': writeAs((shape) => makePlain(shape, { indices: Uint8Array })),
+  '32-bit indices': writeAs((shape) => makePlain(shape, { indices: Uint32Array })),
+  'no indices': writeAs((shape) => makePlain(removeIndices(shape), { indices: null })),
+  'a strip': writeAs((shape) =>
+    makePlain({ ...shape, indices: makeStrip(shape.indices) }, { more: () => ({ mode: 5 }) }),
   ),
-  fans: as(makeFans),
-  'interleaved attributes': as((shape) => interleave(shape, 32)),
-  'a stride with gaps': as((shape) => interleave(shape, 44)),
+  fans: writeAs(makeFans),
+  'interleaved attributes': writeAs((shape) => interleave(shape, 32)),
+  'a stride with gaps': writeAs((shape) => interleave(shape, 44)),
   'sparse positions': sparsePositions(false),
   'sparse positions without a view': sparsePositions(true),
   'sparse indices without a view': sparseIndices,
   'a negative scale': (shape) => ({
-    ...plain(shape, { node: () => ({ scale: [-2, 1, 1] }) }).glb(),
+    ...makePlain(shape, { node: () => ({ scale: [-2, 1, 1] }) }).glb(),
     triangles: reverseTriangles(trianglesOf(shape, ([x, y, z]) => [-2 * x, y, z])),
   }),
-  'a matrix': as((shape) => plain(shape, { node: () => ({ matrix }) }), 'glb', applyMatrix),
-  'nested nodes': as(
+  'a matrix': writeAs(
+    (shape) => makePlain(shape, { node: () => ({ matrix }) }),
+    'glb',
+    applyMatrix,
+  ),
+  'nested nodes': writeAs(
     (shape) =>
-      plain(shape, {}, (writer) => {
+      makePlain(shape, {}, (writer) => {
         writer.add('nodes', { translation: [0, 0, 1], children: [0] })
         writer.json.scenes[0].nodes = [writer.add('nodes', { scale: [1, 3, 1], children: [1] })]
       }),
     'glb',
     ([x, y, z]) => [x, 3 * y, z + 1],
   ),
-  'two bones': as(makeSkinned, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
-  '8-bit vertex colours': as((shape) =>
-    plain(shape, {}, (writer) => {
+  'two bones': writeAs(makeSkinned, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
+  '8-bit vertex colours': writeAs((shape) =>
+    makePlain(shape, {}, (writer) => {
       const colors = new Uint8Array((shape.positions.length / 3) * 4).fill(128)
       writer.json.meshes[0].primitives[0].attributes.COLOR_0 = writer.accessor(colors, 'VEC4', {
         normalized: true,
@@ -208,4 +218,4 @@ export const plainVariants = {
   ),
 }
 
-export { plain, as }
+export { makePlain, writeAs }

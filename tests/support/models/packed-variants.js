@@ -1,7 +1,7 @@
 // glTF files compressed by the encoders of the packages meshoptimizer and draco3dgltf, each with the triangles that it must have.
 import draco from 'draco3dgltf'
 import { MeshoptEncoder } from 'meshoptimizer'
-import { plain } from './gltf-variants.js'
+import { makePlain } from './gltf-variants.js'
 import { trianglesOf } from './shapes.js'
 import { GltfWriter, bytesOf, componentTypes, extent, widths } from './writer.js'
 
@@ -193,7 +193,7 @@ function encodeDraco({ positions, normals, uvs, indices }, { method, bits }) {
 function makeDraco({ isOptional, tolerance = 1e-5, ...encoding }) {
   return (shape) => {
     const { bytes, attributes } = encodeDraco(shape, encoding)
-    const { file } = plain(shape, {}, (writer) => {
+    const { file } = makePlain(shape, {}, (writer) => {
       writer.extension('KHR_draco_mesh_compression', isOptional)
       const extension = { bufferView: writer.view(bytes), attributes }
       writer.json.meshes[0].primitives[0].extensions = { KHR_draco_mesh_compression: extension }

@@ -129,16 +129,16 @@
     typeof value === 'number' ? value : value.setAlpha ? [...value._array] : numbersOf(value)
 
   /**
-   * Replaces the values of the option `uniforms` by functions, if controls can show the values. `isCopied` is true for a host that reads a
+   * Replaces the values of the option `uniforms` by functions, if controls can show the values. `readsOnce` is true for a host that reads a
    * value once, so that later changes by the sketch have no effect.
    */
-  playground.withSliders = (options, { isCopied }) => {
+  playground.withSliders = (options, { readsOnce }) => {
     if (!options?.uniforms || typeof options.uniforms !== 'object') return options
     const entries = Object.entries(options.uniforms).map(([name, value]) => {
       const source = toControlValue(value)
       if (source === undefined) return [name, value]
       if (!uniforms.some((uniform) => uniform.name === name)) uniforms.push({ name, value: source })
-      const unmoved = isCopied ? copyValue(value) : value
+      const unmoved = readsOnce ? copyValue(value) : value
       return [
         name,
         () => {

@@ -1,4 +1,4 @@
-// Replaces 'warpjet/three' in the frame of a three.js sketch: records each warp that the sketch makes, and draws normals as colours if
+// Replaces 'warpjet/three' in the iframe of a three.js sketch: records each warp that the sketch makes, and draws normals as colours if
 // the page asks for that.
 import { MeshNormalMaterial, ShaderLib } from 'three'
 import { compileWarp } from 'warpjet/itself'
@@ -10,7 +10,7 @@ const { playground } = window
 const drawsNormals = playground.view === 'normals'
 
 export function warp(object, offset, options, ...rest) {
-  const withSliders = playground.withSliders(options, { isCopied: false })
+  const withSliders = playground.withSliders(options, { readsOnce: false })
   const finish = drawsNormals ? showNormals(object) : () => {}
   const warped = warpjet.warp(object, offset, withSliders, ...rest)
   finish()
@@ -23,7 +23,7 @@ export function warp(object, offset, options, ...rest) {
 }
 
 export function warpMaterial(material, offset, options, ...rest) {
-  const withSliders = playground.withSliders(options, { isCopied: false })
+  const withSliders = playground.withSliders(options, { readsOnce: false })
   const drawnMaterial = drawsNormals && !options?.share ? normalsOf(material) : material
   const warped = warpjet.warpMaterial(drawnMaterial, offset, withSliders, ...rest)
   if (drawnMaterial !== material) copyOwnProperties(warped.material, material)
@@ -39,9 +39,14 @@ export function warpMaterial(material, offset, options, ...rest) {
   return warped
 }
 
-function record(maker, offset, { space = 'local', uniforms = {}, surfaceVariation } = {}, objects) {
+function record(
+  method,
+  offset,
+  { space = 'local', uniforms = {}, surfaceVariation } = {},
+  objects,
+) {
   playground.record(
-    maker,
+    method,
     () =>
       playground.withLines(
         compileWarp(offset, {
@@ -65,6 +70,7 @@ function record(maker, offset, { space = 'local', uniforms = {}, surfaceVariatio
 /** Converts a value of three.js to one that `compileWarp` accepts. */
 function toPlainValue(valueOrFunction) {
   const value = typeof valueOrFunction === 'function' ? valueOrFunction() : valueOrFunction
+  // Only the shader code is used, so the size of the image does not matter.
   if (value?.isTexture) return { width: 1, height: 1 }
   return value?.toArray?.() ?? value
 }
@@ -80,7 +86,7 @@ function shapesOf(objects) {
       mesh.morphTargetInfluences
     )
       throw new Error(
-        `The shape cannot be saved: ${mesh.name || `the ${mesh.type}`} also uses instances, bones or morph targets.`,
+        `The shape cannot be saved: ${mesh.name || `the ${mesh.type}`} has instances, bones or morph targets, which cannot be saved.`,
       )
     mesh.updateWorldMatrix(true, false)
     const { positions, normals, uvs, indices } = warpjet.fromBufferGeometry(mesh.geometry)
@@ -117,7 +123,8 @@ function normalsOf(material) {
   return normals
 }
 
-// three.js sets uniforms for every property of a material, such as an emissive colour.
+// copyOwnProperties gives a MeshNormalMaterial properties such as `emissive`. three.js then sets their uniforms, so its shader must have
+// them.
 if (drawsNormals)
   ShaderLib.normal.uniforms = { ...ShaderLib.physical.uniforms, ...ShaderLib.normal.uniforms }
 

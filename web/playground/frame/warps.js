@@ -7,7 +7,7 @@
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, options, ...rest) {
-      const withSliders = playground.withSliders(options, { isCopied: true })
+      const withSliders = playground.withSliders(options, { readsOnce: true })
       const warp = createWarp.call(this, offset, withView(withSliders), ...rest)
       const { surfaceVariation = true, space = 'local' } = options ?? {}
       playground.record(

@@ -1,6 +1,6 @@
 // Draws frames of warped shapes with p5 2.x, for `npm run bench -- detail-frames`.
 import '/dist/p5.js'
-import { offerFrames, size } from '../detail-frames.js'
+import { defineFrameGlobals, size } from '../detail-frames.js'
 
 p5.disableFriendlyErrors = true
 
@@ -44,7 +44,7 @@ function shapeOf({ positions, normals, indices }) {
   })
 }
 
-offerFrames((mesh, offset, options, extent) => {
+defineFrameGlobals((mesh, offset, options, extent) => {
   const shape = shapeOf(mesh)
   const warp = sketch.createWarp(offset, options)
   return {

@@ -1,7 +1,7 @@
 // Draws frames of warped meshes with three.js, for `npm run bench -- detail-frames`.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
-import { offerFrames, size } from '../../detail-frames.js'
+import { defineFrameGlobals, size } from '../../detail-frames.js'
 
 const renderer = new THREE.WebGLRenderer({ antialias: false })
 renderer.setSize(size, size)
@@ -15,7 +15,7 @@ function geometryOf({ positions, normals, indices }) {
   return geometry
 }
 
-offerFrames((mesh, offset, options, extent) => {
+defineFrameGlobals((mesh, offset, options, extent) => {
   const material = new THREE.MeshNormalMaterial({ side: THREE.DoubleSide })
   const scene = new THREE.Scene()
   const object = new THREE.Mesh(geometryOf(mesh), material)

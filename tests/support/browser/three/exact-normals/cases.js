@@ -487,7 +487,7 @@ export const unsupported = {
       ),
   },
   'a normal by differences in a ShaderMaterial': {
-    message: /makes no varying of the attribute normal/,
+    message: /writes no varying that depends on the attribute normal/,
     material: () =>
       makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;
@@ -502,7 +502,7 @@ void main() {
   },
   'a normal from neighbors along a tangent': {
     message:
-      /line 7, column 3: the statement "vec3 neighbor = .*" makes something of normal and position together/,
+      /line 7, column 3: the statement "vec3 neighbor = .*" computes a value from both normal and position/,
     material: () =>
       makeShaderMaterial(`uniform float uTime;
 varying vec3 vNormal;

@@ -5,25 +5,25 @@
 import { WarpError } from '../../errors/errors.js'
 import { chunkSource } from '../shader-source.js'
 import { anchor } from '../weave.js'
-import { assignmentsTo, countOf, isAssigned, plainLines, withoutComments } from './plain-source.js'
+import { assignmentsTo, countOf, isAssigned, plainLines, removeComments } from './plain-source.js'
 
 /** The name of the function that we make of `main`, and read. */
 export const movedFunction = 'warpjetMoved'
 
 /** The statements of a shader that compute the position of a vertex, and the expression for that position in the space of the geometry. */
-export interface MovedBody {
+export interface PositionCode {
   body: string
   result: string
   /** Matrices that are replaced by the identity: `result` is the position before they are applied. */
-  hidden: readonly string[]
+  identityMatrices: readonly string[]
   /** The message about statements that are ignored, if there are any. */
   note?: string
 }
 
 /** Reads `main`, which follows the declarations `top`. `isInstancing` is true for a shader of an InstancedMesh. */
-export function movedBody(main: string, top: string, isInstancing: boolean): MovedBody {
-  const user = withoutProjection(main)
-  const moved = bodyOf(
+export function readPositionCode(main: string, top: string, isInstancing: boolean): PositionCode {
+  const user = removeProjection(main)
+  const moved = extractPosition(
     main.replace(
       afterProjection,
       (statement) => `${statement.slice(0, -1).replace(/[^\n]/g, ' ')};`,
@@ -36,7 +36,7 @@ export function movedBody(main: string, top: string, isInstancing: boolean): Mov
     ? moved
     : {
         ...moved,
-        note: 'changes gl_Position after projectionMatrix, which does not count for its normals.',
+        note: 'changes gl_Position after projectionMatrix, which its normals ignore.',
       }
 }
 
@@ -44,19 +44,24 @@ export function movedBody(main: string, top: string, isInstancing: boolean): Mov
 const afterProjection =
   /(?<![.\w])gl_Position\s*(?:\.\w+\s*[-+*/]?=(?!=)|[-+*/]=|=(?!=)[^;]*\bgl_Position\b)[^;]*;/g
 
-/** `user` is `main` without the lines by which three.js' chunks apply matrices. */
-function bodyOf(main: string, user: string, top: string, isInstancing: boolean): MovedBody {
+/** Reads `main`. `user` is `main` without the lines by which three.js' chunks apply matrices. */
+function extractPosition(
+  main: string,
+  user: string,
+  top: string,
+  isInstancing: boolean,
+): PositionCode {
   const end = anchor.exec(main)?.index
   const open = (text: string) =>
     text.replace(/\bvoid\s+main\s*\([^)]*\)/, `vec3 ${movedFunction}()`)
   if (end !== undefined && !isAssigned(user, 'gl_Position') && !isAssigned(user, 'mvPosition'))
-    return { body: open(main.slice(0, end)), result: 'vec3( transformed )', hidden: [] }
+    return { body: open(main.slice(0, end)), result: 'vec3( transformed )', identityMatrices: [] }
   rejectOtherProjections(`${top}\n${user}`)
   // Three's own lines apply the matrices of instances to normals, whatever happens to the position.
   const isInstanced = /\btransformedNormal\b/.test(main)
     ? isInstancing
     : countOf(user, 'instanceMatrix') > 0
-  return { body: open(main).replace(/\}\s*$/, ''), ...chainOf(user, top, isInstanced) }
+  return { body: open(main).replace(/\}\s*$/, ''), ...findLastMatrix(user, top, isInstanced) }
 }
 
 /** Throws for a position that is moved after the projection, and for a shader that uses `projectionMatrix` in another way. */
@@ -64,12 +69,12 @@ function rejectOtherProjections(text: string) {
   const reads = text.match(/(?<![.\w])projectionMatrix\b(?!\s*\*)/)
   if (reads)
     throw new WarpError(
-      'the vertex shader reads projectionMatrix by itself, while exactNormals takes the position in front of it; write gl_Position = projectionMatrix * position.',
+      'the vertex shader reads projectionMatrix without multiplying it by the position, so exactNormals cannot find the position; write gl_Position = projectionMatrix * position.',
     )
   for (const [, name] of text.matchAll(/\bvec4\s+(\w+)\s*=\s*[^;]*\bprojectionMatrix\s*\*/g))
     if ([...text.matchAll(assignmentsTo(name!))].length > 1)
       throw new WarpError(
-        `the vertex shader changes ${name} after projectionMatrix; move the vertex in front of that.`,
+        `the vertex shader changes ${name} after projectionMatrix; move the vertex before that.`,
       )
 }
 
@@ -81,9 +86,9 @@ const projectionChunks = [
   'worldpos_vertex',
   'shadowmap_vertex',
   'envmap_vertex',
-].map((name) => plainLines(withoutComments(chunkSource(name))))
+].map((name) => plainLines(removeComments(chunkSource(name))))
 
-export const withoutProjection = (main: string) =>
+export const removeProjection = (main: string) =>
   projectionChunks.reduce(
     (text, chunk) => (chunk ? text.replaceAll(chunk, '') : text),
     plainLines(main),
@@ -93,7 +98,11 @@ export const withoutProjection = (main: string) =>
  * Finds the last matrix that is applied to the finished position, and the expression for the position before it. Earlier matrices stay in
  * the computation, since the shader may move vertices between them.
  */
-function chainOf(user: string, top: string, isInstanced: boolean): Omit<MovedBody, 'body'> {
+function findLastMatrix(
+  user: string,
+  top: string,
+  isInstanced: boolean,
+): Omit<PositionCode, 'body'> {
   const text = `${top}\n${user}`
   const isLast = (matrix: string, others: readonly string[]) =>
     countOf(text, matrix) === 1 &&
@@ -108,20 +117,23 @@ function chainOf(user: string, top: string, isInstanced: boolean): Omit<MovedBod
     return hidesInstance
       ? {
           result: 'warpjetClip.xyz',
-          hidden: ['projectionMatrix', 'modelViewMatrix', 'instanceMatrix'],
+          identityMatrices: ['projectionMatrix', 'modelViewMatrix', 'instanceMatrix'],
         }
       : {
           result: isInstanced
             ? '( inverse( instanceMatrix ) * warpjetClip ).xyz'
             : 'warpjetClip.xyz',
-          hidden: ['projectionMatrix', 'modelViewMatrix'],
+          identityMatrices: ['projectionMatrix', 'modelViewMatrix'],
         }
   }
   const toObject = (matrix: string) =>
     `( inverse( ${matrix}${isInstanced ? ' * instanceMatrix' : ''} ) * warpjetClip ).xyz`
   if (isLast('viewMatrix', ['modelViewMatrix']))
-    return { result: toObject('modelMatrix'), hidden: ['projectionMatrix', 'viewMatrix'] }
-  return { result: toObject('( viewMatrix * modelMatrix )'), hidden: ['projectionMatrix'] }
+    return { result: toObject('modelMatrix'), identityMatrices: ['projectionMatrix', 'viewMatrix'] }
+  return {
+    result: toObject('( viewMatrix * modelMatrix )'),
+    identityMatrices: ['projectionMatrix'],
+  }
 }
 
 /** Tests whether nothing changes the product of a matrix and a position before it reaches `gl_Position`. */
