@@ -104,7 +104,15 @@ async function getShaders({ scene, camera, mesh }) {
   return shaders
 }
 
-window.bench = { modes: Object.keys(modes), open, first, frames }
+/** Returns the shader code of a showcase after its first frame. */
+async function shaders(name, mode, options) {
+  const showcase = makeShowcase(name, mode, options)
+  await draw(showcase, 1)
+  const { vertexShader, fragmentShader } = await getShaders(showcase)
+  return { vertexShader, fragmentShader }
+}
+
+window.bench = { modes: Object.keys(modes), open, first, frames, shaders }
 // The browser drops the device if nothing refers to it.
 window.gpu = navigator.gpu
 document.title = 'ready'
