@@ -45,7 +45,9 @@ export class MachineCode {
     private readonly written: WrittenCode,
   ) {}
 
-  /** Compiles a program; returns `null` if it is too long. Throws if the engine compiles no code. */
+  /**
+   * Compiles a program; returns `null` if it is too long. Throws if the JavaScript engine forbids to compile wasm, such as by a page's CSP.
+   */
   static compile(
     program: Program,
     wanted: readonly number[],
@@ -113,7 +115,9 @@ export class MachineCode {
 class Views {
   private readonly views: Float32Array[] = []
 
-  /** Returns the view of index `i`: the previous one if it shows the same part, as it mostly does. A view becomes empty if the memory grows. */
+  /**
+   * Returns the view of index `i`: the previous one if it shows the same part, as it mostly does. A view becomes empty if the memory grows.
+   */
   get(i: number, floats: Float32Array, start: number, count: number): Float32Array {
     const last = this.views[i]
     if (last?.length === count && last.byteOffset === 4 * start) return last
@@ -125,7 +129,7 @@ class Views {
 interface Batches {
   /** The length of the array when the views were made. */
   length: number
-  /** The numbers per vertex. */
+  /** The number of floats per vertex. */
   size: number
   views: readonly Float32Array[]
 }

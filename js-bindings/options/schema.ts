@@ -21,7 +21,10 @@ export type OptionsOf<All extends Kinds> = {
   [Name in keyof All]?: InputOf<All[Name]>
 }
 
-/** Makes the kind of an object of options. A schema is a kind itself, so schemas nest. `advice` says what to write instead of an unknown option. */
+/**
+ * Makes the kind of an object of options. A schema is a kind itself, so schemas nest. `advice` says what to write instead of an unknown
+ * option.
+ */
 export const object = <All extends Kinds>(
   kinds: All,
   advice?: (name: string) => string,

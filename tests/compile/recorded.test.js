@@ -172,7 +172,7 @@ describe('labels in different spellings are one variable', () => {
         (glsl) => glsl.vec2Param('p.xy'),
         (glsl) => glsl.vec2Param('p.yz'),
       ),
-      /vec2Param: "p\.xy" was read before "p\.yz" and may be a part of it; read the vector of both first/,
+      /vec2Param: "p\.xy" was read before "p\.yz", which may have the same components; read the whole vector first/,
     )
     throwsWarpError(
       compileBoth(

@@ -109,7 +109,7 @@ test('rejects vectors of different sizes', () => {
 test('rejects divisions by zero', () => {
   throwsWarpError(
     offset(({ position }) => position.div(0)),
-    /div: it divides by zero/,
+    /div: a divisor is zero/,
   )
 })
 
@@ -384,6 +384,6 @@ test('stops an endless loop with a message', { timeout: 60_000 }, () => {
     offset(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)
     }),
-    /more than four million operations; does a loop never end/,
+    /more than four million operations; check for an endless loop/,
   )
 })
