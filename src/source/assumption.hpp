@@ -1,5 +1,5 @@
-// What follows from the truth of a condition: a branch knows it, so that a choice that was made by
-// the same condition, or by a part of it, is known there.
+// An assumption is what follows from the truth of a condition. A branch knows it, so that a choice
+// that was made by the same condition, or by a part of it, is known there.
 #pragma once
 
 #include <optional>
