@@ -87,11 +87,5 @@ target_link_libraries(fuzz_seeds PRIVATE warpjet_core)
 # Prints the tables from which `npm run reference` generates the types and the reference of operations.
 add_executable(warpjet_table EXCLUDE_FROM_ALL .scripts/reference/table.cpp)
 target_include_directories(warpjet_table PRIVATE js-bindings/wasm)
+target_include_directories(warpjet_table SYSTEM PRIVATE ${libraries_folder})
 target_link_libraries(warpjet_table PRIVATE warpjet_mesh warpjet_core)
-
-# The native baseline of `npm run bench:evaluate`.
-add_executable(warpjet_bench_evaluate EXCLUDE_FROM_ALL .scripts/bench/evaluate.cpp
-               src/eval/blocks.cpp src/eval/each_lane.cpp src/eval/registers.cpp src/graph/schedule.cpp src/ops/ops.cpp src/ops/interval.cpp
-               src/ops/interval_functions.cpp src/ops/interval_steps.cpp src/ops/ints.cpp)
-target_include_directories(warpjet_bench_evaluate PRIVATE src)
-target_compile_options(warpjet_bench_evaluate PRIVATE -Wno-stringop-overflow)  # GCC 12 at -O3 reports a false positive

@@ -13,7 +13,7 @@ import { setup } from './setup.mjs'
 
 const scripts = [
   ...['build.mjs', 'vite.library.mjs', 'tsconfig.types.json'].map((name) => `.scripts/${name}`),
-  ...walk('.scripts/lib', /^(?:cmake|declarations|embind-types|entries|vite|wasm-signatures)/),
+  ...walk('.scripts/lib', /^(?:cmake|declarations|embind-types|entries|vite)/),
   'package-lock.json',
 ]
 const generated = 'js-bindings/generated'

@@ -2,12 +2,12 @@
 // in .build/fuzz/corpus, where the next run continues. The search of `npm test` starts from scratch each time.
 import { spawn } from 'node:child_process'
 import { existsSync, mkdirSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { parseArgs } from 'node:util'
 import { ownFunctions } from '../tests/glsl/own.js'
 import { blocks, values } from '../tests/glsl/values.js'
 import { ownFunctions as ownWgslFunctions } from '../tests/wgsl/own.js'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { path, walk } from './lib/files.mjs'
+import { parseOptions } from './lib/options.mjs'
 import { capture, run } from './lib/run.mjs'
 import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
@@ -130,15 +130,11 @@ if (isMain(import.meta))
       seconds,
       target,
       seeds: isSeeding,
-    } = parseArgs({
-      options: {
-        seconds: { type: 'string', default: '60' },
-        target: { type: 'string' },
-        seeds: { type: 'boolean' },
-      },
-    }).values
-    if (!/^[1-9]\d*$/.test(seconds))
-      throw new Stop(`Expected a whole number of --seconds from 1, got ${seconds}.`)
+    } = parseOptions(
+      process.argv.slice(2),
+      { seconds: 60 },
+      { target: { type: 'string' }, seeds: { type: 'boolean' } },
+    )
     if (target !== undefined && !targets[target])
       throw new Stop(`Expected a target of ${Object.keys(targets).join(', ')}, got ${target}.`)
     await setup()

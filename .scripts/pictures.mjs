@@ -1,7 +1,7 @@
 // npm run pictures: draws each example as web/posters/*.webp, which the gallery shows before any script runs; the first page's warp
 // (`hero`); and the pictures of web/docs/composition.md (`composition.png`) and detail.md (`detail.webp`). With names after `--`, draws
 // only those. A simulated clock decides which moment of a sketch is drawn, so that a slow machine draws the same picture.
-import { mkdirSync, writeFileSync } from 'node:fs'
+import { writeFileSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { createServer } from 'vite'
 import { sections } from '../web/catalogue.js'
@@ -62,59 +62,35 @@ async function packPicture({ png, width, height, maxBytes }) {
   }
 }
 
-async function drawPoster(browser, url, name) {
-  const page = await browser.newPage({
-    viewport: name.startsWith('three-') ? { width, height } : { width: 640, height: 480 },
+const pack = async (page, png, size) =>
+  Buffer.from(await page.evaluate(packPicture, { png, ...size }), 'base64')
+
+async function drawPoster(page, url, name) {
+  await page.addInitScript(simulateClock, moments[name] ?? 1500)
+  await page.goto(`${url}examples/${name}/gallery.html`, waitOptions)
+  await page.waitForFunction(() => window.frameCount >= 3, null, waitOptions)
+  // Hides the panels of the sketch.
+  await page.addStyleTag({
+    content: '.lil-gui, body > div[style*="z-index"] { display: none !important }',
   })
-  try {
-    await page.addInitScript(simulateClock, moments[name] ?? 1500)
-    await page.goto(`${url}examples/${name}/gallery.html`, waitOptions)
-    await page.waitForFunction(() => window.frameCount >= 3, null, waitOptions)
-    // Hides the panels of the sketch.
-    await page.addStyleTag({
-      content: '.lil-gui, body > div[style*="z-index"] { display: none !important }',
-    })
-    const png = await page.screenshot({ timeout: 120_000 })
-    const size = { width, height, maxBytes }
-    const bytes = await page.evaluate(packPicture, { png: png.toString('base64'), ...size })
-    writeFileSync(path(`web/posters/${name}.webp`), Buffer.from(bytes, 'base64'))
-    good(`web/posters/${name}.webp`)
-  } finally {
-    await page.close()
-  }
+  const png = await page.screenshot({ timeout: 120_000 })
+  return pack(page, png.toString('base64'), { width, height, maxBytes })
 }
 
 /** Draws the first page's own warp at rest, on a transparent background. */
-async function drawHero(browser, url) {
-  const page = await browser.newPage({
-    viewport: { width: 1280, height: 900 },
-    reducedMotion: 'reduce',
-  })
-  try {
-    await page.addInitScript(simulateClock, 0)
-    await page.goto(url, waitOptions)
-    await page.waitForSelector('.hero canvas', waitOptions)
-    await page.waitForTimeout(500)
-    const png = await page.evaluate(
-      () => document.querySelector('.hero canvas').toDataURL('image/png').split(',')[1],
-    )
-    const bytes = await page.evaluate(packPicture, {
-      png,
-      width: 640,
-      height: 640,
-      maxBytes: 30_000,
-    })
-    writeFileSync(path('web/site/hero.webp'), Buffer.from(bytes, 'base64'))
-    good('web/site/hero.webp')
-  } finally {
-    await page.close()
-  }
+async function drawHero(page, url) {
+  await page.addInitScript(simulateClock, 0)
+  await page.goto(url, waitOptions)
+  await page.waitForSelector('.hero canvas', waitOptions)
+  await page.waitForTimeout(500)
+  const png = await page.evaluate(
+    () => document.querySelector('.hero canvas').toDataURL('image/png').split(',')[1],
+  )
+  return pack(page, png, { width: 640, height: 640, maxBytes: 30_000 })
 }
 
 /** Draws examples/composition at the time 0, at which its warps swing out furthest. */
-async function drawComposition(browser, url) {
-  const viewport = { width: 640, height: 480 }
-  const page = await browser.newPage({ viewport, deviceScaleFactor: 1.25 })
+async function drawComposition(page, url) {
   await page.goto(`${url}examples/composition/index.html`, waitOptions)
   await page.waitForFunction(() => window.frameCount >= 1, null, waitOptions)
   await page.evaluate(async () => {
@@ -122,35 +98,38 @@ async function drawComposition(browser, url) {
     window.p5.instance.millis = () => 0
     await window.redraw()
   })
-  await page.screenshot({ path: path('web/docs/composition.png') })
-  await page.close()
-  good('web/docs/composition.png')
+  return page.screenshot()
 }
 
-async function drawDetailPicture(browser, url) {
-  const page = await browser.newPage()
-  const bytes = await drawDetail(page, url)
-  await page.close()
-  writeFileSync(path('web/docs/detail.webp'), Buffer.from(bytes, 'base64'))
-  good('web/docs/detail.webp')
+const sketchSize = { width: 640, height: 480 }
+
+/** Maps a name → the file, the options of the page, and the function that draws the picture there. */
+const pictures = {
+  hero: {
+    file: 'web/site/hero.webp',
+    options: { viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce' },
+    draw: drawHero,
+  },
+  'composition.png': {
+    file: 'web/docs/composition.png',
+    options: { viewport: sketchSize, deviceScaleFactor: 1.25 },
+    draw: drawComposition,
+  },
+  'detail.webp': { file: 'web/docs/detail.webp', draw: drawDetail },
 }
+for (const { name } of sections.flatMap(({ examples }) => examples))
+  pictures[name] = {
+    file: `web/posters/${name}.webp`,
+    options: { viewport: name.startsWith('three-') ? { width, height } : sketchSize },
+    draw: drawPoster,
+  }
 
 await main(async () => {
-  const otherPictures = {
-    hero: drawHero,
-    'composition.png': drawComposition,
-    'detail.webp': drawDetailPicture,
-  }
-  const examples = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
-  const known = [...Object.keys(otherPictures), ...examples]
   const wanted = process.argv.slice(2)
-  const unknown = wanted.find((name) => !known.includes(name))
+  const unknown = wanted.find((name) => !(name in pictures))
   if (unknown)
-    throw new Stop(
-      `Expected names of examples, ${Object.keys(otherPictures).join(' or ')}, got ${unknown}.`,
-    )
+    throw new Stop(`Expected names of ${Object.keys(pictures).join(', ')}, got ${unknown}.`)
   await build()
-  mkdirSync(path('web/posters'), { recursive: true })
   const server = await createServer({
     configFile: path('web/vite.config.js'),
     logLevel: 'warn',
@@ -159,10 +138,14 @@ await main(async () => {
   await server.listen()
   const executablePath = await findBrowser()
   const browser = await chromium.launch({ executablePath, args: softwareFlags })
-  const [url] = server.resolvedUrls.local
   try {
-    for (const name of wanted.length ? wanted : known)
-      await (otherPictures[name] ?? drawPoster)(browser, url, name)
+    for (const name of wanted.length ? wanted : Object.keys(pictures)) {
+      const { file, options, draw } = pictures[name]
+      const page = await browser.newPage(options)
+      writeFileSync(path(file), await draw(page, server.resolvedUrls.local[0], name))
+      await page.close()
+      good(file)
+    }
   } finally {
     await browser.close()
     await server.close()

@@ -1,7 +1,5 @@
-// npm run site: writes the site to .build/site as static files, which work in any folder of any server, and checks its budgets. `-- --time`
-// also measures how soon the first page is interactive.
+// npm run site: writes the site to .build/site as static files, which work in any folder of any server, and checks its budgets.
 import { rmSync } from 'node:fs'
-import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { path, step } from './lib/files.mjs'
 import { withLock } from './lib/lock.mjs'
@@ -12,8 +10,6 @@ import { setup } from './setup.mjs'
 
 export const folder = '.build/site'
 
-const config = { configFile: path('web/vite.config.js'), logLevel: 'warn' }
-
 /** Builds the site. Needs `dist`. */
 export const buildSite = () =>
   withLock(() =>
@@ -22,21 +18,16 @@ export const buildSite = () =>
       outputs: [`${folder}/index.html`, `${folder}/sw.js`],
       work: async () => {
         rmSync(path(folder), { recursive: true, force: true })
-        await viteBuild(config)
+        await viteBuild({ configFile: path('web/vite.config.js'), logLevel: 'warn' })
       },
     }),
   )
 
 if (isMain(import.meta))
   await main(async () => {
-    const { values } = parseArgs({ options: { time: { type: 'boolean' } } })
-    const { chromium } = await setup()
+    await setup()
     await build()
     await buildSite()
     checkSite(folder)
-    if (values.time) {
-      const { checkTimes } = await import('./lib/site-times.mjs')
-      await checkTimes(config, chromium)
-    }
     good(`The site is in ${folder}: put it into any folder of any server.`)
   })

@@ -9,7 +9,7 @@ import { createDetail } from '../../dist/detail.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { servePages } from '../../tests/support/browser/server.js'
 import { p5Versions } from '../../tests/support/browser/sketch.js'
-import { threePagesIn } from '../../tests/support/browser/three/open.js'
+import { threePages } from '../../tests/support/browser/three/open.js'
 import { screenErrors } from '../../tests/support/screen-error.js'
 import { randomNumbers } from '../../tests/support/three-meshes.js'
 import { path } from '../lib/files.mjs'
@@ -46,61 +46,59 @@ function countPieces(mesh, warp, uniforms, distance, size) {
 /** Takes the place of node:fs in the pages. */
 const imports = { 'node:fs': '/tests/support/browser/three/detail/page-fs.js' }
 
-/** Maps a name → a function that opens a page of that host in a browser → { page, close() }. */
+/** Maps a name → a function that opens a page of that host: { page, close() }. */
 const openHost = {
-  async three(browser) {
-    const pages = await threePagesIn(browser)
+  async three() {
+    const pages = await threePages()
     const { page } = await pages.open('three', 'detail/page-frames.js', imports)
     return { page, close: pages.close }
   },
-  async p5(browser) {
+  async p5() {
     const server = await servePages()
+    const browser = await launchBrowser()
     const html = `<!doctype html><body>
       <script type="importmap">${JSON.stringify({ imports })}</script>
       <script src="${p5Versions['2.x']}"></script>
       <script type="module" src="/tests/support/browser/p5-detail/page-frames.js"></script>`
     const { page } = await openPage(browser, server.page(html))
     await page.waitForFunction(() => document.title === 'ready')
-    return { page, close: server.close }
+    return { page, close: () => Promise.all([browser.close(), server.close()]) }
   },
 }
 
-/** Returns the frames of a case while the camera moves, and while the surface moves, too, as a row. */
-async function measureRow(page, settings) {
-  const measureMoving = (moves) =>
-    page.evaluate((settings) => measureFrames(settings), { ...settings, moves })
-  const [still, moving] = [await measureMoving(false), await measureMoving(true)]
-  return {
-    triangles: still.triangles.divided,
-    uniform: still.triangles.uniform,
-    'ms, camera moves': round(still.divided),
-    'ms, uniform': round(still.uniform),
-    ratio: round(still.ratio),
-    'ms, surface moves': round(moving.divided),
-    'ms, uniform ': round(moving.uniform),
-    'ratio ': round(moving.ratio),
-  }
-}
-
-async function measureAll(opened, warps, normals) {
-  const rows = {}
-  for (const { name, warp, sizes, uniforms } of warps)
-    for (const shape of shapes) {
+/** Returns the cases: [{ title, settings }], where `settings` are for `measureFrames` in the page. */
+async function createCases(chosen) {
+  // The lotus has a `param`, which `warp` of three.js does not support.
+  const warps = (await galleryWarps()).filter(
+    ({ name }) => name !== 'lotus' && name.includes(chosen),
+  )
+  return warps.flatMap(({ name, warp, sizes, uniforms }) =>
+    shapes.map((shape) => {
       const size = Math.max(...sizes)
       const distance = 3.2 * size
-      const mesh = scale(meshes[shape], sizes)
-      const pieces = countPieces(mesh, warp, uniforms, distance, size)
-      const plainMesh = Object.fromEntries(
-        Object.entries(mesh).map(([key, list]) => [key, [...list]]),
-      )
-      for (const [host, { page }] of Object.entries(opened)) {
-        const settings = { name, mesh: plainMesh, pieces, sizes, uniforms, normals, distance }
-        const row = await measureRow(page, settings)
-        ;(rows[host] ??= {})[`${name}, ${shape}`] = row
-        say(`${host}, ${name}, ${shape}: ${row.ratio} ${row['ratio ']}`)
+      const scaled = scale(meshes[shape], sizes)
+      const pieces = countPieces(scaled, warp, uniforms, distance, size)
+      const mesh = Object.fromEntries(Object.entries(scaled).map(([key, list]) => [key, [...list]]))
+      return {
+        title: `${name}, ${shape}`,
+        settings: { name, mesh, pieces, sizes, uniforms, distance },
       }
-    }
-  return rows
+    }),
+  )
+}
+
+async function measureRow(page, settings) {
+  const { triangles, divided, uniform, ratio } = await page.evaluate(
+    (settings) => measureFrames(settings),
+    settings,
+  )
+  return {
+    triangles: triangles.divided,
+    uniform: triangles.uniform,
+    ms: round(divided),
+    'ms, uniform': round(uniform),
+    ratio: round(ratio),
+  }
 }
 
 const round = (x) => Number(x.toFixed(2))
@@ -117,28 +115,21 @@ export async function measure(args) {
   const hosts = Object.keys(openHost).filter((host) => host === (values.host ?? host))
   if (!hosts.length)
     throw new Stop(`--host: expected ${Object.keys(openHost).join(' or ')}, got ${values.host}.`)
-  // The lotus has a `param`, which `warp` of three.js does not support.
-  const warps = (await galleryWarps()).filter(
-    ({ name }) => name !== 'lotus' && name.includes(values.warp),
-  )
-  const browser = await launchBrowser()
-  const opened = {}
+  const cases = await createCases(values.warp)
   for (const host of hosts) {
-    opened[host] = await openHost[host](browser)
-    await opened[host].page.evaluate(
-      (folders) => startFrames(folders),
-      readdirSync(path('examples')),
-    )
-  }
-  const rows = await measureAll(opened, warps, values.normals)
-  for (const { close } of Object.values(opened)) await close()
-  await browser.close()
-  for (const host of hosts) {
-    console.table(rows[host])
-    const medianOf = (key) => median(Object.values(rows[host]).map((row) => row[key])).toFixed(2)
-    say(
-      `${host}, medians: ${medianOf('ratio')} if the camera moves, ${medianOf('ratio ')} if the surface moves, too.`,
-    )
+    const { page, close } = await openHost[host]()
+    await page.evaluate((folders) => startFrames(folders), readdirSync(path('examples')))
+    for (const moves of [false, true]) {
+      const rows = {}
+      for (const { title, settings } of cases) {
+        rows[title] = await measureRow(page, { ...settings, normals: values.normals, moves })
+        say(`${host}, ${title}: ${rows[title].ratio}`)
+      }
+      console.table(rows)
+      const ratio = median(Object.values(rows).map((row) => row.ratio))
+      say(`${host}, ${moves ? 'the surface moves, too' : 'the camera moves'}: median ${ratio}.`)
+    }
+    await close()
   }
   say(`Load of the machine: ${loadavg()[0].toFixed(1)}.`)
 }

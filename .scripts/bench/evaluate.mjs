@@ -1,14 +1,8 @@
 // npm run bench -- evaluate: measures how many vertices per second (positions and normals) a warp moves on the CPU: with warp.evaluate,
-// with its interpreter (for engines that forbid compiling), with the same function written by hand in JavaScript, and with the same C++
-// compiled natively with -O3; and how long generating the machine code takes. The last two write into arrays of the caller, as `evaluate`
-// does with its option `out`; without it, `evaluate` creates new arrays in each call.
-import { spawnSync } from 'node:child_process'
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
-import { tmpdir } from 'node:os'
-import { join } from 'node:path'
+// with its interpreter (for engines that forbid compiling), and with the same function written by hand in JavaScript; and how long
+// generating the machine code takes. The function by hand writes into arrays of the caller, as `evaluate` does with its option `out`;
+// without it, `evaluate` creates new arrays in each call.
 import { compileWarp } from '../../dist/warpjet.js'
-import { cmakeBuild } from '../lib/cmake.mjs'
-import { path } from '../lib/files.mjs'
 import { median, time, timesInTurn } from '../lib/median.mjs'
 import { rows, warps } from './evaluate/rows.mjs'
 
@@ -28,7 +22,6 @@ async function interpretedLibrary(offset) {
 }
 
 export async function measure() {
-  await cmakeBuild('release', 'warpjet_bench_evaluate')
   const interpreted = await interpretedLibrary(warps.twist.warp)
   console.log('Millions of vertices a second, and median ratios of neighbours.')
   console.table(rows.map((row) => measureRow(row, interpreted)))
@@ -55,14 +48,12 @@ function measureRow({ name, vertices, rounds }, interpreted) {
   })
   const results = arrays()
   const out = arrays()
-  const native = createNativeRunner(warp, mesh, 1234)
   let moved
   const methods = {
     evaluate: () => time(() => (moved = warp.evaluate(mesh, { uniforms }))),
     'into out': () => time(() => warp.evaluate(mesh, { uniforms, out })),
     interpreter: () => time(() => interpretedWarp.evaluate(mesh, { uniforms })),
     'by hand': () => time(() => byHand(mesh, 1234, results)),
-    native: native.time,
   }
   // Warms up until the engine has used its optimizing compiler.
   for (let i = vertices > 100_000 ? 2 : 20; i > 0; i--) {
@@ -70,7 +61,6 @@ function measureRow({ name, vertices, rounds }, interpreted) {
     methods['into out']()
   }
   const times = timesInTurn(methods, rounds)
-  native.dispose()
   const speeds = Object.entries(times).map(([method, milliseconds]) => [
     method,
     (vertices / median(milliseconds) / 1000).toFixed(2),
@@ -81,8 +71,7 @@ function measureRow({ name, vertices, rounds }, interpreted) {
     vertices,
     ...Object.fromEntries(speeds),
     'by hand / into out': ratio('by hand', 'into out'),
-    'into out / native': ratio('into out', 'native'),
-    'interpreter / native': ratio('interpreter', 'native'),
+    'interpreter / into out': ratio('interpreter', 'into out'),
     'largest difference': largestDifference(moved, results).toExponential(1),
   }
 }
@@ -129,40 +118,4 @@ function largestDifference(moved, results) {
   const maxDifference = (name, size) =>
     results[name].reduce((max, x, i) => Math.max(max, Math.abs(moved[name][i] - x) / size), 0)
   return Math.max(maxDifference('positions', 100), maxDifference('normals', 1))
-}
-
-/** Writes program and mesh into a file. Each run of the native program times one pass over the mesh. */
-function createNativeRunner(warp, { positions, normals }, millis) {
-  const program = warp[Symbol.for('warpjet.program')].program()
-  const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
-  const file = join(folder, 'program')
-  const sizes = program.inputs.map(({ shape: [columns, rows] }) => columns * rows)
-  const header = new Uint32Array([
-    program.words.length,
-    program.instructions,
-    sizes.length,
-    program.inputs.findIndex((input) => input.name === 'millis'),
-    ...sizes,
-  ])
-  const time32 = new Float32Array([millis])
-  const parts = [
-    header,
-    program.words,
-    new Uint32Array([positions.length / 3]),
-    positions,
-    normals,
-    time32,
-  ]
-  writeFileSync(file, Buffer.concat(parts.map((part) => Buffer.from(part.buffer))))
-  return {
-    /** Returns the milliseconds of one pass over the mesh. */
-    time() {
-      const { stdout, status, stderr } = spawnSync(path('.build/release/warpjet_bench_evaluate'), [
-        file,
-      ])
-      if (status !== 0) throw new Error(`${stderr}`)
-      return 1000 * Number(stdout)
-    },
-    dispose: () => rmSync(folder, { recursive: true }),
-  }
 }

@@ -8,6 +8,7 @@ import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { servePages } from '../../tests/support/browser/server.js'
 import { path } from '../lib/files.mjs'
 import { median, time } from '../lib/median.mjs'
+import { openShaderPage } from '../lib/shader-page.mjs'
 
 export async function measure() {
   const original = readFileSync(path('node_modules/glsl-noise/simplex/3d.glsl'), 'utf8')
@@ -46,7 +47,7 @@ function shaderOf({ code, declarations }) {
 async function measureInBrowser(shaders) {
   const server = await servePages()
   const browser = await launchBrowser()
-  const { page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">'))
+  const page = await openShaderPage(browser, server)
   console.log('\nTime to the first frame (compile, link, draw), median of 15 runs in ms')
   console.table(await page.evaluate(measureFirstDraws, shaders))
 
@@ -67,40 +68,23 @@ async function measureInBrowser(shaders) {
 
 /** Runs in a page: measures the first draw of each shader. Each program has a different constant, so that no driver has it cached. */
 function measureFirstDraws(shaders) {
-  const gl = document.createElement('canvas').getContext('webgl2')
-  const attachShader = (program, type, source) => {
-    const shader = gl.createShader(type)
-    gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${source}`)
-    gl.compileShader(shader)
-    gl.attachShader(program, shader)
-  }
+  const scene = new Scene(document.createElement('canvas'), 300)
+  const version = '#version 300 es\nprecision highp float;\n'
   let salt = 1
   const timeDraw = ({ declarations, code }) => {
-    const start = performance.now()
-    const program = gl.createProgram()
-    attachShader(
-      program,
-      gl.VERTEX_SHADER,
-      `out vec3 light;\n${declarations}
+    const vertex = `${version}out vec3 light;\n${declarations}
       void main() {
         vec3 p = vec3(gl_VertexID % 64, gl_VertexID / 64, ${salt++}.5) / 32.0;
         ${code}
         light = n;
         gl_PointSize = 1.0;
         gl_Position = vec4(moved * 0.3, 1.0);
-      }`,
-    )
-    attachShader(
-      program,
-      gl.FRAGMENT_SHADER,
-      'in vec3 light; out vec4 color; void main() { color = vec4(light, 1.0); }',
-    )
-    gl.linkProgram(program)
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
-      throw new Error(gl.getShaderInfoLog(gl.getAttachedShaders(program)[0]))
-    gl.useProgram(program)
-    gl.drawArrays(gl.POINTS, 0, 4096)
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
+      }`
+    const fragment = `${version}in vec3 light; out vec4 color; void main() { color = vec4(light, 1.0); }`
+    const start = performance.now()
+    scene.gl.useProgram(scene.program(vertex, fragment))
+    scene.gl.drawArrays(scene.gl.POINTS, 0, 4096)
+    scene.finish()
     return performance.now() - start
   }
   const times = Object.fromEntries(Object.keys(shaders).map((name) => [name, []]))
@@ -110,7 +94,5 @@ function measureFirstDraws(shaders) {
       // The first draw also starts the renderer.
       if (i > 0) times[name].push(time)
     }
-  return Object.fromEntries(
-    Object.entries(times).map(([name, list]) => [name, list.sort((a, b) => a - b)[7]]),
-  )
+  return Object.fromEntries(Object.entries(times).map(([name, list]) => [name, quantile(list)]))
 }

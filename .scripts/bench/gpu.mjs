@@ -1,46 +1,35 @@
 // npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: times frames with normals at vertices, at pixels, and
 // by four evaluations at each pixel, for the warps of the gallery. `pixel` does not fade noise; `faded`, the default, does, and is
 // measured if it differs. Without a GPU, or with --software, SwiftShader draws, for which a smaller --size suffices.
-import { parseArgs } from 'node:util'
 import { compileWarp } from '../../dist/warpjet.js'
 import { servePages } from '../../tests/support/browser/server.js'
 import { sketchWarps } from '../../tests/warps/sketches.js'
 import { threeWarps } from '../../tests/warps/three-sketches.js'
+import { parseOptions } from '../lib/options.mjs'
+import { openShaderPage } from '../lib/shader-page.mjs'
 import { Stop, say } from '../lib/terminal.mjs'
 import { launchFastest } from './frames/browsers.mjs'
 import { shadersOf } from './gpu/shaders.mjs'
-import { warps as plainWarps } from './pixels.mjs'
 
-function readOptions(args) {
-  const { values } = parseArgs({
-    args,
-    options: {
-      size: { type: 'string', default: '1200' },
-      seconds: { type: 'string', default: '480' },
-      software: { type: 'boolean', default: false },
-      warp: { type: 'string', multiple: true },
-    },
-  })
-  const [size, seconds] = [Number(values.size), Number(values.seconds)]
-  if (!(Number.isInteger(size) && size > 0 && size <= 4096))
-    throw new Stop(`Expected a whole number up to 4096 for --size, got ${values.size}.`)
-  if (!(seconds > 0))
-    throw new Stop(`Expected a positive number for --seconds, got ${values.seconds}.`)
-  return { size, seconds, software: values.software, names: values.warp }
+/** Offset functions of a sphere of radius 1. */
+const plainWarps = {
+  twist: ({ glsl, position: p }) => glsl.rotateY(p.y().mult(1.5)).mult(p).sub(p),
+  wave: ({ glsl, position: p }) => glsl.vec3(p.y().mult(7).sin().mult(0.05), 0, 0),
+  'three sines': ({ glsl, position: p }) =>
+    glsl.vec3(p.y().mult(7).sin(), p.z().mult(7).sin(), p.x().mult(7).sin()).mult(0.05),
+  simplex: ({ glsl, position: p }) => p.mult(glsl.simplex(p.mult(2)).mult(0.2)),
+  worley: ({ glsl, position: p }) => p.mult(glsl.worley(p.mult(2)).x().mult(0.2)),
+  fbm: ({ glsl, position: p }) => p.mult(glsl.fbm(p.mult(2)).mult(0.3)),
+  'fbm of fbm': ({ glsl, position: p }) => p.mult(glsl.fbm(p.add(glsl.fbm(p.mult(2)))).mult(0.3)),
 }
 
 /** Compiles all warps. Returns [{ name, shaders, characters, auto }]. */
 async function compileAll(names) {
-  const plainEntries = Object.entries(plainWarps).map(([name, source]) => [
-    name,
-    (0, eval)(source),
-    {},
-  ])
   const gallery = [...(await sketchWarps()), ...threeWarps()]
   const galleryWarps = gallery
     .filter(({ warp }) => warp)
     .map(({ name, warp, options }) => [name, warp, options?.uniforms])
-  const all = [...plainEntries, ...galleryWarps].map(([name, offset, uniforms]) => {
+  const all = [...Object.entries(plainWarps), ...galleryWarps].map(([name, offset, uniforms]) => {
     const options = { perFrame: true, surfaceVariation: true, uniforms }
     const warp = compileWarp(offset, { ...options, normals: 'vertex' })
     const plain = compileWarp(offset, { ...options, normals: false })
@@ -55,17 +44,18 @@ async function compileAll(names) {
     }
   })
   // After the plain warps, the gallery's are in order of cost: if time is short, most of them are still measured.
-  const first = all.splice(0, plainEntries.length)
+  const first = all.splice(0, Object.keys(plainWarps).length)
   const sorted = [...first, ...all.sort((a, b) => a.characters - b.characters)]
   const unknown = names?.filter((name) => !sorted.some((each) => each.name === name)) ?? []
   if (unknown.length) throw new Stop(`Expected names of warps for --warp, got ${unknown}.`)
   return sorted.filter(({ name }) => !names || names.includes(name))
 }
 
-/** Runs in the page, and defines `measureDraw` and `measureWarp`. */
+/** Runs in the page, and defines `measureWarp`. */
 function prepare(size) {
-  const canvas = new OffscreenCanvas(size, size)
-  const gl = canvas.getContext('webgl2', { antialias: false })
+  const scene = new Scene(document.createElement('canvas'), size)
+  const { gl } = scene
+  gl.disable(gl.DEPTH_TEST)
   const cells = 100
   const indices = new Uint32Array(6 * cells * cells)
   for (let i = 0; i < cells * cells; i++) {
@@ -75,28 +65,9 @@ function prepare(size) {
       6 * i,
     )
   }
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW)
-  gl.viewport(0, 0, size, size)
-
-  function compile({ vertex, fragment }) {
-    const program = gl.createProgram()
-    for (const [type, source] of [
-      [gl.VERTEX_SHADER, vertex],
-      [gl.FRAGMENT_SHADER, fragment],
-    ]) {
-      const shader = gl.createShader(type)
-      gl.shaderSource(shader, source)
-      gl.compileShader(shader)
-      gl.attachShader(program, shader)
-    }
-    gl.linkProgram(program)
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-      const logs = gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader))
-      throw new Error(gl.getProgramInfoLog(program) + logs.join(''))
-    }
-    return program
-  }
+  // The shaders compute the positions from the number of the vertex.
+  const unread = new Float32Array(3 * (cells + 1) ** 2)
+  scene.load({ positions: unread, normals: unread, indices })
 
   /** Sets all uniforms to 0.7. The cost does not depend on their values. */
   function setUniforms(program) {
@@ -109,32 +80,12 @@ function prepare(size) {
     }
   }
 
-  const pixel = new Uint8Array(4)
-  const finish = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel)
-  const time = (program, count, length = indices.length) => {
+  const time = (program, count) => {
     gl.useProgram(program)
     const start = performance.now()
-    for (let i = 0; i < count; i++) gl.drawElements(gl.TRIANGLES, length, gl.UNSIGNED_INT, 0)
-    finish()
+    for (let i = 0; i < count; i++) gl.drawElements(gl.TRIANGLES, scene.count, gl.UNSIGNED_INT, 0)
+    scene.finish()
     return (performance.now() - start) / count
-  }
-
-  const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2')
-
-  /** Returns the share of a batch's time in which the GPU works, by its own clock; `undefined` if the browser has no timer for it. */
-  async function measureGpuShare(program, count) {
-    if (!timer) return undefined
-    const query = gl.createQuery()
-    gl.beginQuery(timer.TIME_ELAPSED_EXT, query)
-    const total = count * time(program, count)
-    gl.endQuery(timer.TIME_ELAPSED_EXT)
-    gl.flush()
-    for (let i = 0; i < 100; i++) {
-      await new Promise((next) => setTimeout(next, 2))
-      if (gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE))
-        return gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6 / total
-    }
-    return undefined
   }
 
   function countPixels() {
@@ -161,25 +112,13 @@ function prepare(size) {
     }
   }
 
-  const median = (times) => times.sort((a, b) => a - b)[times.length >> 1]
-
-  /** Returns the milliseconds that a draw takes when the GPU has nothing to do. */
-  window.measureDraw = () => {
-    const program = compile({
-      vertex: '#version 300 es\nvoid main() { gl_Position = vec4(2.0, 2.0, 0.0, 1.0); }',
-      fragment:
-        '#version 300 es\nprecision highp float;\nout vec4 color_;\nvoid main() { color_ = vec4(1.0); }',
-    })
-    time(program, 1, 3)
-    return median(Array.from({ length: 9 }, () => time(program, maxCount, 3)))
-  }
-
-  window.measureWarp = async (shaders, milliseconds) => {
+  window.measureWarp = (shaders, milliseconds) => {
     const end = performance.now() + milliseconds
     const methods = Object.entries(shaders).map(([name, sources]) => {
+      gl.clearColor(0, 0, 0, 0)
       gl.clear(gl.COLOR_BUFFER_BIT)
       const start = performance.now()
-      const program = compile(sources)
+      const program = scene.program(sources.vertex, sources.fragment)
       gl.useProgram(program)
       setUniforms(program)
       time(program, 1)
@@ -192,17 +131,10 @@ function prepare(size) {
       for (const { program, count, times } of methods) times.push(time(program, count))
       rounds++
     } while (rounds < 9 && performance.now() < end)
-    const results = {}
-    for (const { name, program, first, count, times } of methods) {
-      results[name] = {
-        first,
-        frame: median(times),
-        share: await measureGpuShare(program, count),
-        rounds,
-      }
-      gl.deleteProgram(program)
-    }
-    return results
+    for (const { program } of methods) gl.deleteProgram(program)
+    return Object.fromEntries(
+      methods.map(({ name, first, times }) => [name, { first, frame: quantile(times), rounds }]),
+    )
   }
 }
 
@@ -217,25 +149,24 @@ const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => (
   'pixel / differences': round(pixel.frame / differences.frame),
   'first, vertex': round(vertex.first),
   'first, pixel': round(pixel.first),
-  ...(vertex.share && {
-    'GPU, vertex': `${Math.round(100 * vertex.share)} %`,
-    'GPU, pixel': `${Math.round(100 * pixel.share)} %`,
-  }),
   characters,
   rounds: pixel.rounds,
   auto,
 })
 
 export async function measure(args) {
-  const { size, seconds, software, names } = readOptions(args)
+  const options = { software: { type: 'boolean' }, warp: { type: 'string', multiple: true } }
+  const {
+    size,
+    seconds,
+    software,
+    warp: names,
+  } = parseOptions(args, { size: 1200, seconds: 480 }, options)
   const start = performance.now()
   const browser = await launchFastest(software)
   const server = await servePages()
-  const page = await browser.newPage()
-  await page.goto(server.page('<!doctype html>'))
+  const page = await openShaderPage(browser, server)
   await page.evaluate(prepare, size)
-  const idle = await page.evaluate(() => measureDraw())
-
   const all = await compileAll(names)
   const rows = {}
   for (const [i, warp] of all.entries()) {
@@ -251,7 +182,6 @@ export async function measure(args) {
   }
   await browser.close()
   await server.close()
-  say(`A draw of one triangle outside of the picture takes ${round(idle)} ms.`)
   say(`A sheet of 20,000 triangles that covers ${size} × ${size} pixels; medians, in turn:`)
   console.table(rows)
   const skipped = all.slice(Object.keys(rows).length).map(({ name }) => name)

@@ -1,7 +1,6 @@
 // npm run bench -- three [--frames] [--rounds 100] [--copies 1] [--batch 1] [--software]: compares a ray on a warped mesh with
 // three-mesh-bvh on a baked mesh, times bounds(), and compares a frame and the first frame with the same warp and its derivatives written
 // by hand in onBeforeCompile. --frames measures only frames.
-import { parseArgs } from 'node:util'
 import * as THREE from 'three'
 import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
 import { bakeWarp } from '../../dist/mesh.js'
@@ -9,6 +8,7 @@ import { fromBufferGeometry, toBufferGeometry, warp } from '../../dist/three.js'
 import { compileWarp } from '../../dist/warpjet.js'
 import { threePagesIn } from '../../tests/support/browser/three/open.js'
 import { median, medianTime, time } from '../lib/median.mjs'
+import { parseOptions } from '../lib/options.mjs'
 import { launchFastest } from './frames/browsers.mjs'
 
 const offset = ({ glsl, position, millis }) =>
@@ -63,24 +63,18 @@ function measureRays(segments) {
 
 /** On a GPU, set --copies (meshes in a draw) and --batch (frames) so high that drawing takes longer than waiting for the GPU. */
 export async function measure(args) {
-  const { values } = parseArgs({
+  const { frames, software, rounds, copies, batch } = parseOptions(
     args,
-    options: {
-      rounds: { type: 'string', default: '100' },
-      copies: { type: 'string', default: '1' },
-      batch: { type: 'string', default: '1' },
-      frames: { type: 'boolean', default: false },
-      software: { type: 'boolean', default: false },
-    },
-  })
-  if (!values.frames) console.table([64, 256, 1024].map(measureRays))
-  const browser = await launchFastest(values.software)
+    { rounds: 100, copies: 1, batch: 1 },
+    { frames: { type: 'boolean' }, software: { type: 'boolean' } },
+  )
+  if (!frames) console.table([64, 256, 1024].map(measureRays))
+  const browser = await launchFastest(software)
   const pages = await threePagesIn(browser)
   const { page } = await pages.open('three', 'page-bench.js')
   console.log(
     '\nMedian milliseconds; the quotient is the median of the quotients of consecutive frames.',
   )
-  const settings = [values.rounds, values.copies, values.batch].map(Number)
-  console.table(await page.evaluate((args) => bench(...args), settings))
+  console.table(await page.evaluate((args) => bench(...args), [rounds, copies, batch]))
   await pages.close()
 }

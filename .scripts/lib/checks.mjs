@@ -10,7 +10,7 @@ import { installEnvironments } from './environments.mjs'
 import { path, walk } from './files.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
-import { isEveryday, rareFiles } from './tiers.mjs'
+import { isFileRun } from './tiers.mjs'
 
 const node = (...args) => run(process.execPath, args)
 const binary = (name) => path('node_modules', name)
@@ -60,7 +60,7 @@ const kindOf = (file) =>
 async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
   const all = ['tests', 'web/tests']
     .flatMap((folder) => walk(folder, /\.test\.js$/))
-    .filter((file) => kindOf(file) === kind && !(isEveryday() && rareFiles.includes(file)))
+    .filter((file) => kindOf(file) === kind && isFileRun(file))
   if (!all.length) throw new Stop(`There are no tests of the kind ${kind}.`)
   const files = new Set([...longest.filter((file) => all.includes(file)), ...all])
   const libFile = (name) => path('.scripts/lib', name)
@@ -72,11 +72,11 @@ async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] }
 const browsersAtOnce = availableParallelism() + 1
 /** Files that take 40 s of a core or more, or wait for long, with those that wait placed between those that compute. */
 const longest = [
+  ...['operators/sketches', 'p5/detail-compute', 'three/detail'].map((name) => `tests/${name}`),
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
-  'tests/p5/webgpu-examples',
-  'tests/p5/scenes',
+  ...['p5/detail', 'three/three', 'p5/webgpu-examples', 'p5/scenes'].map((name) => `tests/${name}`),
   ...['playground-habits', 'playground-examples'].map((name) => `web/tests/${name}`),
-  'tests/three/three',
+  ...['three/pixel-normals-webgpu', 'three/pixel-normals'].map((name) => `tests/${name}`),
   ...['playground-hosts', 'docs'].map((name) => `web/tests/${name}`),
   'tests/compile/random',
   'web/tests/site-offline',

@@ -1,6 +1,12 @@
 // Writes TypeScript declarations of the functions that embind binds, from the module's registrations: the module is started with imports
 // that only record their arguments. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ does not register parameter names.
-import { wasmSignatures } from './wasm-signatures.mjs'
+import { setFlagsFromString } from 'node:v8'
+
+// V8 has this proposal only behind a flag: https://github.com/WebAssembly/js-types.
+setFlagsFromString('--experimental-wasm-type-reflection')
+
+/** Maps wasm's types → TypeScript's. JavaScript has none for vectors. */
+const valueTypes = { i32: 'number', i64: 'bigint', f32: 'number', f64: 'number', v128: 'never' }
 
 const typedArrays = [
   'Int8',
@@ -27,9 +33,8 @@ function readRegistrations(glue, module) {
     objects: new Map(),
     classes: new Map(),
     functions: [],
-    constants: [],
   }
-  const { types, arrays, enums, objects, classes, functions, constants } = registered
+  const { types, arrays, enums, objects, classes, functions } = registered
   let memory
   const readText = (at) => {
     const bytes = new Uint8Array(memory.buffer)
@@ -71,7 +76,6 @@ function readRegistrations(glue, module) {
     class_function: (type, at, count, types) =>
       classes.get(type).methods.push([readText(at), readList(count, types)]),
     function: (at, count, types) => functions.push([readText(at), readList(count, types)]),
-    constant: (at, type) => constants.push([readText(at), type]),
   }
   const imports = {}
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -98,10 +102,9 @@ const writeParameters = (types) =>
 
 /** Returns the declarations of the module. `glue` is Emscripten's JavaScript, `wasm` the bytes. */
 export function embindTypes(glue, wasm) {
-  const { types, arrays, enums, objects, classes, functions, constants } = readRegistrations(
-    glue,
-    new WebAssembly.Module(wasm),
-  )
+  const module = new WebAssembly.Module(wasm)
+  const registered = readRegistrations(glue, module)
+  const { types, arrays, enums, objects, classes, functions } = registered
   const writeType = (type) => {
     const array = arrays.get(type)
     if (array) return typedArrays[array.kind] ?? `${writeType(array.item)}[]`
@@ -124,12 +127,15 @@ export function embindTypes(glue, wasm) {
     )
     return `export interface ${name} {\n${members.join('')}  delete(): void\n}`
   })
-  const signatures = wasmSignatures(wasm)
+  const signatures = new Map(
+    WebAssembly.Module.exports(module).map(({ name, type }) => [name, type]),
+  )
   const plainExports = Object.entries(exportNames(glue))
-    .filter(([name, short]) => /^_[a-z]/.test(name) && signatures.has(short))
+    .filter(([name]) => /^_[a-z]/.test(name))
     .map(([name, short]) => {
-      const { parameters: types, result } = signatures.get(short)
-      return `  ${name}(${writeParameters(types)}): ${result}`
+      const { parameters, results } = signatures.get(short)
+      const types = parameters.map((type) => valueTypes[type])
+      return `  ${name}(${writeParameters(types)}): ${valueTypes[results[0]] ?? 'void'}`
     })
   const bound = [
     ...[...enums.values()].map(
@@ -143,7 +149,6 @@ export function embindTypes(glue, wasm) {
       ),
     ),
     ...functions.map(([name, signature]) => `  ${name}${writeCall(signature)}`),
-    ...constants.map(([name, type]) => `  readonly ${name}: ${writeType(type)}`),
     ...plainExports,
   ]
   return [

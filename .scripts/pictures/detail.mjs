@@ -84,11 +84,11 @@ function createCoarseTeapot() {
   return Object.fromEntries(Object.entries(mesh).map(([name, list]) => [name, [...list]]))
 }
 
-/** Returns the picture as WebP in base64. `url` is the address of a server of the gallery. */
+/** Returns the picture as WebP. `url` is the address of a server of the gallery. */
 export async function drawDetail(page, url) {
   await page.goto(`${url}recorder.js`)
   await page.setContent(html)
   await page.waitForFunction(() => window.done, null, { timeout: 240_000 })
   const args = [createCoarseTeapot(), maxBytes]
-  return page.evaluate((list) => window.drawAll(...list), args)
+  return Buffer.from(await page.evaluate((list) => window.drawAll(...list), args), 'base64')
 }

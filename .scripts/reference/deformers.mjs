@@ -1,7 +1,7 @@
 // The sections of web/docs/deformers.md: each deformer with its formula and its options, as TypeDoc reads them from the source.
 import { Application, ReflectionKind } from 'typedoc'
 import { path } from '../lib/files.mjs'
-import { markdownTable } from './parts.mjs'
+import { code, markdownTable } from './parts.mjs'
 
 /** Returns the text of a declaration's comment in one line. */
 const textOf = ({ comment }) =>
@@ -36,11 +36,8 @@ export async function deformerParts() {
 function writeSection([name, text, { children }]) {
   const rows = []
   for (const option of children)
-    if (option.comment) rows.push([[option.name], textOf(option).replaceAll('|', '\\|')])
+    if (option.comment) rows.push([[option.name], textOf(option)])
     else rows.at(-1)[0].push(option.name)
-  const cells = rows.map(([names, meaning]) => [
-    names.map((each) => `\`${each}\``).join(', '),
-    meaning,
-  ])
+  const cells = rows.map(([names, meaning]) => [names.map(code).join(', '), meaning])
   return `## ${name}\n\n${text}\n\n${markdownTable(['option', 'what it is'], cells)}\n`
 }

@@ -1,5 +1,6 @@
 // Writes the tables of web/docs/identities.md. Each row is a row of src/graph/identities.hpp.
 import { Stop } from '../lib/terminal.mjs'
+import { code, markdownTable } from './parts.mjs'
 
 const headings = {
   'Minus and not': ['neg', 'not'],
@@ -32,16 +33,15 @@ export function identityParts({ identities, turns }) {
 }
 
 const table = (rows) =>
-  [
-    '| this | becomes | if | which keeps |',
-    '| --- | --- | --- | --- |',
-    ...rows.map(
-      ({ from, to, when, ...keeps }) =>
-        `| ${formatCode(from)} | ${formatCode(to)} | ${when && formatCode(when)} | ${describePrecision(keeps)} |`,
-    ),
-  ].join('\n')
-
-const formatCode = (text) => `\`${text.replaceAll('|', '\\|')}\``
+  markdownTable(
+    ['this', 'becomes', 'if', 'which keeps'],
+    rows.map(({ from, to, when, ...keeps }) => [
+      code(from),
+      code(to),
+      when && code(when),
+      describePrecision(keeps),
+    ]),
+  )
 
 const describePrecision = ({ precision, onlyNumbers }) =>
   precisions[precision] + (onlyNumbers ? ', where it is a number' : '')

@@ -1,11 +1,11 @@
 // The tables of web/docs/operations.md, one per group of operations.
 import { Stop } from '../lib/terminal.mjs'
+import { code, markdownTable } from './parts.mjs'
 
 /** Returns the generated parts of the page. `page` is its text, which must mention every operation. */
 export function operationParts({ operations, aliases, others, headings }, page) {
-  const missing = others.filter(({ name }) => !page.includes(`${name}(`))
-  if (missing.length)
-    throw new Stop(`web/docs/operations.md lacks ${missing.map(({ name }) => name).join(', ')}.`)
+  const missing = others.filter((name) => !page.includes(`${name}(`))
+  if (missing.length) throw new Stop(`web/docs/operations.md lacks ${missing.join(', ')}.`)
   const groups = headings.map((heading) =>
     writeGroup(
       heading,
@@ -28,19 +28,13 @@ function writeGroup(heading, operations) {
   if (!operations.every(isByComponent)) columns.push(['operands → result', typesOf])
   if (operations.some(({ missingIn }) => missingIn.length))
     columns.push(['lowered in', ({ missingIn }) => languages(missingIn)])
-  return `## ${heading}\n\n${table(columns, operations)}\n${notes[heading] ?? ''}`
+  const table = markdownTable(
+    columns.map(([head]) => head),
+    operations.map((operation) => columns.map(([, cell]) => cell(operation))),
+  )
+  return `## ${heading}\n\n${table}\n${notes[heading] ?? ''}`
 }
 
-const table = (columns, rows) =>
-  [
-    columns.map(([head]) => head),
-    columns.map(() => '---'),
-    ...rows.map((row) => columns.map(([, cell]) => cell(row).replaceAll('|', '\\|'))),
-  ]
-    .map((cells) => `| ${cells.join(' | ')} |`)
-    .join('\n')
-
-const code = (text) => `\`${text}\``
 const furtherOperands = ({ isChained }) => (isChained ? ', …' : '')
 
 function functionForm(operation) {

@@ -21,8 +21,13 @@ export async function formatAs(file, text) {
   return format(text, { ...(await resolveConfig(path(file))), filepath: path(file) })
 }
 
+export const code = (text) => `\`${text}\``
+
+/** Ends a description with a full stop, unless it has an end. */
+export const sentence = (text) => (/[.!]$/.test(text) ? text : `${text}.`)
+
 /** Returns rows of cells as a Markdown table. The columns after the first are aligned to the right if `isNumeric`. */
 export const markdownTable = (head, rows, isNumeric = false) =>
   [head, head.map((_, i) => (isNumeric && i ? '--:' : '---')), ...rows]
-    .map((cells) => `| ${cells.join(' | ')} |`)
+    .map((cells) => `| ${cells.map((cell) => String(cell).replaceAll('|', '\\|')).join(' | ')} |`)
     .join('\n')

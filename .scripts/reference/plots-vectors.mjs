@@ -1,6 +1,7 @@
 // The sections of web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, with formulas, plots and code.
 import { Stop } from '../lib/terminal.mjs'
 import { noiseFormulas } from './noise-formulas.mjs'
+import { code, sentence } from './parts.mjs'
 import { plotAndCode } from './plots.mjs'
 import { vectorFormulas } from './vector-formulas.mjs'
 
@@ -41,9 +42,6 @@ const facing = bump.adjustNormal(normal, position)
 return bump.adjustTangent(glsl.vec3(1, 0, 0), facing, position).mult(0.3)`,
   },
 }
-
-const code = (text) => `\`${text}\``
-const sentence = (text) => (/[.!]$/.test(text) ? text : `${text}.`)
 
 /** Returns a sentence with the formula of an operation and that of its derivative. */
 function formulaText({ form, value, derivative, where = {} }) {

@@ -2,6 +2,7 @@
 // runs. The site draws the plots (web/site/plot.js) from the values that warpjet computes.
 import { Stop } from '../lib/terminal.mjs'
 import { formulas } from './formulas.mjs'
+import { code, sentence } from './parts.mjs'
 
 const isNumeric = ({ kinds, result }) =>
   [...kinds, result].every((kind) => kind === 'number or vector')
@@ -18,8 +19,6 @@ createWarp(({ glsl, position }) => {
 })
 \`\`\`
 `
-
-const code = (text) => `\`${text}\``
 
 /** Returns the sentence with the value and the derivatives of a row of `formulas`. */
 function formulaText({ value, by, where = {} }, operands) {
@@ -39,10 +38,10 @@ function writeSection(operation) {
   const title = titleOf(operation)
   const formula = formulas[title]
   const [call, from = -3, to = 3] = formula.plot ?? [`x.${name}()`]
-  const sentences = [/[.!]$/.test(meaning) ? meaning : `${meaning}.`, formula.remark ?? '']
+  const text = [sentence(meaning), formula.remark].filter(Boolean).join(' ')
   return `### ${title}
 
-${sentences.join(' ').trim()}
+${text}
 
 ${formulaText(formula, operands)}
 

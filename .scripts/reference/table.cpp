@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <iostream>
-#include <span>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "builder/builder.hpp"
@@ -27,105 +25,82 @@
 namespace warpjet {
 namespace {
 
-std::string quote(std::string_view characters) {
-  std::string quoted = "\"";
-  for (const char c : characters) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + '"';
-}
+using Json = nlohmann::json;
 
-std::string toBoolean(bool value) { return value ? "true" : "false"; }
-
-std::string object(std::initializer_list<std::pair<std::string_view, std::string>> fields) {
-  std::string joined;
-  for (const auto& [name, value] : fields)
-    joined += (joined.empty() ? "" : ", ") + quote(name) + ": " + value;
-  return "{" + joined + "}";
-}
-
-template <class List, class Item>
-std::string array(const List& items, Item item) {
-  std::string joined;
-  for (const auto& each : items) joined += (joined.empty() ? "" : ",\n") + item(each);
-  return "[" + joined + "]";
-}
-
-std::string typeName(ops::Type type) {
-  return quote(type == ops::Type::Bool ? "bool" : type == ops::Type::Int ? "int" : "float");
+template <class List, class Write>
+Json array(const List& items, Write write) {
+  Json list = Json::array();
+  for (const auto& each : items) list.push_back(write(each));
+  return list;
 }
 
 // Lists the languages that lack this operation: there it is lowered to others.
-std::string missingIn(Op op) {
+Json missingIn(Op op) {
   std::vector<std::string_view> names;
   for (const Dialect* dialect : dialects()) {
     if (ops::spelling(op, dialect->language).isMissing()) names.push_back(dialect->name);
   }
-  return array(names, quote);
+  return names;
 }
 
-std::string row(const ops::Title& title, Op op) {
+// Describes an operation in the same way as a composition. The name `atan` has two forms.
+Json row(const ops::Title& title, Op op) {
   const ops::Declaration& info = ops::declaration(op);
-  const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
-  return object(
-      {{"name", quote(title.name)},
-       {"operands", quote(title.operands)},
-       {"meaning", quote(title.meaning)},
-       {"types", array(types, typeName)},
-       {"result", typeName(info.signature.result)},
-       {"missingIn", missingIn(op)},
-       {"isChained", toBoolean(info.traits.has(ops::Trait::Chained))},
-       {"takesMatrices", toBoolean(info.traits.has(ops::Trait::OnMatrices))},
-       {"isHidden", toBoolean(detail::isHidden(info) || info.traits.has(ops::Trait::SourceOnly))}});
+  const bool isAtan2 = title.name == "atan2";
+  const bool isHidden = detail::isHidden(info) || info.traits.has(ops::Trait::SourceOnly);
+  constexpr char kind = static_cast<char>(Kind::NumberOrVector);
+  return {{"name", isAtan2 ? "atan" : title.name},
+          {"operands", title.operands},
+          {"meaning", title.meaning},
+          {"kinds", std::string(static_cast<std::size_t>(info.arity), kind)},
+          {"result", std::string{kind}},
+          {"isListed", !isHidden || isAtan2},
+          {"isChained", info.traits.has(ops::Trait::Chained)},
+          {"takesMatrices", info.traits.has(ops::Trait::OnMatrices)},
+          {"missingIn", missingIn(op)}};
 }
 
-std::string rows() {
+Json rows() {
   std::uint8_t i = 0;
   return array(ops::documentation, [&](const ops::Title& title) { return row(title, Op{i++}); });
 }
 
-std::string identity(const patterns::Identity& each) {
+Json identity(const patterns::Identity& each) {
   constexpr std::string_view precisions[] = {"bits", "value", "rounding"};
   const auto precision = static_cast<std::size_t>(each.keeps.precision);
   const std::string condition = each.hasCondition() ? patterns::text(each.when) : "";
-  return object({{"operation", quote(ops::declaration(each.from.root().op()).name)},
-                 {"from", quote(patterns::text(each.from))},
-                 {"to", quote(patterns::text(each.to))},
-                 {"when", quote(condition)},
-                 {"precision", quote(precisions[precision])},
-                 {"onlyNumbers", toBoolean(each.keeps.onlyNumbers)}});
+  return {{"operation", ops::declaration(each.from.root().op()).name},
+          {"from", patterns::text(each.from)},
+          {"to", patterns::text(each.to)},
+          {"when", condition},
+          {"precision", precisions[precision]},
+          {"onlyNumbers", each.keeps.onlyNumbers}};
 }
 
-std::string composition(const Composition& each) {
-  return object({{"name", quote(each.title.name)},
-                 {"operands", quote(each.title.operands)},
-                 {"meaning", quote(each.title.meaning)},
-                 {"kinds", quote(each.operands)},
-                 {"result", quote(std::string{static_cast<char>(each.result)})},
-                 {"isListed", toBoolean(each.isListed)}});
+Json composition(const Composition& each) {
+  return {{"name", each.title.name},
+          {"operands", each.title.operands},
+          {"meaning", each.title.meaning},
+          {"kinds", each.operands},
+          {"result", std::string{static_cast<char>(each.result)}},
+          {"isListed", each.isListed},
+          {"isChained", false},
+          {"takesMatrices", false},
+          {"missingIn", Json::array()}};
 }
 
-std::string alias(const detail::Alias& each) {
-  return object({{"name", quote(each.name)}, {"original", quote(each.original)}});
-}
+Json alias(const detail::Alias& each) { return {{"name", each.name}, {"original", each.original}}; }
 
-std::string heading(const Heading& each) {
-  return object({{"text", quote(each.text)}, {"first", quote(each.first)}});
-}
+Json heading(const Heading& each) { return {{"text", each.text}, {"first", each.first}}; }
 
-std::string language(const Dialect* each) {
-  return object({{"name", quote(each->name)}, {"source", quote(each->sourceKey)}});
-}
+Json language(const Dialect* each) { return {{"name", each->name}, {"source", each->sourceKey}}; }
 
 std::string_view useName(NoiseUse use) {
   constexpr std::string_view names[] = {"base", "plain", "made", "fractal"};
   return names[static_cast<std::size_t>(use)];
 }
 
-std::string noise(const NoiseRow& each) {
-  return object({{"name", quote(each.name)}, {"use", quote(useName(each.use))}});
-}
+Json noise(const NoiseRow& each) { return {{"name", each.name}, {"use", useName(each.use)}}; }
 
 template <class Element>
 std::string_view kindOf(const std::vector<Element>&) {
@@ -134,55 +109,51 @@ std::string_view kindOf(const std::vector<Element>&) {
   return "index";
 }
 
-std::string meshArrays() {
+Json meshArrays() {
   Job job;
-  std::string joined;
+  Json list;
   std::apply(
       [&](const auto&... each) {
-        ((joined += (joined.empty() ? "" : ",\n") +
-                    object({{"name", quote(each.name)}, {"kind", quote(kindOf(each.get(job)))}})),
-         ...);
+        (list.push_back({{"name", each.name}, {"kind", kindOf(each.get(job))}}), ...);
       },
       jobArrays);
-  return "[" + joined + "]";
+  return list;
 }
 
-std::string warpResults() {
+Json warpResults() {
   std::vector<std::string_view> names(movedResults.begin(), movedResults.end());
   names.push_back(orientationResult);
   names.insert(names.end(), orientedResults.begin(), orientedResults.end());
-  return array(names, quote);
+  return names;
 }
 
-std::string other(const Operation& each) {
-  return object({{"name", quote(each.name)}, {"isConstructor", toBoolean(each.isConstructor())}});
-}
+std::string_view name(const Operation& each) { return each.name; }
 
 }  // namespace
 }  // namespace warpjet
 
 int main() {
   using namespace warpjet;
-  std::cout << object({{"rows", rows()},
-                       {"identities", array(patterns::identities, identity)},
-                       {"turns", array(patterns::turns, identity)},
-                       {"compositions", array(compositions, composition)},
-                       {"aliases", array(detail::aliases, alias)},
-                       {"others", array(detail::others, other)},
-                       {"headings", array(headings, heading)},
-                       {"languages", array(dialects(), language)},
-                       {"noises", array(noises, noise)},
-                       {"filters", array(filterNames, quote)},
-                       {"wraps", array(wrapNames, quote)},
-                       {"maxSeed", std::to_string(maxSeed)},
-                       {"maxOctaves", std::to_string(maxOctaves)},
-                       {"failed", std::to_string(Builder::failed)},
-                       {"needsPartials", std::to_string(Builder::needsPartials)},
-                       {"warpOperands", array(warpOperands, quote)},
-                       {"warpResults", warpResults()},
-                       {"variantCount", std::to_string(orientedResults.size())},
-                       {"meshArrays", meshArrays()},
-                       {"triangleLimit", std::to_string(triangleLimit)},
-                       {"defaultTriangles", std::to_string(defaultTriangles)}})
+  std::cout << Json{{"rows", rows()},
+                    {"identities", array(patterns::identities, identity)},
+                    {"turns", array(patterns::turns, identity)},
+                    {"compositions", array(compositions, composition)},
+                    {"aliases", array(detail::aliases, alias)},
+                    {"others", array(detail::vectorOperations, name)},
+                    {"headings", array(headings, heading)},
+                    {"languages", array(dialects(), language)},
+                    {"noises", array(noises, noise)},
+                    {"filters", filterNames},
+                    {"wraps", wrapNames},
+                    {"maxSeed", maxSeed},
+                    {"maxOctaves", maxOctaves},
+                    {"failed", Builder::failed},
+                    {"needsPartials", Builder::needsPartials},
+                    {"warpOperands", warpOperands},
+                    {"warpResults", warpResults()},
+                    {"variantCount", orientedResults.size()},
+                    {"meshArrays", meshArrays()},
+                    {"triangleLimit", triangleLimit},
+                    {"defaultTriangles", defaultTriangles}}
             << '\n';
 }

@@ -53,52 +53,26 @@ export async function readTable() {
 
 /**
  * Returns { operations, aliases, others, headings }, and the fields that enumerations.mjs reads. An operation is { name, operands, kinds,
- * result, meaning, isChained, takesMatrices, missingIn, heading }; `atan2` has the name `atan`, too. `others` are functions that compose
- * vectors and matrices or take them apart.
+ * result, meaning, isChained, takesMatrices, missingIn, heading }. `others` are the names of functions that compose vectors and matrices
+ * or take them apart.
  */
-export function arrange({ rows, compositions, aliases, others, headings, ...enumerations }) {
-  const operations = [
-    ...rows.filter(isCallable).map(fromRow),
-    ...compositions.filter(({ isListed }) => isListed).map(fromComposition),
-  ]
+function arrange({ rows, compositions, headings, ...others }) {
   const unusedHeadings = new Map(headings.map(({ text, first }) => [first, text]))
   let heading
-  for (const operation of operations) {
-    heading = unusedHeadings.get(operation.name) ?? heading
-    unusedHeadings.delete(operation.name)
-    Object.assign(operation, { heading, operands: operation.operands.split(', ') })
-  }
+  const operations = [...rows, ...compositions]
+    .filter(({ isListed }) => isListed)
+    .map((operation) => {
+      heading = unusedHeadings.get(operation.name) ?? heading
+      unusedHeadings.delete(operation.name)
+      return {
+        ...operation,
+        heading,
+        operands: operation.operands.split(', '),
+        kinds: [...operation.kinds].map(kindOf),
+        result: kindOf(operation.result),
+      }
+    })
   if (unusedHeadings.size || !operations[0].heading)
     throw new Stop('The headings in src/builder/operations.hpp do not fit the tables.')
-  return {
-    ...enumerations,
-    operations,
-    aliases,
-    others,
-    headings: [...new Set(headings.map(({ text }) => text))],
-  }
+  return { ...others, operations, headings: [...new Set(headings.map(({ text }) => text))] }
 }
-
-const isCallable = ({ isHidden, name }) => !isHidden || name === 'atan2'
-
-const fromRow = ({ name, operands, meaning, types, ...facts }) => ({
-  name: name === 'atan2' ? 'atan' : name,
-  operands,
-  meaning,
-  kinds: types.map(() => 'number or vector'),
-  result: 'number or vector',
-  isChained: facts.isChained,
-  takesMatrices: facts.takesMatrices,
-  missingIn: facts.missingIn,
-})
-
-const fromComposition = ({ name, operands, meaning, kinds, result }) => ({
-  name,
-  operands,
-  meaning,
-  kinds: [...kinds].map(kindOf),
-  result: kindOf(result),
-  isChained: false,
-  takesMatrices: false,
-  missingIn: [],
-})

@@ -1,8 +1,5 @@
 // Writes js-bindings/core/types/methods.ts: every operation as a method of its first operand and as a function of the builder.
 
-import { readFileSync } from 'node:fs'
-import { path } from '../lib/files.mjs'
-
 // Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
 
 /**
@@ -26,7 +23,7 @@ const quotientSignatures = [
   '<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value',
 ]
 
-/** The signatures of operations that the general rules do not cover, by receiver. */
+/** Maps an operation that the general rules do not cover → its signatures, by receiver. */
 const specialSignatures = {
   mult: {
     scalar: productSignatures,
@@ -58,7 +55,7 @@ const operandsAfterVector = { mod: 0, dot: 0, cross: 0, dist: 0, distance: 0, mi
  * Returns the signature for a vector or separate numbers. It is one, because TypeScript allows a call on a union of vectors only without
  * overloads.
  */
-function vectorOrNumbersSignature(operation, self) {
+const vectorOrNumbersSignature = (self) => (operation) => {
   const [signature] = methodSignatures(self)(operation)
   const after = operandsAfterVector[operation.name]
   if (after === undefined) return [signature]
@@ -66,8 +63,12 @@ function vectorOrNumbersSignature(operation, self) {
   return [signature.replace(/^\((.*)\): /, `(...given: [$1] | [${numbers}]): `)]
 }
 
-/** The interfaces of methods, each with the operations that it contains. */
-const receivers = [
+const isComponentwise = ({ kinds }) => kinds.every((kind) => kind === 'number or vector')
+const isOfSeveral = (operation) =>
+  isComponentwise(operation) && (operation.kinds.length > 1 || operation.isOptional)
+
+/** The interfaces: the operations that each contains, how it writes their signatures, and its name in `specialSignatures`. */
+const interfaces = [
   {
     head: 'AnyMethods<Self>',
     description: 'Of numbers, vectors and matrices.',
@@ -77,39 +78,36 @@ const receivers = [
   {
     head: 'ComponentMethods<Self> extends AnyMethods<Self>',
     description: 'Of numbers and vectors, by component.',
-    contains: ({ kinds, isOptional }) =>
-      isComponentwise(kinds) && kinds.length === 1 && !isOptional,
+    contains: (operation) => isComponentwise(operation) && !isOfSeveral(operation),
     signaturesOf: methodSignatures('Self'),
   },
   {
     head: 'ScalarMethods extends ComponentMethods<Scalar>',
     description: 'Of numbers. A vector and a number give a vector.',
-    contains: ({ kinds, isOptional }) =>
-      kinds[0] === 'number' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
+    contains: (operation) => operation.kinds[0] === 'number' || isOfSeveral(operation),
+    special: 'scalar',
     signaturesOf: (operation) =>
-      specialSignatures[operation.base]?.scalar ??
-      (isComponentwise(operation.kinds)
+      isComponentwise(operation)
         ? componentwiseSignatures(operation, 1)
-        : methodSignatures('Scalar')(operation)),
+        : methodSignatures('Scalar')(operation),
   },
   {
     head: 'VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self>',
     description: 'Of vectors. A number is used for each component.',
-    contains: ({ kinds, isOptional }) =>
-      kinds[0] === 'vector' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
-    signaturesOf: (operation) =>
-      specialSignatures[operation.base]?.vector ?? vectorOrNumbersSignature(operation, 'Self'),
+    contains: (operation) => operation.kinds[0] === 'vector' || isOfSeveral(operation),
+    special: 'vector',
+    signaturesOf: vectorOrNumbersSignature('Self'),
   },
   {
     head: 'Vec3Methods',
     contains: ({ kinds }) => kinds[0] === 'vec3',
-    signaturesOf: (operation) => vectorOrNumbersSignature(operation, 'Vec3'),
+    signaturesOf: vectorOrNumbersSignature('Vec3'),
   },
   {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
     contains: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
-    signaturesOf: (operation) =>
-      specialSignatures[operation.base]?.matrix ?? methodSignatures('Self')(operation),
+    special: 'matrix',
+    signaturesOf: methodSignatures('Self'),
   },
   {
     head: 'SquareMethods<Self>',
@@ -117,64 +115,53 @@ const receivers = [
     contains: ({ kinds }) => kinds[0] === 'square matrix',
     signaturesOf: methodSignatures('Self'),
   },
+  {
+    head: 'Functions',
+    description: 'Of the builder `glsl`.',
+    contains: () => true,
+    special: 'function',
+    signaturesOf: functionSignatures,
+    commentOf: functionComment,
+  },
 ]
-
-const isComponentwise = (kinds) => kinds.every((kind) => kind === 'number or vector')
 
 /** Returns the source of the file, not yet formatted. */
 export function typesText({ operations, aliases }) {
   const merged = mergeByName(operations)
   const all = [...merged, ...aliases.map((alias) => resolveAlias(alias, merged))]
-  const interfaces = [
-    ...receivers.map(({ head, description, contains, signaturesOf }) =>
-      interfaceText(head, description, all.filter(contains), signaturesOf, methodComment),
-    ),
-    interfaceText('Functions', 'Of the builder `glsl`.', all, functionSignatures, functionComment),
-  ]
   return `// Written by \`npm run reference\` from the tables of operations: src/ops/declarations.hpp, src/ops/documentation.hpp and
 // src/builder/compositions.hpp. Everything else is in types.ts.
-import type { ${listUsed(interfaces, 'signatures')} } from './signatures.js'
-import type { ${listUsed(interfaces, 'expressions')} } from './types.js'
+import type {
+  ColumnsOf, IfSquare, Jacobian, MatrixOf, RowsOf, Shape, Size, SquareBeside, Transposed, VectorOf,
+} from './signatures.js'
+import type {
+  AnyMatrix, Expression, Mat2, Mat3, Mat4, Operand, Scalar, Vec2, Vec3, Vec4, Vector,
+} from './types.js'
 
-${interfaces.join('\n')}`
-}
-
-/** Lists the names that a file of js-bindings/core/types exports and that `texts` use. */
-function listUsed(texts, file) {
-  const source = readFileSync(path(`js-bindings/core/types/${file}.ts`), 'utf8')
-  return [...source.matchAll(/^export (?:type|interface) (\w+)/gm)]
-    .map(([, name]) => name)
-    .filter((name) => texts.some((text) => RegExp(`\\b${name}\\b`).test(text)))
-    .sort()
-    .join(', ')
+${interfaces.map((each) => interfaceText(each, all.filter(each.contains))).join('\n')}`
 }
 
 /** Merges operations of the same name into one with optional operands. */
 function mergeByName(operations) {
-  const merged = new Map()
-  for (const operation of operations) {
-    const forms = [...(merged.get(operation.name)?.forms ?? []), operation]
-    const isOptional = forms.length > 1
-    merged.set(operation.name, { ...operation, base: operation.name, forms, isOptional })
-  }
-  return [...merged.values()]
+  const names = [...new Set(operations.map(({ name }) => name))]
+  return names.map((name) => {
+    const forms = operations.filter((operation) => operation.name === name)
+    return { ...forms.at(-1), base: name, forms, isOptional: forms.length > 1 }
+  })
 }
 
 function resolveAlias({ name, original }, operations) {
   const operation = operations.find((operation) => operation.name === original)
-  return {
-    ...operation,
-    name,
-    forms: [{ ...operation, meaning: `Another name of \`${original}\`.` }],
-  }
+  const meaning = `Another name of \`${original}\`.`
+  return { ...operation, name, forms: [{ ...operation, meaning }] }
 }
 
-function interfaceText(head, description, operations, signaturesOf, commentOf) {
-  const members = operations.flatMap((operation) =>
-    signaturesOf(operation).map(
-      (signature) => `${commentOf(operation)}${operation.name}${signature}\n`,
-    ),
-  )
+function interfaceText(each, operations) {
+  const { head, description, special, signaturesOf, commentOf = methodComment } = each
+  const members = operations.flatMap((operation) => {
+    const signatures = specialSignatures[operation.base]?.[special] ?? signaturesOf(operation)
+    return signatures.map((signature) => `${commentOf(operation)}${operation.name}${signature}\n`)
+  })
   return `${description ? comment(description) : ''}export interface ${head} {\n${members.join('')}}\n`
 }
 
@@ -197,99 +184,86 @@ function functionComment({ forms }) {
   return comment(texts.join(' '))
 }
 
-function comment(text, width = 96) {
-  if (text.length + 7 <= width) return `/** ${text} */\n`
-  const lines = ['']
-  for (const word of text.split(' ')) {
-    if (`${lines.at(-1)} ${word}`.length + 3 > width) lines.push('')
-    lines[lines.length - 1] += ` ${word}`
-  }
-  return `/**\n${lines.map((line) => ` *${line}\n`).join('')} */\n`
-}
+/** Writes a comment in lines of at most 96 characters. */
+const comment = (text) =>
+  text.length <= 89
+    ? `/** ${text} */\n`
+    : `/**\n${text.replace(/(.{1,92})(?: |$)/g, ' * $1\n')} */\n`
 
-const optionalMark = ({ isOptional }, i) => (isOptional && i > 0 ? '?' : '')
+/** Lists the parameters of a signature, for the operands from index `first`. `typeOf` maps the kind of an operand → its type. */
+function listParameters(operation, first, typeOf, restName = 'others') {
+  const { operands, kinds, isChained, isOptional } = operation
+  if (isChained) return `...${restName}: (${typeOf(kinds[0])})[]`
+  const markOf = (i) => (isOptional && i > 0 ? '?' : '')
+  return operands
+    .map((name, i) => `${name}${markOf(i)}: ${typeOf(kinds[i])}`)
+    .slice(first)
+    .join(', ')
+}
 
 /**
  * Returns the signatures of a componentwise operation, for the operands from index `first`: numbers give a number; otherwise the result is a
  * vector, or a matrix if the operation takes them, of the size of the operands.
  */
 function componentwiseSignatures(operation, first) {
-  const { operands, isChained, takesMatrices } = operation
-  const listOf = (type) =>
-    isChained
-      ? `...operands: (${type})[]`
-      : operands
-          .slice(first)
-          .map((name, i) => `${name}${optionalMark(operation, first + i)}: ${type}`)
-          .join(', ')
-  const wide = takesMatrices ? 'Expression' : 'Scalar | Vector'
+  const listOf = (type) => listParameters(operation, first, () => type, 'operands')
+  const wide = operation.takesMatrices ? 'Expression' : 'Scalar | Vector'
   return [
     `(${listOf('Operand')}): Scalar`,
     `<Value extends ${wide}>(${listOf('Value | Operand')}): Value`,
   ]
 }
 
+/** Maps the kinds of one type → that type, and the other kinds → the bound of a type parameter. */
+const fixedTypes = {
+  number: 'Operand',
+  vec3: 'Vec3',
+  mat3: 'Mat3',
+  input: 'Scalar',
+  'vec3 of inputs': 'Vec3',
+}
+const bounds = {
+  vector: 'Vector',
+  'square matrix': 'Mat2 | Mat3 | Mat4',
+  matrix: 'AnyMatrix',
+  any: 'Expression',
+  'vector of inputs': 'Vector',
+}
+
 /** Returns a function that writes the signature of a method of the type `self`. */
 function methodSignatures(self) {
-  const types = {
-    number: 'Operand',
-    vector: self,
-    vec3: 'Vec3',
-    'number or vector': `${self} | Operand`,
-    'square matrix': self,
-    matrix: self,
-    mat3: 'Mat3',
-    any: self,
-    input: 'Scalar',
-    'vector of inputs': 'Inputs',
-    'vec3 of inputs': 'Vec3',
-  }
   return (operation) => {
-    const { operands, kinds, isChained } = operation
-    const generic = kinds.includes('vector of inputs') ? '<Inputs extends Vector>' : ''
-    const others = operands
-      .slice(1)
-      .map((name, i) => `${name}${optionalMark(operation, i + 1)}: ${types[kinds[i + 1]]}`)
-    const list = isChained ? `...others: (${types[kinds[0]]})[]` : others.join(', ')
+    const types = {
+      ...fixedTypes,
+      'number or vector': `${self} | Operand`,
+      'vector of inputs': 'Inputs',
+    }
+    const generic = operation.kinds.includes('vector of inputs') ? '<Inputs extends Vector>' : ''
+    const list = listParameters(operation, 1, (kind) => types[kind] ?? self)
     return [`${generic}(${list}): ${resultType(operation, self)}`]
   }
 }
 
 function functionSignatures(operation) {
-  const { operands, kinds, base } = operation
-  if (specialSignatures[base]?.function) return specialSignatures[base].function
-  if (isComponentwise(kinds)) return componentwiseSignatures(operation, 0)
-  const generics = {
-    vector: ['Value', 'Vector'],
-    'square matrix': ['Value', 'Mat2 | Mat3 | Mat4'],
-    matrix: ['Value', 'AnyMatrix'],
-    any: ['Value', 'Expression'],
-    'vector of inputs': ['Inputs', 'Vector'],
-  }
-  const types = {
-    number: 'Operand',
-    vec3: 'Vec3',
-    mat3: 'Mat3',
-    input: 'Scalar',
-    'vec3 of inputs': 'Vec3',
-  }
-  const isFixed = ['number', 'vec3', 'mat3'].includes(operation.result)
-  const needsTypeParameter = (kind) =>
-    !isFixed || kinds.filter((other) => other === kind).length > 1
-  const typeOf = (kind) => generics[kind]?.[needsTypeParameter(kind) ? 0 : 1] ?? types[kind]
-  const bounds = Object.entries(generics)
-    .filter(([kind]) => kinds.includes(kind) && needsTypeParameter(kind))
-    .map(([, generic]) => generic.join(' extends '))
-  const list = operands.map((name, i) => `${name}: ${typeOf(kinds[i])}`).join(', ')
-  const start = bounds.length ? `<${bounds.join(', ')}>` : ''
-  return [`${start}(${list}): ${resultType(operation, 'Value')}`]
+  if (isComponentwise(operation)) return componentwiseSignatures(operation, 0)
+  const { kinds, result } = operation
+  // A type parameter relates operands to each other or to the result.
+  const needsParameter = (kind) =>
+    !(result in fixedTypes) || kinds.filter((other) => other === kind).length > 1
+  const parameterOf = (kind) => (kind === 'vector of inputs' ? 'Inputs' : 'Value')
+  const typeOf = (kind) =>
+    fixedTypes[kind] ?? (needsParameter(kind) ? parameterOf(kind) : bounds[kind])
+  const parameters = Object.keys(bounds)
+    .filter((kind) => kinds.includes(kind) && needsParameter(kind))
+    .map((kind) => `${parameterOf(kind)} extends ${bounds[kind]}`)
+  const generic = parameters.length ? `<${parameters.join(', ')}>` : ''
+  return [`${generic}(${listParameters(operation, 0, typeOf)}): ${resultType(operation, 'Value')}`]
 }
 
 /** Returns the type of the result if the widest operand has the type `self`. */
 function resultType({ kinds, result }, self) {
   if (result === 'number') return 'Scalar'
-  if (result === 'vec3') return 'Vec3'
-  if (result === 'mat3') return 'Mat3'
+  if (result in fixedTypes) return fixedTypes[result]
   const ofInputs = kinds.includes('vector of inputs')
   if (result === 'matrix') return ofInputs ? `Jacobian<${self}, Inputs>` : `Transposed<${self}>`
   return ofInputs ? 'Inputs' : self

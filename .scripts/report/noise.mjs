@@ -2,6 +2,7 @@
 import { writeFileSync } from 'node:fs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { png } from '../../tests/support/png.js'
+import { randomNumbers } from '../../tests/support/three-meshes.js'
 import { path } from '../lib/files.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
@@ -63,8 +64,7 @@ function drawPicture() {
 
 /** Returns the range of 100,000 values, the range of the middle nine tenths of them, and the root mean square of the slopes. */
 function measureFigures(kind, dimensions) {
-  let state = 1
-  const random = () => (state = (state * 16807) % 2147483647) / 2147483647
+  const random = randomNumbers()
   const count = 100_000
   const points = Float32Array.from({ length: 3 * count }, () => 4091 * (random() - 0.5))
   const { values, slopes } = sample(kind, dimensions, points)

@@ -9,16 +9,19 @@ import { bundles, declared, sources } from '../../.scripts/lib/entries.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
+let packed
+
 /** Returns the files that npm would put into the package. */
 function packedFiles() {
-  const packed = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
+  if (packed) return packed
+  const output = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
     cwd: root,
     encoding: 'utf8',
     stdio: ['ignore', 'pipe', 'ignore'],
   })
-  const report = JSON.parse(packed)
+  const report = JSON.parse(output)
   const [{ files }] = Array.isArray(report) ? report : Object.values(report)
-  return files
+  return (packed = files)
 }
 
 test('the package contains what users need and nothing else', () => {
@@ -39,10 +42,10 @@ test('the package contains what users need and nothing else', () => {
     'package.json',
     'web/gallery.png',
   ])
-  const packed = new Set(files.map(({ path }) => path))
+  const paths = new Set(files.map(({ path }) => path))
   const ours = bundles.filter((file) => file !== 'dist/memory.js')
   for (const file of [...ours, ...declared.map((name) => `dist/types/${name}.d.ts`)])
-    assert.ok(packed.has(file), file)
+    assert.ok(paths.has(file), file)
   assert.ok(!files.some(({ path }) => path.startsWith('dist/memory.')))
 })
 

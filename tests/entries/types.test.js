@@ -39,13 +39,13 @@ const optionsFor = (files, moduleResolution) => ({
 })
 
 for (const [compiler, files, moduleResolution] of [
-  ['typescript-5.4', modules, 'nodenext'],
+  ['typescript-7', modules, 'nodenext'],
   ['typescript-7', sketches, 'bundler'],
   ...(isRun('every TypeScript')
     ? [
+        ['typescript-5.4', modules, 'nodenext'],
         ['typescript-7', modules, 'bundler'],
         ['typescript-7', modules, 'node16'],
-        ['typescript-7', modules, 'nodenext'],
         ['typescript-5.4', sketches, 'bundler'],
       ]
     : []),

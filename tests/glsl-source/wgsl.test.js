@@ -154,7 +154,7 @@ test('a counter after a break is known in a while and in a loop with continuing'
   }
 })
 
-test('a continuing block reads the variables of the body, after each continue, too', () => {
+test('a continuing block reads the variables of the body, also after a continue', () => {
   // The steps are 1, 2, 3 and 4.
   const text = `fn offset(p: vec3f) -> vec3f {
     var i = 0; var sum = 0.0;

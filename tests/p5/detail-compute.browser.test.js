@@ -41,8 +41,10 @@ for (const [shape, name, others] of [
   ['box', 'twist', { isInside: true }],
 ])
   test(`passes divide a ${shape} under ${name} as the CPU does, ${JSON.stringify(others ?? {})}`, async (t) => {
-    const { found } = await run(t, 'divide', { shape, name, ...others })
-    assert.equal(found.length, others?.hasPlaces ? 18 : 6)
+    // Spaces and places differ in matrices, which fewer frames show.
+    const frames = others ? 3 : 6
+    const { found } = await run(t, 'divide', { shape, name, frames, ...others })
+    assert.equal(found.length, others?.hasPlaces ? 3 * frames : frames)
     for (const each of found) {
       const { isIndirect, triangles, expected, vertices, strays, isEqual, openSides, beyond } = each
       assert.ok(isIndirect)
@@ -56,7 +58,7 @@ for (const [shape, name, others] of [
   })
 
 for (const [name, coarse, dense] of [
-  ['twist', ['box', 120], ['warpBox', 120, 120, 120, 100]],
+  ['twist', ['box', 120], ['warpBox', 120, 120, 120, 48]],
   ['flag', ['plane', 170, 170, 1, 1], ['plane', 170, 170, 120, 120]],
 ])
   test(`${coarse} under a ${name} looks like a dense one`, async (t) => {
@@ -65,8 +67,9 @@ for (const [name, coarse, dense] of [
     assert.ok(after < 250, `the divided one differs at ${after} pixels`)
   })
 
-test('a divided box is within a pixel of a dense one from 20 places', async (t) => {
-  checkPictures(await run(t, 'compareAround', { places: placesAround(120) }))
+// Each place takes ten pictures.
+test('a divided box is within a pixel of a dense one from 10 places', async (t) => {
+  checkPictures(await run(t, 'compareAround', { places: placesAround(120).slice(0, 10) }))
 })
 
 test('buffers grow, and the shape of the frame before is drawn until then', async (t) => {

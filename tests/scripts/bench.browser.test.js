@@ -124,12 +124,13 @@ describe('npm run bench -- --quick', () => {
     for (const { clock } of records) assert.match(clock, /^(timer query|readback fence)$/)
   })
 
-  test('prints a table for each row, and one for the goals', () => {
+  test('prints tables for each row, and one for the aims', () => {
     for (const name of [...rows, 'p5', 'What we aim at'])
       assert.match(text, new RegExp(`^▸ ${name}`, 'm'), text)
     for (const method of [...methods, ...sketches])
-      assert.match(text, new RegExp(`^ {2}${method} +[\\d.]+ `, 'm'), text)
-    for (const row of rows) assert.match(text, new RegExp(`^ {2}${row} +[\\d.]+ [✓✗]`, 'm'), text)
+      assert.match(text, new RegExp(`^│ +${method} +│ +[\\d.]+ `, 'm'), text)
+    for (const row of rows)
+      assert.match(text, new RegExp(`^│ +${row} +│ +'[\\d.]+ [✓✗]'`, 'm'), text)
   })
 })
 
@@ -150,6 +151,6 @@ test('rejects unknown options and rows with one message', async () => {
   assert.equal(code, 1)
   assert.match(
     text,
-    /^✗ Expected the name of one row, got 'cube': choose from 14,000 × 150; .*; p5\.\n$/,
+    /^✗ Expected the name of a row, got 'cube': choose from 14,000 × 150; .*; p5\.\n$/,
   )
 })

@@ -1,10 +1,9 @@
-// Tests the benchmark without a browser: its command line, statistics, tables and lines of results.csv.
+// Tests the benchmark without a browser: its command line, statistics, lines of results.csv and tables.
 import assert from 'node:assert/strict'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, describe, test } from 'node:test'
-import { stripVTControlCharacters } from 'node:util'
 import { readOptions } from '../../.scripts/bench/frames/options.mjs'
 import {
   appendRecords,
@@ -14,8 +13,7 @@ import {
   p5Records,
   rowRecords,
 } from '../../.scripts/bench/frames/records.mjs'
-import { aims, aimsText } from '../../.scripts/bench/frames/report.mjs'
-import { sameDecimals, table } from '../../.scripts/bench/frames/table.mjs'
+import { aimsTable, rowTables } from '../../.scripts/bench/frames/report.mjs'
 import { medianRatio, quantile, shuffle, summarize } from '../../web/bench/statistics.js'
 
 describe('statistics', () => {
@@ -53,10 +51,13 @@ describe('the command line', () => {
     assert.match(readArguments().file, /web\/bench\/results\.csv$/)
   })
 
-  test('finds a row by its name, by its name with x for ×, or by a unique part of its name', () => {
+  test('finds a row by its name, also with x for ×, without spaces and commas, and in lower case', () => {
     assert.deepEqual(readArguments('--row', '14,000 × 150').rows, ['14,000 × 150'])
     assert.deepEqual(readArguments('--row', '14000x150').rows, ['14,000 × 150'])
-    assert.deepEqual(readArguments('--row', 'p5', '--row', 'Twist').rows, ['airplane twist', 'p5'])
+    assert.deepEqual(readArguments('--row', 'P5', '--row', 'Airplane Twist').rows, [
+      'airplane twist',
+      'p5',
+    ])
   })
 
   test('selects a few rows with --quick, unless others are named', () => {
@@ -74,11 +75,7 @@ describe('the command line', () => {
   const rejected = {
     'an unknown row': [
       ['--row', 'cube'],
-      "Expected the name of one row, got 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
-    ],
-    'a name that matches several rows': [
-      ['--row', '14000'],
-      "Expected the name of one row, got '14000': choose from 14,000 × 150; 14,000 × 1,500.",
+      "Expected the name of a row, got 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
     ],
     'zero rounds': [['--rounds', '0'], 'Expected a whole number of --rounds from 1, got 0.'],
     'a fractional number of rounds': [
@@ -88,30 +85,6 @@ describe('the command line', () => {
   }
   for (const [name, [args, message]] of Object.entries(rejected))
     test(`rejects ${name}`, () => assert.throws(() => readArguments(...args), { message }))
-})
-
-describe('a table', () => {
-  const columns = [
-    { head: ['', 'method'], left: true, text: ({ name }) => name },
-    { head: ['frame', 'ms'], text: ({ ms }) => ms?.toFixed(1) },
-  ]
-  const records = [{ name: 'no warp', ms: 9.96 }, { name: 'by hand' }, { name: 'dFdx', ms: 123 }]
-
-  test('aligns words to the left and figures to the right, and has dashes for missing figures', () => {
-    assert.deepEqual(table(columns, records).map(stripVTControlCharacters), [
-      '         frame',
-      'method      ms',
-      'no warp   10.0',
-      'by hand      –',
-      'dFdx     123.0',
-    ])
-  })
-
-  test('shows the times of a column with the same number of decimals', () => {
-    assert.deepEqual([0.5, 9.994].map(sameDecimals([0.5, 9.994, NaN])), ['0.50', '9.99'])
-    assert.deepEqual([9.994, 40.25].map(sameDecimals([9.994, 40.25])), ['10.0', '40.3'])
-    assert.deepEqual([9.6, 400].map(sameDecimals([9.6, 400])), ['10', '400'])
-  })
 })
 
 const run = {
@@ -218,40 +191,45 @@ describe('results.csv', () => {
   })
 })
 
-describe('the goals', () => {
-  const evaluateGoals = (row, results = measured.results) => {
-    const records = rowRecords(run, row, { ...measured, results }, rates)
-    return aims.map(({ ratio, max }) => {
-      const value = ratio(records)
-      return value ? [value, value <= max] : undefined
+describe('the tables of a row', () => {
+  test('have the figures that exist, with four digits', () => {
+    const [frames, others] = rowTables(rowRecords(run, rowOf3000Nodes, measured, rates))
+    assert.deepEqual(frames['by hand'], {
+      ...{ ms: 12.35, from: 12, to: 13, '× positions': 1.02, '× warpjet': 1 },
+      ...{ fps: 81, 'fps, vsync': 60 },
     })
-  }
+    assert.equal(others['forward differences'].h, 0.1)
+    assert.equal('h' in others.warpjet, false)
+  })
+
+  test('are only one if only frames were measured', () => {
+    const p5 = { method: 'p5 2.3.4, no warp', frameMs: 100, toNoWarp: 1 }
+    assert.deepEqual(rowTables([p5]), [{ [p5.method]: { ms: 100, '× no warp': 1 } }])
+  })
+})
+
+describe('the aims', () => {
+  const compare = (row, results = measured.results) =>
+    aimsTable(rowRecords(run, row, { ...measured, results }, rates))[row.name]
 
   test('are ratios of warpjet to the other methods', () => {
-    assert.deepEqual(evaluateGoals(rowOf3000Nodes), [
-      [1, true],
-      [1.25, false],
-      [1.02, true],
-      [1.5, true],
-      [1.1, true],
-      [1.25, true],
-    ])
+    assert.deepEqual(compare(rowOf3000Nodes), {
+      'frame × by hand ≤ 1.03': '1.000 ✓',
+      'frame × forward ≤ 1': '1.250 ✗',
+      'frame × positions ≤ 1.5': '1.020 ✓',
+      'first × positions ≤ 2': '1.500 ✓',
+      'first × by hand ≤ 1.15': '1.100 ✓',
+      'characters × by hand ≤ 1.3': '1.250 ✓',
+    })
   })
 
-  test('are undefined if there is nothing to compare with', () => {
-    const [byHand, , positions] = evaluateGoals(
-      { name: 'nested', nodes: 216 },
-      measured.results.slice(0, 2),
-    )
-    assert.deepEqual([byHand, positions], [undefined, undefined])
+  test('are dashes if there is nothing to compare with', () => {
+    const cells = compare({ name: 'nested', nodes: 216 }, measured.results.slice(0, 2))
+    assert.equal(cells['frame × by hand ≤ 1.03'], '–')
+    assert.equal(cells['frame × positions ≤ 1.5'], '–')
   })
 
-  test('are shown row by row, or not at all if only p5 was measured', () => {
-    const [, , line] = aimsText(rowRecords(run, rowOf3000Nodes, measured, rates)).split('\n')
-    assert.match(
-      stripVTControlCharacters(line),
-      /^ {2}14,000 × 3,000 +1\.000 ✓ +1\.250 ✗ +1\.020 ✓ +1\.500 ✓ +1\.100 ✓ +1\.250 ✓$/,
-    )
-    assert.equal(aimsText([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]), undefined)
+  test('are left out if only p5 was measured', () => {
+    assert.deepEqual(aimsTable([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]), {})
   })
 })

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict'
 import { existsSync } from 'node:fs'
 import { test } from 'node:test'
-import { rareFiles } from '../../.scripts/lib/tiers.mjs'
+import { everydayFiles, rareFiles } from '../../.scripts/lib/tiers.mjs'
 
-test('all files that the default run skips exist', () => {
-  for (const file of rareFiles) assert.ok(existsSync(file), file)
+test('all files that the tiers name exist', () => {
+  for (const file of [...everydayFiles, ...rareFiles]) assert.ok(existsSync(file), file)
 })

@@ -6,8 +6,8 @@ import { leavePage, webgpuFlags } from '../support/browser/browser.js'
 import { threePages, versions } from '../support/browser/three/open.js'
 import { checkPictures, placesAround } from '../support/places-around.js'
 
-const hosts = [
-  ...(isRun('three 0.159') ? versions : versions.slice(0, 1)).map((version) => ({
+const allHosts = [
+  ...versions.map((version) => ({
     name: `WebGLRenderer, ${version}`,
     version,
     script: 'detail/page-webgl.js',
@@ -24,6 +24,11 @@ const hosts = [
     settings,
   })),
 ]
+const hosts = isRun('three 0.159 and WebGPURenderer') ? allHosts : allHosts.slice(0, 1)
+
+/** Fewer pictures suffice on three 0.159 and the WebGL backend, where the same code divides and warps as on the other hosts. */
+const hasManyPictures = ({ version, settings }) =>
+  version === 'three' && settings.backend !== 'webgl'
 
 let pages
 before(async () => {
@@ -31,8 +36,9 @@ before(async () => {
 })
 after(() => pages.close())
 
-for (const { name, version, script, settings } of hosts)
-  describe(name, () => {
+for (const host of hosts)
+  describe(host.name, () => {
+    const { version, script, settings } = host
     let page, messages
     before(async () => {
       ;({ page, messages } = await pages.open(version, script))
@@ -62,12 +68,13 @@ for (const { name, version, script, settings } of hosts)
         }
       })
 
-    test('a divided box is within a pixel of a dense one from 20 places', async (t) => {
-      const found = await measure('around', { places: placesAround(1) })
-      t.diagnostic(JSON.stringify(found))
-      assert.deepEqual(messages, [])
-      checkPictures(found)
-    })
+    if (hasManyPictures(host))
+      test('a divided box is within a pixel of a dense one from 20 places', async (t) => {
+        const found = await measure('around', { places: placesAround(1) })
+        t.diagnostic(JSON.stringify(found))
+        assert.deepEqual(messages, [])
+        checkPictures(found)
+      })
 
     // Compute passes do not divide curved triangles.
     if (!settings.hasPasses)
@@ -146,12 +153,13 @@ for (const { name, version, script, settings } of hosts)
         }
     })
 
-    test('closed shapes have no holes in 300 moving frames', async (t) => {
-      const found = await measure('holes')
+    const frames = isRun('300 moving frames') && hasManyPictures(host) ? 300 : 60
+    test(`closed shapes have no holes in ${frames} moving frames`, async (t) => {
+      const found = await measure('holes', { frames })
       t.diagnostic(JSON.stringify(found))
       assert.deepEqual([messages, found.holes], [[], 0])
       assert.ok(found.least > 2000, `${found.least} pixels are covered`)
-      assert.ok(found.divisions > 50, `${found.divisions} divisions`)
+      assert.ok(found.divisions > frames / 6, `${found.divisions} divisions`)
       // With a tolerance of one pixel, most gaps of a broken edge would be narrower than a pixel. We cannot change indices that compute passes write.
       const broken = settings.hasPasses ? 'mesh' : 'division'
       const holes = await measure('holes', { frames: 40, broken, tolerance: 3 })

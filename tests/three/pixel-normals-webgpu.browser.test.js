@@ -29,7 +29,9 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(max < 0.1, `${max}°`)
     }
 
-    for (const shape of ['plane', 'sphere', 'box', 'torus', 'icosahedron'])
+    // The shape does not depend on the backend.
+    const shapes = ['plane', 'sphere', 'box', 'torus', 'icosahedron']
+    for (const shape of backend === 'webgpu' ? shapes : shapes.slice(0, 2))
       test(`a ${shape}`, async (t) => {
         const names = await page.evaluate(() => pixels.warps)
         for (const name of names.slice(0, shape === 'plane' ? 4 : undefined))

@@ -1,9 +1,12 @@
 // Opens the two browsers of the benchmark: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
 import { chromium } from 'playwright-core'
+import { webgpuFlags } from '../../../tests/support/browser/browser.js'
 import { gpuFlags, softwareFlags, uncappedFlags } from '../../lib/flags.mjs'
 import { Stop, good } from '../../lib/terminal.mjs'
 
 const softwareRenderers = /swiftshader|llvmpipe|softpipe|basic render/i
+
+const launch = (args) => chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args })
 
 /** Runs in the page: returns the name of the WebGL 2 renderer, or null. */
 function findRenderer() {
@@ -33,18 +36,21 @@ export async function chooseRenderer(launch, withoutGpu) {
   return { flags: softwareFlags, renderer, isSoftware: true }
 }
 
-/** Starts a browser that draws on the machine's GPU, if it has one, and prints the name of the renderer. */
-export async function launchFastest(withoutGpu) {
-  const launch = (args) => chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args })
+/**
+ * Starts a browser that draws on the machine's GPU, if it has one, and prints the name of the renderer. `webgpu` are flags with which its
+ * pages have WebGPU, too.
+ */
+export async function launchFastest(withoutGpu, webgpu) {
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
   good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
-  return launch(flags)
+  const adapterFlags = isSoftware
+    ? [...webgpuFlags, '--use-vulkan=swiftshader']
+    : ['--enable-unsafe-webgpu']
+  return launch([...flags, ...(webgpu ? [...adapterFlags, ...webgpu] : [])])
 }
 
 /** Opens the benchmark's page twice, uncapped and capped. Returns { version, renderer, isSoftware, uncapped, capped, close() }. */
 export async function openBrowsers(url, size, withoutGpu) {
-  const executablePath = process.env.WARPJET_CHROMIUM
-  const launch = (args) => chromium.launch({ executablePath, args, handleSIGINT: false })
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
   const browsers = []
   const close = () => Promise.all(browsers.map((browser) => browser.close()))

@@ -1,8 +1,8 @@
 // The command line of `npm run bench`.
 import { resolve } from 'node:path'
-import { parseArgs } from 'node:util'
 import { workloads } from '../../../web/bench/workloads.js'
 import { path } from '../../lib/files.mjs'
+import { parseOptions } from '../../lib/options.mjs'
 import { Stop } from '../../lib/terminal.mjs'
 
 /** The row that runs p5 sketches instead of methods. */
@@ -30,7 +30,7 @@ GPU if it has one. Prints the time of a frame and the error of the normals, and 
 GPU, on two cores, it takes about a quarter of an hour, in which the machine should do nothing else.
 
   --quick         a minute, to see that all of it works: a small picture, few rows and rounds; appends nothing without --out
-  --row <name>    only this row; can be repeated. 14000x150 means 14,000 × 150; a part of a name suffices if no other name has it
+  --row <name>    only this row; can be repeated. 14000x150 means 14,000 × 150
   --rounds <n>    how many times each method is measured
   --out <file>    the CSV file to append to
   --software      draw without the GPU
@@ -44,7 +44,6 @@ CHROME_PATH names the Chromium to use.`
 const options = {
   quick: { type: 'boolean', default: false },
   row: { type: 'string', multiple: true },
-  rounds: { type: 'string' },
   out: { type: 'string' },
   software: { type: 'boolean', default: false },
   help: { type: 'boolean', default: false },
@@ -54,14 +53,9 @@ const options = {
 const normalize = (name) => name.toLowerCase().replaceAll('×', 'x').replace(/[\s,]/g, '')
 
 function findRow(wanted, rows) {
-  const exact = rows.filter((name) => normalize(name) === normalize(wanted))
-  const found = exact.length
-    ? exact
-    : rows.filter((name) => normalize(name).includes(normalize(wanted)))
-  if (found.length === 1) return found[0]
-  throw new Stop(
-    `Expected the name of one row, got '${wanted}': choose from ${(found.length ? found : rows).join('; ')}.`,
-  )
+  const found = rows.find((name) => normalize(name) === normalize(wanted))
+  if (found) return found
+  throw new Stop(`Expected the name of a row, got '${wanted}': choose from ${rows.join('; ')}.`)
 }
 
 /**
@@ -75,12 +69,10 @@ export function readOptions(args, all = allRows) {
     out,
     quick: isQuick,
     ...values
-  } = parseArgs({ args, options }).values
+  } = parseOptions(args, { rounds: undefined }, options)
   const chosen = wanted?.map((name) => findRow(name, all)) ?? (isQuick ? quickRows : all)
-  if (rounds !== undefined && !/^[1-9]\d{0,4}$/.test(rounds))
-    throw new Stop(`Expected a whole number of --rounds from 1, got ${rounds}.`)
   const settings = { millis: 1200, ...(isQuick ? quick : thorough) }
-  if (rounds) settings.rounds = Number(rounds)
+  if (rounds) settings.rounds = rounds
   const table = isQuick ? undefined : path('web/bench/results.csv')
   return {
     ...values,

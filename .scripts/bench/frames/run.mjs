@@ -3,11 +3,11 @@
 import { relative } from 'node:path'
 import { workloads } from '../../../web/bench/workloads.js'
 import { capture } from '../../lib/run.mjs'
-import { Stop, good, heading, say, seconds } from '../../lib/terminal.mjs'
+import { good, heading, say, seconds } from '../../lib/terminal.mjs'
 import { openBrowsers } from './browsers.mjs'
 import { P5 } from './options.mjs'
 import { appendRecords, p5Records, rowRecords } from './records.mjs'
-import { aimsText, legend, rowText } from './report.mjs'
+import { aimsTable, describeRow, legend, rowTables } from './report.mjs'
 import { serveBench } from './server.mjs'
 
 /** Returns the commit of the measured code; '' without git. */
@@ -62,7 +62,8 @@ async function measureRows(browsers, run, { rows, settings }, save) {
     heading(`${name} (${i + 1} of ${rows.length})`)
     const measureOne = name === P5 ? measureP5 : measureRow
     const records = await measureOne(browsers, run, name, settings)
-    say(rowText(records))
+    say(describeRow(records))
+    for (const table of rowTables(records)) console.table(table)
     save(records)
     all.push(...records)
   }
@@ -75,12 +76,6 @@ export async function measure(options) {
   const { file, settings, software } = options
   const server = await serveBench()
   let browsers
-  let isStopped = false
-  const stop = () => {
-    isStopped = true
-    browsers?.close()
-  }
-  process.once('SIGINT', stop)
   try {
     browsers = await openBrowsers(server.url, settings.size, software)
     const { version: chromium, renderer, isSoftware } = browsers
@@ -89,24 +84,20 @@ export async function measure(options) {
     const commit = await readCommit()
     good(`Chromium ${chromium}, ${isSoftware ? 'without a GPU' : 'on the GPU'}: ${renderer}`)
     good(`${sizePx} × ${sizePx} pixels, ${rounds} rounds with every method in turn`)
-    say(`\n${legend}`)
+    say(legend)
     const run = { date, commit, chromium, renderer, sizePx, rounds }
     // Row by row, so that a measurement that is stopped loses nothing.
     const save = (records) => file && appendRecords(file, records)
-    const aims = aimsText(await measureRows(browsers, run, options, save))
-    if (aims) {
+    const aims = aimsTable(await measureRows(browsers, run, options, save))
+    if (Object.keys(aims).length) {
       heading(
         'What we aim at: warpjet as a multiple of other methods; with few rounds, noise decides',
       )
-      say(aims)
+      console.table(aims)
     }
     if (file) good(`Appended to ${relative(process.cwd(), file)}`)
     good(`Done in ${seconds(start)}`)
-  } catch (error) {
-    if (!isStopped) throw error
-    throw new Stop(`Stopped${file ? '; the rows that were finished are in the file' : ''}.`)
   } finally {
-    process.off('SIGINT', stop)
     await browsers?.close()
     await server.close()
   }

@@ -1,8 +1,9 @@
 // Measures the angle between the normal with which light is computed and the exact normal, at random points of p5's sphere, on the CPU.
 import { compileWarp } from '../../../dist/warpjet.js'
-import { normalize } from '../../../tests/support/browser/matrix.js'
+import { cross, normalize, subtract } from '../../../tests/support/browser/matrix.js'
 import { angleBetween, warpVertex } from '../../../tests/support/browser/oracle.js'
 import { pixelWarps } from '../../../tests/support/browser/pixel-normals.js'
+import { randomNumbers } from '../../../tests/support/three-meshes.js'
 import { say } from '../../lib/terminal.mjs'
 import { markdownTable } from '../../reference/parts.mjs'
 
@@ -43,27 +44,14 @@ function createSphere([columns, rows]) {
   return { vertices, faces }
 }
 
-/** Returns Park and Miller's generator, so that each run uses the same points. */
-function makeRandom() {
-  let state = 1
-  return () => (state = (state * 16807) % 2147483647) / 2147483647
-}
-
 const interpolate = (weights, vectors) =>
   [0, 1, 2].map((k) => weights.reduce((sum, weight, i) => sum + weight * vectors[i][k], 0))
 
-function areaOf([a, b, c]) {
-  const [u, v] = [b, c].map((end) => end.map((x, k) => x - a[k]))
-  const cross = [0, 1, 2].map((k) => {
-    const [i, j] = [(k + 1) % 3, (k + 2) % 3]
-    return u[i] * v[j] - u[j] * v[i]
-  })
-  return Math.hypot(...cross) / 2
-}
+const areaOf = ([a, b, c]) => Math.hypot(...cross(subtract(b, a), subtract(c, a))) / 2
 
 /** Returns points that are spread evenly over the triangles: [{ face, weights }]. */
 function randomPoints({ vertices, faces }) {
-  const random = makeRandom()
+  const random = randomNumbers()
   let total = 0
   // The sums of the areas up to the end of each face.
   const ends = faces.map((face) => (total += areaOf(face.map((i) => vertices[i]))))

@@ -61,11 +61,14 @@ export function litPixels({ width, height, data }) {
 
 /** Returns the number of pixels of two images that differ by more than `tolerance` in some channel. */
 export function differingPixels(a, b, tolerance) {
-  const differing = new Set()
-  a.data.forEach((value, i) => {
-    if (Math.abs(value - b.data[i]) > tolerance) differing.add(i >> 2)
-  })
-  return differing.size
+  let count = 0
+  for (let i = 0; i < a.data.length; i += 4)
+    for (let k = i; k < i + 4; k++)
+      if (Math.abs(a.data[k] - b.data[k]) > tolerance) {
+        count++
+        break
+      }
+  return count
 }
 
 /** Counts the pixels of `image` that are outside the range of the 3 × 3 pixels at the same place in `other` by more than `tolerance`. */
@@ -95,17 +98,22 @@ export const beyondPixel = (a, b, tolerance) =>
 
 function missingPixels(a, b, tolerance) {
   const { width, height } = a
-  const isLike = (i, x, y) => {
-    if (x < 0 || y < 0 || x >= width || y >= height) return false
-    const j = 4 * (y * width + x)
-    return [0, 1, 2, 3].every((k) => Math.abs(a.data[i + k] - b.data[j + k]) <= tolerance)
+  const isLike = (i, j) => {
+    for (let k = 0; k < 4; k++)
+      if (Math.abs(a.data[i + k] - b.data[j + k]) > tolerance) return false
+    return true
   }
-  const steps = [0, -1, 1]
+  const isNearby = (i, x, y) => {
+    for (let v = Math.max(y - 1, 0); v <= Math.min(y + 1, height - 1); v++)
+      for (let u = Math.max(x - 1, 0); u <= Math.min(x + 1, width - 1); u++)
+        if (isLike(i, 4 * (v * width + u))) return true
+    return false
+  }
   let count = 0
   for (let y = 0; y < height; y++)
     for (let x = 0; x < width; x++) {
       const i = 4 * (y * width + x)
-      if (!steps.some((dy) => steps.some((dx) => isLike(i, x + dx, y + dy)))) count++
+      if (!isLike(i, i) && !isNearby(i, x, y)) count++
     }
   return count
 }

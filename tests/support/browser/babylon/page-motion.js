@@ -206,7 +206,7 @@ function warpBySampling(material, scene, isByOptions) {
   })
 }
 
-/** Draws the knot; `kind` is the class of its material, and `way` says how the knot is moved or warped. Returns the picture as bytes. */
+/** Draws the knot; `kind` is the class of its material, and `way` says how the knot is moved or warped. Returns the bytes of the picture in base64. */
 window.draw = async (backend, kind, way) => {
   const engine = await getEngine(backend)
   const { scene, knot, material } = makeScene(engine, kind)
@@ -249,7 +249,7 @@ window.draw = async (backend, kind, way) => {
   }
   const pixels = await target.readPixels()
   scene.dispose()
-  return [...new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength)]
+  return new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength).toBase64()
 }
 
 /**

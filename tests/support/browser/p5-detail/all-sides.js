@@ -44,7 +44,7 @@ async function picturesOf(places, shape, detail = false) {
 /** Compares a box, with and without detail, with a dense one. Returns the numbers of pixels for `checkPictures`. */
 export async function compareAround({ places }) {
   const box = (p) => p.box(120)
-  const dense = await picturesOf(places, (p) => p.warpBox(120, 120, 120, 100))
+  const dense = await picturesOf(places, (p) => p.warpBox(120, 120, 120, 48))
   const beyond = async (detail) => {
     const pictures = await picturesOf(places, box, detail)
     // All channels of colors are 0 or 255.

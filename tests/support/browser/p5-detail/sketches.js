@@ -128,7 +128,8 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true, is
       for (let k = 0; k < 1000; k++) {
         const { draws } = await this.picture(...pictures)
         if (draws.length && draws.every(({ indirectBuffer }) => indirectBuffer)) return
-        await wait(10)
+        // Without this pause, hundreds of pictures would delay the idle callbacks that make the tessellations.
+        await wait(100)
       }
       throw new Error(`compute passes did not begin: ${errors}`)
     },

@@ -52,10 +52,10 @@ export async function begin({ kind }) {
   const box = await startSketch(sketch({ shape: 'box', name: 'twist' }))
   const started = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
   let found
-  for (let later = 0; later < 40 && !found?.every(Boolean);) {
+  for (let later = 0; later < 15 && !found?.every(Boolean);) {
     if (areIndirect(await box.picture()).every(Boolean)) later++
     found = areIndirect(await started.picture())
-    await wait(10)
+    await wait(30)
   }
   started.remove()
   box.remove()

@@ -2,6 +2,10 @@
 export function countDiffering(a, b, tolerance = 12) {
   let count = 0
   for (let i = 0; i < a.length; i += 4)
-    if ([0, 1, 2].some((k) => Math.abs(a[i + k] - b[i + k]) > tolerance)) count++
+    for (let k = i; k < i + 3; k++)
+      if (Math.abs(a[k] - b[k]) > tolerance) {
+        count++
+        break
+      }
   return count
 }

@@ -29,7 +29,7 @@ async function picturesOf({ draw, framesUntilLargeEnough = 1 }, places, pieces, 
 
 /** Compares a box, with and without detail, with a dense one. Returns the numbers of pixels for `checkPictures`. */
 export async function around(host, { places }) {
-  const dense = await picturesOf(host, places, 100)
+  const dense = await picturesOf(host, places, 48)
   const beyond = async (detail) => {
     const pictures = await picturesOf(host, places, 1, detail)
     // All channels of colors are 0 or 255.

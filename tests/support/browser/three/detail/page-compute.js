@@ -78,7 +78,7 @@ function start(renderer, { shape, name, offset, uniforms, detail = 1, space, mat
       for (let i = 1; i < 1000; i++) {
         render(renderer, scene, view)
         if (drawn.indirect) return i
-        await wait(10)
+        await wait(100)
       }
       throw new Error(`compute passes did not begin: ${errors}`)
     },

@@ -59,7 +59,8 @@ async function hostFor(backend, hasPasses) {
       render(scene, view)
       for (let i = 0; hasPasses && drawn.some(isWaiting); i++) {
         if (i > 1000) throw new Error('compute passes did not begin')
-        await new Promise((resolve) => setTimeout(resolve, 10))
+        // Without this pause, pictures would delay the idle callbacks that make the tessellations.
+        await new Promise((resolve) => setTimeout(resolve, 100))
         render(scene, view)
       }
       triangles = await countTriangles(renderer)
