@@ -2,7 +2,8 @@
 // measures two of three's showcases on both backends of WebGPURenderer: as they are, with normals by hand, and by exactNormals. A row has
 // - the median frame and its ratio to the original's, measured in turn, with one pixel read after each batch;
 // - the median first frame of `pages` new pages, and how much longer it takes than the original's;
-// - the evaluations of the height in the vertex + in the fragment shader, where a loop of octaves counts once for each call.
+// - the evaluations of the height in the vertex + in the fragment shader, where a loop of octaves counts once for each call;
+// - the characters of the vertex + of the fragment shader.
 // The colour of the sea needs one evaluation in each fragment shader. Each side of a plane is split into `pieces`.
 import { parseArgs } from 'node:util'
 import { chromium } from 'playwright-core'
@@ -79,12 +80,13 @@ async function measureRows(pages, name, backend, { size, pieces, pages: count, r
       const options = { pieces, salt: 1e-6 * ++salt }
       firstFrames[k].push(await runInNewPage((args) => bench.first(...args), name, mode, options))
     }
-  return rows.map(({ mode, frame, ratio, heights }, k) => ({
+  return rows.map(({ mode, frame, ratio, heights, characters }, k) => ({
     mode,
     frame: round(frame),
     ratio: round(ratio),
     'first frame': round(median(firstFrames[k])),
     'more than the original': round(median(firstFrames[k]) - median(firstFrames[0])),
     'heights, vertex + fragment': heights,
+    'characters, vertex + fragment': characters,
   }))
 }

@@ -118,6 +118,8 @@ inline constexpr std::array identities{
     Identity{ifElse(true, x, y), x, bits},
     Identity{ifElse(false, x, y), y, bits},
     Identity{ifElse(!c, x, y), ifElse(c, y, x), bits},
+    Identity{ifElse(c, v, -v), v * ifElse(c, 1, -1), bits},
+    Identity{ifElse(c, -v, v), v * ifElse(c, -1, 1), bits},
     Identity{ifElse(c, x, 0) + ifElse(c, 0, y), ifElse(c, x, y), value},
     Identity{ifElse(c, x, 0) + ifElse(c, y, 0), ifElse(c, x + y, 0), value},
     Identity{ifElse(c, 0, x) + ifElse(c, 0, y), ifElse(c, 0, x + y), value},

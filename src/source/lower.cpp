@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "source/assumption.hpp"
+
 namespace warpjet::source {
 
 namespace {
@@ -26,6 +28,8 @@ Lowering::Lowering(const Tree& tree, Problems& problems, int maxIterations,
 
 Lowered Lowering::lower(FunctionId number) {
   start();
+  // The store records changes only in a branch.
+  store_.open();
   const Function& function = tree_.functions[number];
   std::vector<Value> arguments;
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -118,6 +122,7 @@ void Lowering::fillUndefined(Type type, Value& value) {
 }
 
 void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
+  const Assumption ifYes(recorder_, condition, true), ifNo(recorder_, condition, false);
   std::size_t i = 0, k = 0;
   while (i < yes.size() || k < no.size()) {
     const bool hasYes = i < yes.size() && (k == no.size() || yes[i].slot <= no[k].slot);
@@ -125,8 +130,19 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
     const Slot slot = hasYes ? yes[i].slot : no[k].slot;
     const Id before = store_.get(slot);
     const Id inYes = hasYes ? yes[i++].value : before, inNo = hasNo ? no[k++].value : before;
-    store_.set(slot, recorder_.choose(condition, inYes, inNo));
+    // The branches may know more about a value that neither has changed.
+    const bool isSame = (inYes == before || inYes == ifYes.apply(before)) &&
+                        (inNo == before || inNo == ifNo.apply(before));
+    store_.set(slot, isSame ? before : recorder_.choose(condition, inYes, inNo));
   }
+}
+
+// Replaces choices among the values that have changed since that point in the store's history: the
+// current branch knows the condition.
+void Lowering::assume(Id condition, bool isTrue, std::size_t since) {
+  if (recorder_.isConstant(condition) || recorder_.isUndefined(condition)) return;
+  const Assumption assumption(recorder_, condition, isTrue);
+  store_.revise(since, [&](Id value) { return assumption.apply(value); });
 }
 
 bool Lowering::exceedsLimits(Location location) {

@@ -103,6 +103,7 @@ class Lowering {
   template <class Yes, class No>
   void branch(Id condition, const Yes& yes, const No& no);
   void merge(Id condition, Store::Changes yes, Store::Changes no);
+  void assume(Id condition, bool isTrue, std::size_t since);
 
   // lower_constants.cpp
   Value expandFunction(Code code, const std::vector<Value>& x);
@@ -121,6 +122,10 @@ class Lowering {
   void returnFrom(const Statement& statement);
   Id stopCondition();
   void resume();
+  // Runs `next` in a branch, unless statements since that point in the store's history have
+  // stopped.
+  template <class Next>
+  void unlessStopped(std::size_t since, const Next& next);
 
   // lower_routines.cpp
   void findAssigned();
@@ -257,6 +262,18 @@ void Lowering::branch(Id condition, const Yes& yes, const No& no) {
   store_.open();
   no();
   merge(condition, std::move(inYes), store_.close());
+}
+
+template <class Next>
+void Lowering::unlessStopped(std::size_t since, const Next& next) {
+  const Id isOver = stopCondition();
+  branch(
+      isOver, [] {},
+      [&] {
+        resume();
+        assume(isOver, false, since);
+        next();
+      });
 }
 
 }  // namespace warpjet::source

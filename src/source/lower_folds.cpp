@@ -35,24 +35,19 @@ Id Lowering::iterate(const Statement& statement, bool evaluatesTest, const End& 
     branch(test, next, [&] { store_.set(here.broken, number(Base::Bool, 1)); });
   };
   const auto run = [&] {
+    const std::size_t before = store_.now();
     execute(statement.children[2]);
     store_.set(here.continued, number(Base::Bool, 0));
-    branch(
-        stopCondition(), [] {},
-        [&] {
-          resume();
-          execute(statement.children[1]);
-          if (statement.testsAfterBody) return check(end);
-          end();
-        });
+    unlessStopped(before, [&] {
+      execute(statement.children[1]);
+      if (statement.testsAfterBody) return check(end);
+      end();
+    });
   };
-  branch(
-      stopCondition(), [] {},
-      [&] {
-        resume();
-        if (statement.testsAfterBody) return run();
-        check(run);
-      });
+  unlessStopped(store_.now(), [&] {
+    if (statement.testsAfterBody) return run();
+    check(run);
+  });
   return test;
 }
 
@@ -281,12 +276,7 @@ bool Lowering::close(const Statement& statement, const Folding& folding) {
   }
   // The condition that ends the loop may have side effects, as in `i-- > 0`.
   if (!folding.evaluatesTest && !statement.testsAfterBody)
-    branch(
-        stopCondition(), [] {},
-        [&] {
-          resume();
-          condition(statement.expression);
-        });
+    unlessStopped(store_.now(), [&] { condition(statement.expression); });
   return true;
 }
 

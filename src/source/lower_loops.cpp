@@ -66,6 +66,7 @@ void Lowering::unroll(const Statement& statement) {
         enter(test);
       }
     }
+    const std::size_t start = store_.now();
     execute(statement.children[2]);
     store_.set(breakables_.back().continued, no);
     const Id isOver = stopCondition();
@@ -76,6 +77,7 @@ void Lowering::unroll(const Statement& statement) {
         problems_.add(statement.location, endsUnknown);
       enter(recorder_.logicalNot(isOver));
       resume();
+      assume(isOver, false, start);
     }
     execute(statement.children[1]);
   }

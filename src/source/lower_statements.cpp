@@ -69,19 +69,17 @@ void Lowering::resume() {
 
 void Lowering::executeAll(const std::vector<StatementId>& statements, std::size_t from) {
   for (std::size_t i = from; i < statements.size() && !problems_.any(); ++i) {
+    const std::size_t before = store_.now();
     execute(statements[i]);
     const Id isOver = stopCondition();
     if (recorder_.isTrue(isOver)) return;
     if (recorder_.isConstant(isOver)) continue;
     if (i + 1 == statements.size()) return;
-    return branch(
-        isOver, [] {},
-        [&] {
-          resume();
-          ++depth_;
-          executeAll(statements, i + 1);
-          --depth_;
-        });
+    return unlessStopped(before, [&] {
+      ++depth_;
+      executeAll(statements, i + 1);
+      --depth_;
+    });
   }
 }
 

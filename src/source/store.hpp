@@ -43,6 +43,17 @@ class Store {
 
   void open() { marks_.push_back(log_.size()); }
 
+  // Returns a point in the history of changes, for `revise`.
+  std::size_t now() const { return log_.size(); }
+
+  // Replaces the values of the slots that have changed since that point. No branch that was open
+  // then may be closed.
+  template <class Revised>
+  void revise(std::size_t since, const Revised& revised) {
+    const std::size_t end = now();
+    for (std::size_t i = since; i < end; ++i) set(log_[i].slot, revised(values_[log_[i].slot]));
+  }
+
   // Returns the changes since `open`, one per slot, in order.
   Changes close() {
     Changes changes;

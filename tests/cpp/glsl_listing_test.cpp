@@ -323,6 +323,24 @@ TEST(GlslFold, BreakBecomesAStateVariable) {
   }
 }
 
+TEST(GlslFold, AWhileThatCountsAfterABreakHasTheLengthOfTheFor) {
+  for (const char* end : {"if (q < 0.625) break; ", "if (q < 0.625) return s + q; "}) {
+    const auto list = [&](const std::string& head, const std::string& last) {
+      return lowerToListing("float f(float x) { float s = 0.0, a = 1.0, q = x; int i = 0; " + head +
+                                " { " + end + body + last + " } return s + q; }",
+                            0);
+    };
+    const Listing listing = list("while (i < 20)", "i++;");
+    EXPECT_EQ(listing.words.size(), list("for (; i < 20; i++)", "").words.size());
+    for (const double x : {0.1, 0.7, 1.9, 5.0}) {
+      const Interpreter run(listing, {x});
+      EXPECT_EQ(run.folds, 1);
+      EXPECT_NEAR(run.results.at(0), runLoop(x, 20, [](double q, int) { return q < 0.625; }), 1e-12)
+          << x;
+    }
+  }
+}
+
 TEST(GlslFold, ALoopWithADynamicConditionRunsToMaxIterations) {
   const Listing listing = lowerToListing(sourceWithLoop("while (q > 0.625)"), 0, 15);
   const Interpreter run(listing, {3.0});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "source/assumption.hpp"
 #include "source/glsl/built_in_table.hpp"
 #include "source/glsl/preprocess.hpp"
 #include "source/recorder.hpp"
@@ -227,6 +228,29 @@ TEST(GlslRecorder, SimplifiesConditions) {
   EXPECT_EQ(recorder.logicalOr(c, c), c);
   const Id x = recorder.leaf(Code::Argument, 1);
   EXPECT_EQ(recorder.choose(c, x, recorder.undefined(Base::Float)), x);
+}
+
+TEST(GlslAssumption, FollowsTheChoicesByPartsOfACondition) {
+  Recorder recorder;
+  const Id zero = recorder.constant(Base::Float, 0);
+  const auto isPositive = [&](int argument) {
+    return recorder.apply(Code::Gt, Base::Bool, {recorder.leaf(Code::Argument, argument), zero});
+  };
+  const Id a = isPositive(0), b = isPositive(1), c = isPositive(2);
+  const Id x = recorder.leaf(Code::Argument, 3), y = recorder.leaf(Code::Argument, 4),
+           z = recorder.leaf(Code::Argument, 5);
+  const Id byA = recorder.choose(a, x, recorder.choose(b, y, z));
+  EXPECT_EQ(Assumption(recorder, a, true).apply(byA), x);
+  EXPECT_EQ(Assumption(recorder, a, false).apply(byA), recorder.choose(b, y, z));
+  const Id isEither = recorder.logicalOr(a, b);
+  EXPECT_EQ(Assumption(recorder, isEither, false).apply(byA), z);
+  EXPECT_EQ(Assumption(recorder, isEither, true).apply(byA), byA);
+  EXPECT_EQ(Assumption(recorder, recorder.logicalAnd(a, c), true).apply(byA), x);
+  // a || (!a && b) is false only if b is false, too.
+  const Id second = recorder.logicalOr(a, recorder.logicalAnd(recorder.logicalNot(a), b));
+  EXPECT_EQ(Assumption(recorder, second, false).apply(byA), z);
+  EXPECT_EQ(Assumption(recorder, recorder.logicalNot(a), true).apply(a),
+            recorder.constant(Base::Bool, 0));
 }
 
 TEST(GlslLowering, LimitsSourceLengthAndIterations) {

@@ -267,6 +267,21 @@ test('break, continue and return work in a loop', () => {
   )
 })
 
+test('a counter that a while increments after a break is known, as in a for', () => {
+  const breakIfFar = 'if (q.x > 2.5) break;'
+  const source = loop('int i = 0; while (i < 12)', `${breakIfFar} ${wave} i++;`)
+  assert.ok(hasLoop(source))
+  assertMoves(
+    source,
+    waves(12, (q) => q[0] > 2.5),
+  )
+  const short = loop('int i = 0; while (i < 3)', `${breakIfFar} ${wave} ${breakIfFar} i++;`)
+  assertMoves(
+    short,
+    waves(3, (q) => q[0] > 2.5),
+  )
+})
+
 test('a loop whose end depends on values in the shader stays a loop, too', () => {
   const source = loop('while (q.x < 2.5)', wave)
   assert.ok(hasLoop(source, 'glsl300', { maxIterations: 12 }))

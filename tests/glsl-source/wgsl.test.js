@@ -135,6 +135,25 @@ test('differentiate writes WGSL, or GLSL if the option target says so', () => {
   )
 })
 
+test('a counter after a break is known in a while and in a loop with continuing', () => {
+  const loops = {
+    while: 'while i < 6 { if s.x > 1 { break; } s += p; i++; }',
+    loop: 'loop { if i >= 6 { break; } if s.x > 1 { break; } s += p; i++; }',
+    continuing: 'loop { if s.x > 1 { break; } s += p; continuing { i++; break if i >= 6; } }',
+  }
+  for (const [name, loop] of Object.entries(loops)) {
+    const text = `fn own(p: vec3f) -> vec3f { var s = vec3f(); var i = 0; ${loop} return s + f32(i); }`
+    const warp = warpOf(text, { function: 'own' })
+    for (const x of [0.3, 0.1]) {
+      // 4 * 0.3 is the first sum above 1; 6 * 0.1 is below.
+      const count = x === 0.3 ? 4 : 6
+      const { position } = warp.evaluateAt([x, 2, 0], { normal })
+      const expected = [x, 2, 0].map((each) => each * (count + 1) + count)
+      position.forEach((each, k) => assert.ok(Math.abs(each - expected[k]) < 1e-5, name))
+    }
+  }
+})
+
 test('a continuing block reads the variables of the body, also after a continue', () => {
   // The steps are 1, 2, 3 and 4.
   const text = `fn offset(p: vec3f) -> vec3f {

@@ -107,6 +107,7 @@ class LoopGenerator {
       `for (int ${i} = ${start}; ${i} > ${start - step * steps}; ${i} -= ${step}) {\n${body}\n}`,
       `for (int ${i} = ${start}; ${i} <= ${start + step * steps}; ${i} += ${step}) {\n${body}\n}`,
       `{ int ${i} = ${steps}; while (${i}-- > 0) {\n${body}\n} }`,
+      `{ int ${i} = 0; while (${i} < ${steps}) {\n${body.replaceAll('continue', 'break')}\n${i}++;\n} }`,
       `{ int ${i} = 0; do {\n${body.replaceAll('continue', 'break')}\n} while (++${i} < ${steps}); }`,
     ])
   }

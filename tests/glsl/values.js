@@ -80,6 +80,12 @@ vec3 own(vec3 p) { return p * X; }`,
 }
 
 const onlyIn300 = {
+  'a while with a break before its counter': withBody(
+    'vec3 s = p; int i = 0; while (i < 7) { s = sin(s.yzx * 1.5) + p * float(i) * 0.2; if (s.x > 1.1) break; if (s.y < -0.9) { s.z += 2.0; break; } s.y += 0.1; i++; } return s + float(i);',
+  ),
+  'a while with a return before its counter': withBody(
+    'vec3 s = p; int i = 0; while (i < 9) { if (s.x + s.y > 1.5) return s * float(i); s = s.yzx + 0.3 * p; i++; } return s;',
+  ),
   'a condition of while that declares a variable': withBody(
     'float x = p.x; int n = 0; while (bool more = n < 4) { x += more ? 1.0 : 9.0; n++; } return vec3(x);',
   ),

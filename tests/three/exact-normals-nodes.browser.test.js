@@ -67,6 +67,20 @@ for (const backend of ['webgl', 'webgpu'])
         assert.deepEqual(await heights({ by: 'us', normals: 'pixel' }), [1, 1])
       })
 
+    // In its first material, three.js also builds the bodies of its noise functions.
+    test('the first material of a page evaluates its height once, too', async () => {
+      for (const name of Object.keys(heightsByHand)) {
+        const { page, messages } = await pages.open('three', 'exact-normals/page-nodes.js')
+        const heights = await page.evaluate(
+          (args) => exact.heightsOf(...args),
+          [name, { backend, by: 'us', normals: 'vertex' }],
+        )
+        await page.close()
+        assert.deepEqual(messages, [])
+        assert.deepEqual(heights, [1, 0], name)
+      }
+    })
+
     test('varyings that a position assigns stay as they are', async () => {
       messages.length = 0
       for (const name of await page.evaluate(() => exact.varyings))

@@ -90,3 +90,23 @@ test('the order in which three.js writes functions does not matter', async () =>
     assert.ok(Math.abs(normals[i] - slopeNormal(slope)) < 1e-3, `${normals[i]}`),
   )
 })
+
+test('materials share a displacement that assigns a varying', async () => {
+  const { normals, counts } = await run(`
+    const { Fn, varying } = THREE.TSL
+    const normals = [], counts = []
+    for (const slope of [0.5, -1]) {
+      const height = varying(float(0))
+      const assignHeight = Fn(() => {
+        height.assign(mx_noise_float(positionLocal.mul(3)))
+        return height.mul(uniform(0))
+      })
+      normals.push(await draw(uniform(slope), { normals: 'vertex' }, assignHeight()))
+      counts.push(sources)
+    }
+    return { normals, counts }`)
+  assert.deepEqual(counts, [1, 1])
+  ;[0.5, -1].forEach((slope, i) =>
+    assert.ok(Math.abs(normals[i] - slopeNormal(slope)) < 1e-3, `${normals[i]}`),
+  )
+})

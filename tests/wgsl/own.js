@@ -85,6 +85,12 @@ export const ownFunctions = {
     'var i = 0; var s = p; for (;;) { if (i > 3) { break; } s += p.zxy; i++; } for (; i < 6; ) { s *= 0.5; i += 1; } return s;',
   ),
   while: fn('var n = 5; var s = vec3f(1); while n > 0 { s = s * p + 1; n--; } return s;'),
+  'while with a break before its counter': fn(
+    'var i = 0; var s = p; while i < 7 { s = sin(s.yzx * 1.5) + p * f32(i) * 0.2; if s.x > 1.1 { break; } if s.y < -0.9 { s.z += 2; break; } s.y += 0.1; i++; } return s + f32(i);',
+  ),
+  'loop with two breaks before its counter': fn(
+    'var i = 0; var s = p; loop { if i >= 5 { break; } if s.x > 1.1 { s.y += 3; break; } s = s.yzx + 0.4 * p; i += 1; } return s + f32(i);',
+  ),
   'loop with break': fn(
     'var i = 0u; var s = p; loop { if i == 4u { break; } s += p * f32(i); i += 1u; } return s;',
   ),

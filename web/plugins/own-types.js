@@ -4,8 +4,10 @@
  */
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
+import { Stop } from '../../.scripts/lib/terminal.mjs'
 
-const path = (file) => fileURLToPath(new URL(`../../js-bindings/${file}`, import.meta.url))
+const readSource = (file) =>
+  readFileSync(fileURLToPath(new URL(`../../js-bindings/${file}`, import.meta.url)), 'utf8')
 
 /** Maps a host to the entry whose functions its sketches call. */
 const entries = { p5: 'globals.ts', three: 'three.ts', both: 'warpjet.ts' }
@@ -22,17 +24,19 @@ const optionsOf = {
   ],
 }
 
-/** @returns { inputs: [member], functions: [{ name, host, form, meaning, options: [member] }] }; a member is { name, form, meaning, host } */
-export async function ownTypes() {
+/**
+ * `read` returns the text of a file of js-bindings. Throws a Stop if a file lacks a declaration.
+ * @returns { inputs: [member], functions: [{ name, host, form, meaning, options: [member] }] }; a member is { name, form, meaning, host }
+ */
+export async function ownTypes(read = readSource) {
   // The project's TypeScript 7 has no JavaScript API for syntax trees, so this uses TypeScript 5.
   const { default: ts } = await import('typescript')
+  const isDeclaredBy = { interface: ts.isInterfaceDeclaration, type: ts.isTypeAliasDeclaration }
   const trees = new Map()
 
   function treeOf(file) {
-    if (!trees.has(file)) {
-      const text = readFileSync(path(file), 'utf8')
-      trees.set(file, ts.createSourceFile(file, text, ts.ScriptTarget.Latest, true))
-    }
+    if (!trees.has(file))
+      trees.set(file, ts.createSourceFile(file, read(file), ts.ScriptTarget.Latest, true))
     return trees.get(file)
   }
 
@@ -48,6 +52,15 @@ export async function ownTypes() {
   }
   const findNamed = (file, isKind, name) =>
     findAll(file, isKind).find((node) => node.name?.text === name)
+
+  /** Finds a declaration that must exist; `keyword` is the one that introduces it. */
+  function getNamed(file, keyword, name) {
+    const node = findNamed(file, isDeclaredBy[keyword], name)
+    if (node) return node
+    throw new Stop(
+      `own-types: expected js-bindings/${file} to declare \`${keyword} ${name}\`, got none; follow the renaming in web/plugins/own-types.js`,
+    )
+  }
 
   const textOf = ({ comment }) => ts.getTextOfJSDocComment(comment) ?? ''
   /** Returns the comment of a declaration, and its `@default` as a sentence. */
@@ -65,7 +78,7 @@ export async function ownTypes() {
       .replaceAll('`', '')
 
   const membersOf = ([file, name]) =>
-    findNamed(file, ts.isInterfaceDeclaration, name).members.map((member) => {
+    getNamed(file, 'interface', name).members.map((member) => {
       const name = member.name.getText()
       const type = member.type.getText()
       // Show the definition of a type alias, which says more than its name, and omit generic types, which say nothing here.
@@ -108,11 +121,9 @@ export async function ownTypes() {
     })
   }
 
-  const p5Inputs = findNamed(
-    'three/settings.ts',
-    ts.isTypeAliasDeclaration,
-    'P5Input',
-  ).type.types.map(({ literal }) => literal.text)
+  const p5Inputs = getNamed('three/settings.ts', 'type', 'P5Input').type.types.map(
+    ({ literal }) => literal.text,
+  )
   return {
     inputs: membersOf(['core/types/offset.ts', 'WarpInputs']).map((input) => ({
       ...input,

@@ -4,9 +4,11 @@ import assert from 'node:assert/strict'
 import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import { dirname, join } from 'node:path/posix'
 import { before, describe, test } from 'node:test'
+import { Stop } from '../../.scripts/lib/terminal.mjs'
 import { viteBuild } from '../../.scripts/lib/vite.mjs'
 import { sections } from '../catalogue.js'
 import { decodeSketch } from '../playground/link.js'
+import { ownTypes } from '../plugins/own-types.js'
 import { blocksOf, makeMarkdown } from '../site/markdown.js'
 import { pages as listedPages } from '../site/navigation.js'
 import { sitePages } from '../site/pages.js'
@@ -212,6 +214,43 @@ describe('the first search result answers', () => {
     assert.match(text, /createWarp\(\(\{ glsl, position, millis \}\) => \{/)
     assert.doesNotMatch(pages.get('site/search.json'), /&#\w+;/)
   })
+})
+
+test('a renamed declaration that completion needs is named in one line', async () => {
+  const renamed = [
+    ['core/types/offset.ts', 'interface WarpInputs'],
+    ['three/settings.ts', 'type P5Input'],
+  ]
+  for (const [file, declaration] of renamed) {
+    const read = (name) => {
+      const text = readFileSync(`js-bindings/${name}`, 'utf8')
+      return name === file ? text.replace(declaration, `${declaration}Renamed`) : text
+    }
+    await assert.rejects(ownTypes(read), ({ message }) => {
+      assert.ok(
+        message.includes(`expected js-bindings/${file} to declare \`${declaration}\`, got none`),
+      )
+      return !message.includes('\n')
+    })
+  }
+})
+
+test('a build throws the Stop of a plugin as it is', async () => {
+  const stop = new Stop('expected a mesh, got none')
+  const plugin = {
+    name: 'stops',
+    resolveId: (id) => (id === 'stops' ? id : undefined),
+    load() {
+      throw stop
+    },
+  }
+  const config = {
+    configFile: false,
+    logLevel: 'silent',
+    plugins: [plugin],
+    build: { write: false, rolldownOptions: { input: 'stops' } },
+  }
+  await assert.rejects(viteBuild(config), (error) => error === stop)
 })
 
 test('a build is a production build and restores NODE_ENV, even if servers run before and after it', async () => {

@@ -48,7 +48,7 @@ export class GltfWriter {
     return this.add('bufferViews', { ...this.bytes(bytesOf(array)), ...more })
   }
 
-  /** Adds an accessor for a typed array, with further members `more`. With `more.isMorph`, it declares no bounds. */
+  /** Adds an accessor for a typed array, with further members `more`. */
   accessor(numbers, type, more = {}) {
     const count = numbers.length / widths[type]
     const componentType = componentTypes.get(numbers.constructor)
@@ -57,8 +57,8 @@ export class GltfWriter {
       componentType,
       count,
       type,
-      ...(type === 'VEC3' && componentType === 5126 && !more.isMorph && extent(numbers)),
-      ...Object.fromEntries(Object.entries(more).filter(([name]) => name !== 'isMorph')),
+      ...(type === 'VEC3' && componentType === 5126 && extent(numbers)),
+      ...more,
     })
   }
 

@@ -221,17 +221,23 @@ const isAssignedByUs = ({ name }: Target) => name === 'positionLocal'
 type Target = ReadNode & {
   isVaryingNode?: boolean
   isPropertyNode?: boolean
+  isParameterNode?: boolean
   varying?: boolean
   name?: string | null
 }
 
-/** Returns the variable that a node assigns and that others can read later; `undefined` if it assigns none. */
+/**
+ * Returns the variable that a node assigns and that others can read later; `undefined` if it assigns none, or a local one: a variable made
+ * by `toVar()`, or a parameter of a function. Three.js writes the code of a function once for each renderer, so its body has nodes only in
+ * the first source that calls it.
+ */
 function assignedBy(node: ReadNode): Target | undefined {
   if (!node.isAssignNode) return undefined
-  let target = node.targetNode as Target | undefined
-  while (target && !target.isVaryingNode && !target.isPropertyNode) target = target.node as Target
-  if (!target || isAssignedByUs(target)) return undefined
-  return target.isVaryingNode || target.varying || target.name ? target : undefined
+  const target = node.targetNode!.getScope() as Target
+  if (isAssignedByUs(target)) return undefined
+  if (target.isVaryingNode) return target
+  const isOuter = target.isPropertyNode && !target.isParameterNode
+  return isOuter && (target.varying || target.name) ? target : undefined
 }
 
 const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, color: 3, vec4: 4 }

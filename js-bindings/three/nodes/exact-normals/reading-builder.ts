@@ -67,6 +67,8 @@ export interface ReadNode extends AnyNode {
   updateBeforeType?: string
   updateAfterType?: string
   getNodeType(builder: unknown): string
+  /** Returns the variable of which the node is a component, an element or a member; the node itself if it is none. */
+  getScope(): ReadNode
   getPaddedType?(builder: unknown): string
   setup(builder: unknown): unknown
   generate(builder: unknown, output: string | null): string

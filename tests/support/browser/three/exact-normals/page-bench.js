@@ -85,15 +85,17 @@ async function frames(name, { pieces, batch, rounds }) {
     const { vertexShader, fragmentShader } = await getShaders(showcase)
     const count = Math.ceil(Math.min(1000, batch / (await draw(showcase, 1))))
     const heights = `${countHeights(vertexShader)} + ${countHeights(fragmentShader)}`
-    measured.push({ mode, showcase, count, heights, times: [] })
+    const characters = `${vertexShader.length} + ${fragmentShader.length}`
+    measured.push({ mode, showcase, count, heights, characters, times: [] })
   }
   for (let i = 0; i < rounds; i++)
     for (const { showcase, count, times } of measured) times.push(await draw(showcase, count))
-  return measured.map(({ mode, heights, times }) => ({
+  return measured.map(({ mode, heights, characters, times }) => ({
     mode,
     frame: median(times),
     ratio: median(times.map((time, i) => time / measured[0].times[i])),
     heights,
+    characters,
   }))
 }
 

@@ -163,7 +163,10 @@ async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side
   const scene = new THREE.Scene()
   scene.add(mesh)
   const shown = await takePicture(renderer, scene, view, side)
+  // Another target needs another shader.
+  renderer.setRenderTarget(getTarget(renderer, side))
   const shaders = await renderer.debug.getShaderAsync(scene, view, mesh)
+  renderer.setRenderTarget(null)
   return { renderer, material, mesh, scene, view, shown, shaders }
 }
 
