@@ -56,7 +56,7 @@ for (const [name, offset] of Object.entries(warps))
     // Updates often enough that the engine optimizes the code, and that the warp is compiled to machine code.
     for (let i = 0; i < 3000; i++) update()
     changes = 0
-    // Number of the samples to warp varies from frame to frame; its view is an object of about 200 bytes in some of them.
+
     const bytes = await bytesOf(update, 500)
     assert.ok(changes > 0, 'the mesh must change')
     assert.ok(bytes < 16, `${bytes} bytes per update`)
