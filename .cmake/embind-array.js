@@ -1,8 +1,8 @@
-// Passes a std::vector to JavaScript (js-bindings/wasm/embind.hpp) as a copy in memory: its length and, from byte 8 on, the wire format of its
-// items. A vector of numbers becomes a typed array, any other vector an Array. Neither needs to be deleted.
+// Passes a std::vector to JavaScript (js-bindings/wasm/embind.hpp) as a copy in memory: the length and, from byte 8 on, the items in wire
+// format. A vector of numbers becomes a typed array, any other vector an Array. Neither needs to be deleted.
 mergeInto(LibraryManager.library, {
   _embind_register_array__deps: ['$simpleReadValueFromPointer', '$whenDependentTypesAreResolved'],
-  // `kind` is the number of a typed array, or -1.
+  // `kind` is the index of a typed array in the list below, or -1 for items of other types.
   _embind_register_array: function (arrayType, itemType, kind) {
     var Numbers = [
       Int8Array,

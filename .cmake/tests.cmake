@@ -30,7 +30,7 @@ set_source_files_properties(src/diff/differentiator.cpp src/diff/combine_terms.c
                             src/warp/orientation.cpp src/warp/polynomial.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
-# Builds the core once more, with additional rows in a copy of the table; not for the sanitizers.
+# Builds the core once more, with additional rows in a copy of the table of operations; not with the sanitizers.
 if(NOT WARPJET_SANITIZE)
   add_executable(own_row_tests ${core_sources} tests/cpp/own_row/own_row_test.cpp)
   target_include_directories(own_row_tests PRIVATE tests/cpp/own_row src tests/cpp)  # in this order
@@ -54,7 +54,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     <gtest/gtest.h> <algebra/value.hpp> <builder/builder.hpp> <emit/emit.hpp>)
 endif()
 
-# Adds a target of `npm run fuzz`. It runs each file that it is given once, also without libFuzzer: the corpus is a test.
+# Adds a target of `npm run fuzz`. A target runs each given file once, also without libFuzzer, so that the corpus is a test.
 function(warpjet_fuzz_target subject library)
   set(name ${subject}_fuzz)
   add_executable(${name} ${ARGN})

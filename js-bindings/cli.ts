@@ -18,7 +18,7 @@ registerFrontEnd()
 const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake, derive, info }
 
 const [name = '', ...args] = process.argv.slice(2)
-const asksForHelp = (text: string) => text === '--help' || text === '-h'
+const isHelpFlag = (text: string) => text === '--help' || text === '-h'
 
 // The program that reads stdout may close the pipe early, as `head` does.
 process.stdout.on('error', ({ code }: { code?: string }) => {
@@ -31,9 +31,9 @@ process.stderr.on('error', () => {})
 
 try {
   const command = Object.hasOwn(commands, name) ? commands[name] : undefined
-  if (command && args.some(asksForHelp)) console.log(helpOf(name))
+  if (command && args.some(isHelpFlag)) console.log(helpOf(name))
   else if (command) await command(args)
-  else if (asksForHelp(name) || name === 'help') console.log(help)
+  else if (isHelpFlag(name) || name === 'help') console.log(help)
   else if (name === '--version' || name === '-v') console.log(version)
   else throw new UsageError(name ? `There is no command "${name}".` : 'A command is missing.')
 } catch (error) {

@@ -35,8 +35,8 @@ declare global {
   ): Promise<ModelOf<typeof globalThis>>
 
   /**
-   * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, and stores it with the geometry, which it
-   * returns. Needs p5 2. Throws a `WarpError` for anything but a geometry.
+   * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, stores the result with the geometry, and
+   * returns the geometry. Needs p5 2. Throws a `WarpError` for anything but a geometry.
    */
   function addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
 
@@ -45,8 +45,8 @@ declare global {
 
   /**
    * Makes a p5.Geometry with more vertices. With a number n, each triangle is divided into four n times. With a warp, vertices
-   * are added where the warp needs them: `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`, in units of the
-   * shape. Throws a `WarpError` for wrong options.
+   * are added where the warp needs them: `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`. The tolerance
+   * is in units of the shape. Throws a `WarpError` for wrong options.
    */
   function subdivide<Geometry extends object>(
     geometry: Geometry,

@@ -9,7 +9,7 @@
   const differentiate = Object.hasOwn(warpjet, 'differentiate') && warpjet.differentiate
   const record = (maker, { code: statements, declarations }) => {
     const code = declarations ? `${statements}\n// Above main:\n${declarations}` : statements
-    if (!records.some((known) => known.code === code)) records.push({ maker, code })
+    if (!records.some((each) => each.code === code)) records.push({ maker, code })
   }
 
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
@@ -74,7 +74,7 @@
   } else {
     const { orbitControl } = p5.prototype
     p5.prototype.orbitControl = function () {
-      // p5 sets this when it disables scrolling by the wheel. If it is set already, p5 does not disable it.
+      // p5 sets this property when it disables scrolling by the wheel. If the property is set already, p5 does not disable scrolling.
       this.wheelDefaultDisabled = true
       return orbitControl.call(this, 1, 1, 0)
     }

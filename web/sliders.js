@@ -77,13 +77,13 @@ const ranges = {
   'three-lanterns': { Rings: ['far.mult(#)', 0.2, 2] },
 }
 
-const number = String.raw`(-?\d+(?:\.\d+)?)`
+const numberPattern = String.raw`(-?\d+(?:\.\d+)?)`
 const escape = (text) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')
 
 /** Finds an example's sliders. Returns [{ label, value, from, to, at, length }], where `at` is the index of the number in the sketch. */
 export function findSliders(name, sketch) {
   return Object.entries(ranges[name] ?? {}).map(([label, [text, from, to]]) => {
-    const pattern = new RegExp(escape(text).replace('#', number), 'd')
+    const pattern = new RegExp(escape(text).replace('#', numberPattern), 'd')
     const match = pattern.exec(sketch)
     if (!match) throw new Error(`expected “${text}” in examples/${name}/sketch.js, got no match.`)
     const [at, end] = match.indices[1]

@@ -23,7 +23,7 @@
       ['warp', code],
       ['exactNormals', nodeCode],
     ])
-      if (found && !records.some((known) => known.code === found))
+      if (found && !records.some((each) => each.code === found))
         records.push({ maker, code: found })
     return shaderSource.call(this, shader, text)
   }

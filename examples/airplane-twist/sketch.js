@@ -1,5 +1,5 @@
-// Figure 1: an airplane, twisted along its fuselage, and lit as if it had
-// been modelled that way.
+// Figure 1 of Pagurek's paper of 2024: an airplane, twisted along its fuselage,
+// and lit as if it had been modelled that way.
 let airplane, twist
 
 async function setup() {

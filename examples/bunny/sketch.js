@@ -1,5 +1,5 @@
-// Figure 4: the Stanford bunny at rest, twisted, and flattened into the plane
-// of y and z.
+// Figure 4 of Pagurek's paper of 2024: the Stanford bunny at rest, twisted, and
+// flattened into the plane of y and z.
 let bunny, twist, flatten
 
 async function setup() {
@@ -17,7 +17,7 @@ async function setup() {
   })
 
   flatten = createWarp(({ glsl, position, millis }) => {
-    // Not entirely flat, since front and back would fight for the same pixels.
+    // Not entirely flat: otherwise front and back would have the same depth, and flicker.
     const amount = millis.div(900).sin().mult(1.5).add(0.5).clamp(0, 0.97)
     return glsl.vec3(position.x().mult(amount).neg(), 0, 0)
   })

@@ -1,4 +1,5 @@
-// Figure 7e: a carousel of cloths that hang by their upper edges and trail behind.
+// Figure 7e of Pagurek's paper of 2024: a carousel of cloths that hang by their upper
+// edges and trail behind.
 let cloth, wind
 
 function setup() {

@@ -1,5 +1,5 @@
-// Figure 6: one twist on two cubes. A warp moves only vertices, so a coarse mesh
-// stays straight between them.
+// Figure 6 of Pagurek's paper of 2024: one twist on two cubes. A warp moves only
+// vertices, so a coarse mesh stays straight between its vertices.
 let coarse, fine, twist
 
 function setup() {

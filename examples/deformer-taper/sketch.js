@@ -1,4 +1,4 @@
-// Slices get narrower along an axis. The one at the center keeps
+// Slices get narrower along an axis. The slice at the center keeps
 // its size.
 let teapot, taper
 

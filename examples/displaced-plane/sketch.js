@@ -1,5 +1,5 @@
-// The article's displaced plane: gen writes the height and its two slopes for the
-// sketch's own shader.
+// The displaced plane of Pagurek's article of 2021: gen writes the height and its two
+// slopes for the sketch's own shader.
 let waves
 
 function surface(ad) {

@@ -1,5 +1,5 @@
-// Figure 7c: wiggling fingers. The warp is in world space: the hand turns, but the
-// wave keeps its direction.
+// Figure 7c of Pagurek's paper of 2024: wiggling fingers. The warp is in world
+// space: the hand turns, but the wave keeps its direction.
 let hand, wiggle
 
 async function setup() {

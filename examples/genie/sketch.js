@@ -1,5 +1,5 @@
-// Figure 5: a genie. Each vertex flies into the spout along its own curve, the
-// nearest ones first.
+// Figure 5 of Pagurek's paper of 2024: a genie. Each vertex flies into the spout
+// along its own curve, the vertices nearest to the spout first.
 let bunny, teapot, vanish
 
 async function setup() {

@@ -1,5 +1,5 @@
-// A noise that half the web's shaders use, unchanged from its package: the sketch
-// reads the file, adds an offset function, and displaces a sphere with exact normals.
+// A widely used noise, unchanged from its package: the sketch reads the file, adds an
+// offset function, and displaces a sphere with exact normals.
 // Elsewhere, load the file from a CDN: cdn.jsdelivr.net/npm/glsl-noise/simplex/3d.glsl
 const { glslOffset } = warpjet
 

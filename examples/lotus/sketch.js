@@ -1,5 +1,5 @@
-// Figure 7a: one warp, many times. Every petal is the same sphere, and a uniform
-// sets how far it is bent.
+// Figure 7a of Pagurek's paper of 2024: one warp, many times. Every petal is the
+// same sphere, and a uniform sets how far the petal is bent.
 let bloom
 
 function setup() {
@@ -12,10 +12,10 @@ function setup() {
       const [x, y, z] = [position.x().mult(0.34), position.y(), position.z()]
       const along = y.mult(-0.5).add(0.5)
       const angle = along.mult(bend)
-      // Thin, with the sides curled inwards.
+      // The petal is thin, with its sides curled inwards.
       const front = z.mult(0.04).sub(x.mult(x).mult(1.6))
 
-      // An arc of a circle, leaning over to the front.
+      // It follows an arc of a circle, leaning over to the front.
       const radius = glsl.val(1.5).div(bend)
       const inner = radius.sub(front)
       const up = angle.sin().mult(inner)

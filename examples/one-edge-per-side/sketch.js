@@ -1,6 +1,7 @@
-// Figure 6 with one edge per side: a cube of 12 triangles, four times under one
-// twist. Below, `detail` divides it as finely as the picture needs; on the right,
-// each pixel computes its own normal.
+// Figure 6 of Pagurek's paper of 2024, with one edge per side: a cube of 12
+// triangles, drawn four times with the same twist. In the lower row, `detail` divides
+// the cube as finely as the picture needs; on the right, each pixel computes its own
+// normal.
 let warps
 
 function setup() {

@@ -1,6 +1,7 @@
 // A distance field, ray-marched in a fragment shader. Light needs the field's gradient.
-// Left: from four more evaluations, the common way. Right: from one evaluation of a
-// function that warpjet generates from the source, which returns value and gradient.
+// Left: the gradient from four more evaluations, the common way. Right: the gradient from
+// one evaluation of a function that warpjet generates from the source. This function
+// returns value and gradient.
 const { compile, differentiate } = warpjet
 
 const field = `

@@ -1,5 +1,5 @@
-// Figure 3: a cube, moved by a sine along each axis. Every face has its own
-// normals, so that the edges stay sharp.
+// Figure 3 of Pagurek's paper of 2024: a cube, moved by a sine along each axis.
+// Every face has its own normals, so that the edges stay sharp.
 let cube, warp
 
 function setup() {

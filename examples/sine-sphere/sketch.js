@@ -1,6 +1,6 @@
-// Figure 2: a sphere, (a) at rest, (b) moved by sines, but lit by its old normals,
-// (c) with flat normals from the screen-space derivatives dFdx and dFdy, (d) by
-// createWarp, with exact normals.
+// Figure 2 of Pagurek's paper of 2024: a sphere, (a) at rest, (b) moved by sines, but lit
+// by its old normals, (c) with flat normals from the screen-space derivatives dFdx and
+// dFdy, (d) by createWarp, with exact normals.
 // Needs p5 2: hooks of p5 1.11 have other names.
 let warp, onlyPositions, facets
 

@@ -1,5 +1,5 @@
-// Figure 7b: a spoon, bent by staring at it. The neck follows the arc of a circle,
-// and beyond it the bowl continues straight.
+// Figure 7b of Pagurek's paper of 2024: a spoon, bent by staring at it. The neck
+// follows the arc of a circle, and beyond the arc the bowl continues straight.
 let spoon, bend
 
 async function setup() {

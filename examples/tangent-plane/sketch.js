@@ -1,7 +1,8 @@
-// The article's method for normals (left) and the exact one (right). The older method
-// rotates the plane of x and y until it touches the surface, moves two neighbours
-// in it, and takes the plane through the moved points. The axis of that rotation is
-// z × normal. On the front of the cube, the normal is z: there is no axis, and no light.
+// Two methods for normals: that of Pagurek's article of 2021 (left), and the exact one
+// (right). The older method rotates the plane of x and y until it touches the surface,
+// moves two neighbours in this plane, and takes the plane through the moved points. The
+// axis of that rotation is z × normal. On the front of the cube, the normal is z: there
+// is no axis, and no light.
 // Needs p5 2: hooks of p5 1.11 have other names.
 let cube, exact, byNeighbours
 
@@ -11,7 +12,7 @@ const sines = ({ glsl, position, millis }) => {
   return glsl.vec3(wave(y), wave(z), wave(x))
 }
 
-// The older way.
+// The older method.
 function tangentPlane(glsl) {
   const [position, normal] = ['position', 'normal'].map((name) => glsl.vec3Param(`inputs.${name}`))
   const move = (p) => p.add(sines({ glsl, position: p, millis: glsl.param('time') }))

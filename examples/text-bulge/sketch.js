@@ -1,5 +1,6 @@
-// Figure 7d: extruded text that bulges under the mouse. With p5's default camera,
-// world space equals screen space, except that the origin is in the middle.
+// Figure 7d of Pagurek's paper of 2024: extruded text that bulges under the mouse.
+// With p5's default camera, world space equals screen space, except that the origin
+// is in the middle.
 // Needs p5 2: p5 1.11 has no textToModel().
 let word, bulge
 

@@ -67,7 +67,7 @@ figure.add(bones.hips)
 figure.bind(new THREE.Skeleton(order))
 figure.castShadow = figure.receiveShadow = true
 
-// Two steps per second.
+// Swings the limbs; two steps per second.
 function walk(seconds) {
   const phase = 2 * Math.PI * seconds
   for (const [side, other] of [

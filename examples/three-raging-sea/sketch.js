@@ -58,7 +58,7 @@ function water() {
   return material
 }
 
-// Before: two more heights, each at a distance that the author has tuned.
+// Before: the normal comes from two more heights, at a distance (`shift`) that must be tuned.
 const before = water()
 const shift = uniform(0.01)
 const beside = (x, z) => {

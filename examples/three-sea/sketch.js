@@ -131,8 +131,8 @@ for (const [geometry, material, y] of [
 }
 scene.add(boat)
 
-// Finds the point of the calm sea whose water is now below the boat, starting from the previous one. The waves do not
-// depend on the height, so the point that moves to height 0 here started as far below 0 as the water is now above 0.
+// Finds the point of the calm sea whose water is now below the boat; the search starts at the point of the previous frame. The
+// waves do not depend on the height, so the point that moves to height 0 here started as far below 0 as the water is now above 0.
 let near
 const up = new THREE.Vector3(0, 1, 0)
 const course = new THREE.Quaternion()

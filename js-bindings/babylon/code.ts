@@ -9,16 +9,16 @@ export interface WarpCode {
   fragment: Record<string, string>
   /** The code of normals at pixels; `undefined` for normals at vertices. */
   pixels: PixelTexts | undefined
-  /** Warps with equal code have equal numbers. */
+  /** Identifies the code: warps with equal code have the same number. */
   number: number
 }
 
 /** Maps the code of warps → its number. */
-const numbers = new Map<string, number>()
+const codeNumbers = new Map<string, number>()
 
 function numberOf(code: string): number {
-  if (!numbers.has(code)) numbers.set(code, numbers.size + 1)
-  return numbers.get(code)!
+  if (!codeNumbers.has(code)) codeNumbers.set(code, codeNumbers.size + 1)
+  return codeNumbers.get(code)!
 }
 
 export function codeOf(parts: ShaderParts, hasPixels: boolean, isWGSL: boolean): WarpCode {

@@ -1,5 +1,5 @@
-// Copies of a warp: `material.clone()` and `Parse` of Babylon.js make a plugin from the name of its class and from data that must be plain
-// values, so that they cannot contain an offset function. So the data contain an id, by which the warp is found while its material lives.
+// Copies of a warp: `material.clone()` and `Parse` of Babylon.js make a plugin from the name of its class and from plain data,
+// which cannot contain an offset function. So the data contain an id, under which the warp is stored as long as its material exists.
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import { Tools } from '@babylonjs/core/Misc/tools.js'
 import { RegisterClass } from '@babylonjs/core/Misc/typeStore.js'
@@ -11,14 +11,14 @@ export interface CopyableWarp {
 
 const warps = new Map<string, CopyableWarp>()
 
-/** Stores a warp under a new id. `forget` must be called when its material is disposed. */
+/** Stores a warp under a new id. The caller must call `forget` when the warp's material is disposed. */
 export function remember(warp: CopyableWarp) {
   const id = Tools.RandomId()
   warps.set(id, warp)
   return { id, forget: () => void warps.delete(id) }
 }
 
-/** Stands for a plugin while Babylon.js parses a material: has only the method that Babylon.js calls then. */
+/** Takes the place of a plugin while Babylon.js parses a material. `parse` is the only method that Babylon.js calls for this. */
 class ParsedPlugin {
   constructor(private readonly material: Material) {}
 

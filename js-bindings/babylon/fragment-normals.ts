@@ -1,6 +1,6 @@
 /**
- * The normal in the fragment stage of a material: computed by the warp at pixels, or interpolated between vertices. Where it is zero, as
- * on a collapsed surface, the normal of the triangle takes its place.
+ * The normal in the fragment stage of a material: computed by the warp at pixels, or interpolated between vertices. Where the normal is
+ * zero, as on a collapsed surface, the normal of the triangle takes its place.
  */
 import { restoreLength, shaderNames } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'
@@ -43,8 +43,8 @@ return ${type('mat3')}(along, side * cross(normal, along), normal);
 }
 
 /**
- * Returns the code of a plugin for the fragment stage: maps places of the shader, or with a leading `!` regular expressions for the code to
- * replace, → code.
+ * Returns the code of a plugin for the fragment stage. The keys are places in the shader that Babylon.js has named or, with a leading `!`,
+ * regular expressions for the code to replace.
  */
 export function fragmentCode(
   parts: ShaderParts,
@@ -61,7 +61,8 @@ export function fragmentCode(
   )
   return {
     CUSTOM_FRAGMENT_DEFINITIONS: ifDefined('WARPJET', `${helpers(language)}\n${declarations}`),
-    // In WGSL a variable cannot hide the varying, which is a member of a structure. The replacement also contains such members.
+    // In WGSL a variable cannot hide the varying, which is a member of a structure. So we replace each read of the varying, by
+    // warpjetTBN if the shader has the tangent frame, and otherwise by the varying itself.
     ...(isWGSL && {
       '!(?:input|fragmentInputs)\\.vTBN([012])': `\n${ifDefined(normalDefines.frame, 'warpjetTBN[$1]', 'fragmentInputs.vTBN$1')}`,
     }),
@@ -149,7 +150,7 @@ function pixelBlock(parts: ShaderParts, { text, varyings }: PixelText, isWGSL: b
   ].join('\n')
 }
 
-/** Corrects the facing of triangles for a warp that may mirror all of space, so that their outer sides would count as back sides. */
+/** Corrects which side of a triangle is the front. Without this, the outer sides count as back sides if the warp mirrors all of space. */
 const frontFacingCode = (isWGSL: boolean): Record<string, string> =>
   isWGSL
     ? {

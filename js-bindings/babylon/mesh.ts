@@ -38,19 +38,19 @@ export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, inputs: { millis
 }
 
 /** Makes picking and culling of a mesh use these positions. */
-function setPositions(mesh: AbstractMesh, numbers: ArrayLike<number>) {
+function setPositions(mesh: AbstractMesh, positions: ArrayLike<number>) {
   const points: Vector3[] = []
   const [min, max] = [new Vector3(), new Vector3()]
   min.setAll(Infinity)
   max.setAll(-Infinity)
-  for (let i = 0; i < numbers.length; i += 3) {
-    const point = new Vector3(numbers[i], numbers[i + 1], numbers[i + 2])
+  for (let i = 0; i < positions.length; i += 3) {
+    const point = new Vector3(positions[i], positions[i + 1], positions[i + 2])
     points.push(point)
     min.minimizeInPlace(point)
     max.maximizeInPlace(point)
   }
-  // A bound that is infinite or NaN is replaced by one that everything is inside of, so that the mesh is drawn: Babylon.js needs finite
-  // numbers.
+  // Babylon.js needs finite bounds. Instead of a bound that is infinite or NaN, we use one that contains everything, so that the mesh is
+  // drawn.
   for (const axis of ['x', 'y', 'z'] as const) {
     if (!Number.isFinite(min[axis])) min[axis] = -maxCoordinate
     if (!Number.isFinite(max[axis])) max[axis] = maxCoordinate
@@ -60,5 +60,5 @@ function setPositions(mesh: AbstractMesh, numbers: ArrayLike<number>) {
     points
   mesh.buildBoundingInfo(min, max, mesh.computeWorldMatrix(true))
   for (const subMesh of mesh.subMeshes.length > 1 ? mesh.subMeshes : [])
-    subMesh.refreshBoundingInfo(numbers as Float32Array)
+    subMesh.refreshBoundingInfo(positions as Float32Array)
 }

@@ -12,10 +12,10 @@ export const names: Readonly<Record<string, string>> = {
   ...Object.fromEntries(variationNames.map((name) => [name, `warpjet_${name}`])),
 }
 
-/** Defines that tell which surface variation a mesh has: that of the normal, and that of the texture coordinates. */
+/** Defines that are set if a mesh has the surface variation of its normals, and of its texture coordinates. */
 export const variationDefines = { normal: 'WARPJET_VARIATION', uv: 'WARPJET_UV_VARIATION' }
 
-/** Defines that select code for a mesh: that of normals at pixels, and that of the tangent frame, which normal maps need. */
+/** Defines that select code for a mesh: `pixel` for normals at pixels, `frame` for the tangent frame, which normal maps need. */
 export const normalDefines = { pixel: 'WARPJET_PIXEL', frame: 'WARPJET_FRAME' }
 
 /** The initial values of the defines that depend on the mesh. */

@@ -9,7 +9,7 @@ import { countVaryings, type PixelTexts } from './pixel-normals.js'
 type Defines = Readonly<Record<string, unknown>>
 
 export class NormalStages {
-  /** Why normals are computed at vertices, if they are. */
+  /** The reason for computing normals at vertices; `undefined` if no shader has had to fall back to that yet. */
   private obstacle: string | undefined
   private readonly checkedEffects = new WeakSet<Effect>()
 
@@ -18,7 +18,10 @@ export class NormalStages {
     private readonly texts: PixelTexts | undefined,
   ) {}
 
-  /** The stage of the normals. `'vertex'` once the shader of one mesh could not compute them at pixels, although other meshes' may. */
+  /**
+   * The stage of the normals. It is `'vertex'` from the moment when one shader had to fall back; the shaders of other meshes may still
+   * compute normals at pixels.
+   */
   get stage(): NormalStage {
     return this.texts && !this.obstacle ? 'pixel' : 'vertex'
   }
@@ -71,7 +74,7 @@ export class NormalStages {
   }
 }
 
-/** Defines with which materials use the tangent frame. */
+/** Materials with one of these defines use the tangent frame. */
 const frameDefines = [
   'BUMP',
   'BENTNORMAL',

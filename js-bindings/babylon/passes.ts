@@ -1,8 +1,8 @@
 /**
  * Warps meshes in the passes of Babylon.js that draw with shaders of their own: depth, outline, highlight, glow, G-buffer, GPU picking.
- * Each pass keeps its effect in a draw wrapper of the submesh or of the pass's material, and draws by `_processRendering`. So the effect for
- * a warped submesh is replaced by a variant whose vertex shader has the warp, and the uniforms of the warp are set right before each draw.
- * Shadows are left to the ShadowDepthWrapper of the material.
+ * Each pass keeps its effect (Babylon.js' compiled shader) in a draw wrapper of the submesh or of the pass's material, and draws by
+ * `_processRendering`. So the effect for a warped submesh is replaced by a variant whose vertex shader has the warp, and the uniforms of
+ * the warp are set right before each draw. Shadows are left to the ShadowDepthWrapper of the material.
  *
  * For this, methods of Babylon.js' prototypes are replaced when the first warp is made.
  */
@@ -20,7 +20,7 @@ import { passDefines, warpPass } from './shader.js'
 import { sentUniforms, texturesOf, type NumberSetter, type ShaderParts } from './uniforms.js'
 import { variationKinds } from './variation.js'
 
-/** The name of the plugin that is a warp. */
+/** The name of the plugin, the same for all warps. */
 export const pluginName = 'Warpjet'
 
 /** The define of every effect that has a warp; its value is the number of the warp's code. */
@@ -63,12 +63,12 @@ interface WithSubMaterials {
   getSubMaterial(index: number): Material | null
 }
 
-/** Replaces effects in the draw wrappers of submeshes: passes call `_getDrawWrapper` before they set its effect. */
+/** Replaces effects in the draw wrappers of submeshes: passes call `_getDrawWrapper` before they set the wrapper's effect. */
 function installInSubMeshes(prototype: SubMesh) {
   const { _getDrawWrapper } = prototype
-  prototype._getDrawWrapper = function (passId, isCreated) {
-    const wrapper = _getDrawWrapper.call(this, passId, isCreated)
-    if (!wrapper || !isCreated) return wrapper
+  prototype._getDrawWrapper = function (passId, createIfMissing) {
+    const wrapper = _getDrawWrapper.call(this, passId, createIfMissing)
+    if (!wrapper || !createIfMissing) return wrapper
     const mesh = this.getRenderingMesh()
     const isHooked = Object.hasOwn(wrapper, 'setEffect')
     if (!isHooked && !warpOf(mesh, this)) return wrapper
@@ -84,7 +84,10 @@ function installInSubMeshes(prototype: SubMesh) {
   }
 }
 
-/** Replaces effects in the materials of passes, which may keep one effect for all meshes: `isReady` sets the one that the mesh needs. */
+/**
+ * Replaces effects in the materials of passes. Such a material may keep one effect for all meshes, so `isReady` sets the variant for the
+ * mesh.
+ */
 function installInMaterials(prototype: ShaderMaterial) {
   const { isReady } = prototype
   prototype.isReady = function (mesh, useInstances, subMesh) {
@@ -163,7 +166,10 @@ function effectFor(effect: Effect, mesh: AbstractMesh, warp: PassWarp | undefine
   return makeVariant(original, mesh, warp)
 }
 
-/** Returns whether an effect is that of a pass: not of the warped material itself, and not of shadows, which its depth wrapper warps. */
+/**
+ * Returns whether an effect belongs to a pass, and neither to the warped material itself nor to shadows, which the ShadowDepthWrapper
+ * warps.
+ */
 const isPassEffect = ({ defines, name }: Effect) =>
   !defines.includes(codeDefine) && !JSON.stringify(name).includes('shadow')
 
@@ -204,7 +210,7 @@ function makeVariant(effect: Effect, mesh: AbstractMesh, warp: PassWarp): Effect
         const processed = privateOptions._processCodeAfterIncludes?.(stage, code, ...others) ?? code
         return stage === 'vertex' ? warpPass(parts, isWGSL, processed) : processed
       },
-      // Waits for the source code, which Babylon.js has loaded once the original effect is compiled.
+      // Waits until the original effect is compiled: then Babylon.js has loaded the source code.
       extraInitializationsAsync: () =>
         new Promise((resolve) => effect.executeWhenCompiled(() => resolve())),
     },
@@ -218,7 +224,7 @@ const attributeKinds = ['normal', 'uv', 'color'] as const
 
 type ProcessCode = (stage: string, code: string, ...others: unknown[]) => string
 
-/** Options of an effect for which it has no getters. */
+/** Private members of an effect with options of `createEffect` that have no getters. */
 interface PrivateOptions {
   _multiTarget: boolean
   _processFinalCode: ProcessCode | null

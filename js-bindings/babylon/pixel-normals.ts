@@ -1,6 +1,6 @@
 /**
- * Code of the vertex stage for normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts,
- * runs the same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
+ * Code of the vertex stage for normals at pixels. This code passes the inputs of the warp as varyings. The fragment stage, in
+ * fragment-normals.ts, runs the same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
 import { withLength, type HostText } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'
@@ -18,7 +18,7 @@ export interface PixelText {
   varyings: readonly Varying[]
 }
 
-/** The code at pixels: that with a tangent frame, and that with only the normal. */
+/** The code at pixels, once with the tangent frame and once with only the normal. */
 export interface PixelTexts {
   frame: PixelText
   normal: PixelText
@@ -30,7 +30,7 @@ export function pixelTextsOf({ warp }: ShaderParts, isWGSL: boolean): PixelTexts
     const varyings = text.attributes.map(({ name, type }) => ({
       input: name,
       name: `warpjetPixel_${name}`,
-      // The normal also passes its length, which interpolation shortens.
+      // The fourth component is the length of the normal, since interpolation shortens the normal.
       type: name === 'normal' ? 'vec4' : (type as Varying['type']),
     }))
     return { text, varyings }
@@ -44,7 +44,10 @@ export const worldColumns = ['warpjetWorld0', 'warpjetWorld1', 'warpjetWorld2']
 /** Counts the vectors that the code passes to pixels. */
 export const countVaryings = ({ varyings }: PixelText) => varyings.length + worldColumns.length
 
-/** Writes code for both texts; the preprocessor chooses by the defines of the mesh, and drops both without normals at pixels. */
+/**
+ * Writes code for both texts. The preprocessor selects one by the defines of the mesh. If normals are not computed at pixels, the
+ * preprocessor drops both.
+ */
 export const choose = (texts: PixelTexts | undefined, write: (text: PixelText) => string) =>
   texts
     ? ifDefined(
@@ -83,8 +86,8 @@ export function passInputs(texts: PixelTexts | undefined, isWGSL: boolean) {
 }
 
 /**
- * Returns statements for the end of the vertex stage. They set the normal to zero again where Babylon.js has normalized a zero normal to
- * NaN; the fragment stage tests for zero.
+ * Returns statements for the end of the vertex stage. They pass the matrix for normals to pixels, and set the normal to zero again where
+ * Babylon.js has normalized a zero normal to NaN; the fragment stage tests for zero.
  */
 export function vertexEnd(texts: PixelTexts | undefined, isWGSL: boolean) {
   const { local, linear, choose: pick, output, isZero, type, clearFrame } = languageOf(isWGSL)

@@ -134,12 +134,12 @@ export const passDefines = {
 }
 
 /**
- * Adds the warp to the vertex shader of a pass, whose includes are resolved: after morph targets, and before instances and bones. Returns
- * the source unchanged if it is not written like those of Babylon.js.
+ * Adds the warp to the vertex shader of a pass, after the code of morph targets and before that of instances and bones. The includes of
+ * `source` are resolved. Returns the source unchanged if it is not written like the shaders of Babylon.js.
  */
 export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): string {
   const start = /@vertex|void\s+main\s*\(/.exec(source)
-  // The outline is displaced along the normal before the matrices.
+  // The outline pass first displaces vertices along the normal, in `offsetPosition`, so the warp must come before that.
   const end =
     /(vec3|var)\s+offsetPosition\b/.exec(source) ??
     /#ifdef INSTANCES\s+(mat4|var)\s+finalWorld\b/.exec(source)

@@ -19,7 +19,9 @@ const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
 
 export const sentName = (label: string) => `${label}Sent`
 
-/** Returns all uniforms except images, and the frame constants. The warp's code uses their labels, the shader `sentName`. */
+/**
+ * Returns all uniforms except images, and the frame constants. The warp's code reads them by label; the shader declares `sentName(label)`.
+ */
 const numericUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
   ...warp.uniforms.inShader.filter(({ image }) => !image),
   ...frame.map((label) => ({ label, type: 'vec4' as const })),
@@ -28,7 +30,7 @@ const numericUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label
 /** The uniform of both stages that is -1 if the warp mirrors all of space, and otherwise 1. */
 export const orientationUniform: SentUniform = { name: shaderNames.orientation, type: 'float' }
 
-/** Returns the uniforms that the shader declares. */
+/** Returns the uniforms that the shader declares, except images. */
 export const sentUniforms = (parts: ShaderParts): SentUniform[] => [
   { name: shaderNames.millis, type: 'float' },
   ...numericUniforms(parts).map(({ label, type }) => ({
@@ -50,7 +52,7 @@ export function sendUniforms(
     sendNumbers(setter, label, numbers)
 }
 
-/** Sets uniforms by name: a UniformBuffer, or an effect without one. */
+/** Sets uniforms by name. A UniformBuffer of Babylon.js is one; passes.ts makes others, for effects without a buffer. */
 export interface NumberSetter {
   updateFloat(name: string, x: number): unknown
   updateFloat2(name: string, x: number, y: number): unknown
@@ -104,7 +106,7 @@ export const declareUniform = ({ name, type }: SentUniform, isWGSL: boolean) =>
 export const declareAttribute = (name: string, size: 2 | 3 | 4, isWGSL: boolean) =>
   isWGSL ? `attribute ${name}: vec${size}f;` : `attribute vec${size} ${name};`
 
-/** Returns the names and the current images of a warp. */
+/** Returns the current images of a warp, with their names in the shader. */
 export const texturesOf = ({ warp }: ShaderParts) =>
   warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
     image ? [[label, image() as BaseTexture]] : [],

@@ -16,8 +16,8 @@ function isTexture(value: unknown): boolean {
 }
 
 /**
- * Returns the numbers of a colour (with r, g and b, and for a Color4 a), a Matrix (with its numbers in m) or a vector (with x and y at least),
- * and other values unchanged.
+ * Returns the numbers of a colour (with r, g and b, and for a Color4 a), a Matrix (with its numbers in m) or a vector (with x and y at
+ * least), and other values unchanged.
  */
 function toNumbers(value: unknown): unknown {
   if (typeof value !== 'object' || value === null) return value

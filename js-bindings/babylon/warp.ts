@@ -92,7 +92,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     this.values = settableValues(warp.uniforms) as never
     this.registration = remember(this)
     installPasses()
-    // This call asks for the code, so that all of the above must be set before it.
+    // This call reads the code by getCustomCode, so everything above must be set before.
     ;(this._pluginManager as unknown as { _addPlugin(plugin: object): void })._addPlugin(this)
     this._enable(true)
     if (!material.shadowDepthWrapper)
@@ -103,8 +103,8 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   }
 
   /**
-   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute them at pixels; those of other meshes
-   * with the material are still computed at pixels.
+   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute normals at pixels; the normals of
+   * other meshes with the material are still computed at pixels.
    */
   get normals(): NormalStage {
     return this.stages.stage

@@ -17,7 +17,7 @@ import { Progress, count } from './progress.js'
 import { numeric, readArguments } from './usage.js'
 import { readWarp, sourceFlags, sourceOptionsOf, withFileInErrors } from './warp-file.js'
 
-const triangles = wholeNumber({
+const triangleCount = wholeNumber({
   min: 1,
   max: triangleLimit,
   maxName: triangleLimit.toLocaleString('en-US'),
@@ -49,7 +49,7 @@ export async function bake(args: string[]): Promise<void> {
       ...sourceFlags,
       set: { type: 'string', multiple: true, kind: uniformSettings },
       subdivide: { type: 'string', kind: numeric(optional(positiveNumber())) },
-      'max-triangles': { type: 'string', kind: numeric(optional(triangles)) },
+      'max-triangles': { type: 'string', kind: numeric(optional(triangleCount)) },
       'normal-map': { type: 'string', kind: numeric(optional(wholeNumber(sizeRange))) },
       frames: { type: 'string', kind: optional(frameKind) },
       quiet: { type: 'boolean', short: 'q', default: false },
@@ -105,7 +105,7 @@ export async function bake(args: string[]): Promise<void> {
   progress.step(`${output}: ${count(bytes.length, 'byte')}`)
 }
 
-/** If a GLB file may not contain the mesh's image, removes it and adds a warning. */
+/** Removes the mesh's image and adds a warning if a GLB file may not contain images of this format. */
 function removeUnsupportedImage(mesh: Mesh): Mesh {
   const { material, warnings = [] } = mesh
   const picture = material?.baseColorTexture
@@ -144,7 +144,7 @@ function withProgress(warp: CompiledWarp, progress: Progress): CompiledWarp {
 function rejectMissingUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find(({ name }) => !Object.hasOwn(uniforms, name))
   if (!missing) return
-  // A uniform that is no float in GLSL source has a name with a conversion, such as `float(n)` or that of one half of its bits.
+  // For a uniform of GLSL source that is no float, the name contains a conversion: `float(n)`, or one for half of its bits.
   const name = /^\w+\(([^ )]+)/.exec(missing.name)?.[1] ?? missing.name
   throw new WarpError(
     `${file} reads ${name}; add --set ${name}=<number>. Warps that read an image can only be evaluated on a GPU.`,

@@ -1,4 +1,4 @@
-// `npx warpjet derive`: prints a function that returns the derivatives of one in GLSL or WGSL.
+// `npx warpjet derive`: prints a function that returns the derivatives of a function in a GLSL or WGSL file.
 import { writeFile } from 'node:fs/promises'
 import { targetKind } from '../core/module/serialized-module.js'
 import { differentiate } from '../glsl-source/differentiate.js'

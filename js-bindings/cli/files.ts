@@ -2,7 +2,7 @@
 import { stat } from 'node:fs/promises'
 import { WarpError } from '../errors/errors.js'
 
-/** Runs `work`, which writes `file`; if it fails, throws a `WarpError` with the reason. */
+/** Runs `work`, which writes `file`. Throws a `WarpError` with the reason if the file cannot be written. */
 export async function withWriteErrors(file: string, work: () => Promise<void>): Promise<void> {
   try {
     await work()
@@ -12,7 +12,7 @@ export async function withWriteErrors(file: string, work: () => Promise<void>): 
   }
 }
 
-/** Describes a code of a system error. */
+/** Returns the reason that the code of a system error stands for, as the end of a message. */
 export function reasonOf(code: string | undefined): string {
   if (code === 'ENOENT') return 'the folder does not exist'
   if (code === 'ENOSPC') return 'the disk is full'

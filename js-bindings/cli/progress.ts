@@ -18,13 +18,13 @@ export class Progress {
     process.stderr.write(`${printable(text)}\n`)
   }
 
-  /** Removes a line that `update` printed. */
+  /** Removes the temporary line that `update` has printed, if there is one. */
   clear() {
     if (this.hasTemporaryLine) process.stderr.write('\r\x1b[K')
     this.hasTemporaryLine = false
   }
 
-  /** Prints a temporary line, which the next line replaces. Does so at most 10 times per second, and only if stderr is a terminal. */
+  /** Prints a temporary line, which the next output replaces. Prints at most 10 such lines per second, and only if stderr is a terminal. */
   update(text: string) {
     if (this.isQuiet || !process.stderr.isTTY || performance.now() < this.lastUpdate + 100) return
     this.lastUpdate = performance.now()

@@ -10,7 +10,7 @@ import { maxIterationLimit } from '../glsl-source/options.js'
 import { optional, wholeNumber } from '../options/kinds.js'
 import { numeric } from './usage.js'
 
-/** The contents of a file. */
+/** The offset function in a file, and its uniforms. */
 export interface WarpFile {
   /** The default export, or the only function. */
   offset: OffsetFunction
@@ -46,8 +46,8 @@ export const sourceOptionsOf = (values: {
 })
 
 /**
- * Imports a JavaScript file, or parses a GLSL or WGSL file, whose uniforms have the types declared in the source and the values passed
- * here. The extension of the file name decides the language.
+ * Imports a JavaScript file, or parses a GLSL or WGSL file. The extension of the file name decides the language. For GLSL and WGSL,
+ * `values` are the values of the uniforms that the source declares.
  */
 export async function readWarp(
   file: string,
@@ -148,7 +148,7 @@ export async function withFileInErrors<Result>(file: string, work: () => Result)
   }
 }
 
-/** Returns the number of the innermost line of the file in the stack of an error; empty if there is none. */
+/** Returns the line number of the innermost call from the file in the stack of an error, as a string; empty if there is none. */
 function lineOf(file: string, { stack = '' }: Error): string {
   const url = pathToFileURL(resolve(file)).href
   const start = stack.indexOf(url)

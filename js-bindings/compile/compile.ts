@@ -74,8 +74,8 @@ export function compile(
 }
 
 export interface GenSettings extends CompileOptions {
-  /** The number of nested operations at which an expression becomes a variable. Default: 8, and expressions that read many
-   * variables are split too, so that few are live at a time. */
+  /** The number of nested operations at which an expression becomes a variable. Default: 8; by default, expressions that read
+   * many variables are also split, so that few variables are live at a time. */
   maxDepthPerVariable?: number
   /** If true, comments say which line of your code each statement comes from. */
   debug?: boolean

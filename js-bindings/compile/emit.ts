@@ -22,7 +22,7 @@ export interface Emits {
    * `surfaceVariation`, as the vertex shader passes them to pixels: in the space of the offset, interpolated, the normal with its
    * length restored. The statements compute only what the normal needs. Noise fades where a wave covers less than four pixels, unless the
    * option `fadeNoise` is `false` or the language is GLSL ES 1.00. Where the center of a pixel is outside of the mesh, numbers stay in the
-   * domain of operations such as `sqrt`, except in that language. For these two purposes the code takes screen-space derivatives: insert
+   * domain of operations such as `sqrt`, except in GLSL ES 1.00. For these two purposes the code takes screen-space derivatives: insert
    * it outside of branches, and do not declare its varyings `centroid`. Use `highp` in GLSL ES 1.00. Default: the language and the
    * names of the options of `compileWarp`. Throws a `WarpError` for a warp with `normals: false`.
    */
@@ -30,9 +30,9 @@ export interface Emits {
   /** The stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. `false` if normals are left out. */
   readonly normals: NormalStage | false
   /**
-   * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` are
-   * those that are constant during a frame, such as `{ millis: performance.now() }`, and values that replace those of the option
-   * `uniforms`. Throws a `WarpError` for a missing or wrong value.
+   * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` has
+   * the values of the inputs that are constant during a frame, such as `{ millis: performance.now() }`, and values that replace those of
+   * the option `uniforms`. Throws a `WarpError` for a missing or wrong value.
    */
   frameUniforms(inputs?: Uniforms): Record<string, number[]>
 }

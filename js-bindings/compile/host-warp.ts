@@ -25,11 +25,11 @@ const quickBudget = 20_000
 
 /** The arguments of the waves and noises in the warped position, called phases. They determine how far apart samples may be. */
 export interface SurfacePhases {
-  /** The numbers per vertex of each phase. */
+  /** The number of floats per vertex, for each phase. */
   readonly sizes: readonly number[]
   /** The distance that each phase may move between samples. */
   readonly steps: readonly number[]
-  /** The numbers per vertex of all phases. */
+  /** The number of floats per vertex, for all phases together. */
   readonly size: number
   /** Writes the numbers on which the phases depend, other than vertices, to the start of an array. Returns how many there are. */
   writeState(drawValues: DrawValues, to: number[]): number
@@ -89,7 +89,10 @@ export class HostWarp extends OffsetWarp {
     () => costOf(this.recorded.module, [onSurface(warpResults.position)]).operations,
   )
 
-  /** Returns the values with those of functions among the uniforms, so that several evaluations use the same ones. */
+  /**
+   * Calls the uniforms that are functions, and returns `drawValues` with their current values, so that several evaluations use the same
+   * values.
+   */
   withUniformsNow(drawValues: DrawValues): DrawValues {
     return snapshotUniforms(this.place, this.uniforms.declared, drawValues)!
   }
@@ -170,7 +173,8 @@ export class HostWarp extends OffsetWarp {
       varies,
       // A host has warned when the warp was made.
       isAccepted: settings.isAccepted || this.host !== undefined,
-      // The tangent is first: a shader may read it from the attribute of another input.
+      // A shader may read the tangent and another input from one attribute. Then the first of the two counts (see cpu/origins.ts), so the
+      // tangent is first.
       inputs: { tangent: inputs.tangent, ...(inputs as Record<string, number>) },
     }
   }

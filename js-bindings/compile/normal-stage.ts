@@ -22,6 +22,7 @@ const typicalEdge = 0.25
 /** A warp bends strongly if interpolated normals are off by more than this, in degrees, at more than one edge in ten. */
 const maxAngle = 1
 
+/** The number of edges at which `'auto'` compares normals. */
 const edgeCount = 40
 
 /**

@@ -34,7 +34,10 @@ export interface HostOptions extends RecordOptions {
   perFrame?: boolean | undefined
 }
 
-/** Maps a name → the value of an input in a draw call, or a value that replaces that of a uniform. */
+/**
+ * The values of one draw call: maps names of inputs, such as `millis`, and of uniforms → values. A uniform without a value here keeps its
+ * current one.
+ */
 export type DrawValues = Readonly<Record<string, unknown>>
 
 /** An input of the warp: its names in the shader, and among the values of a draw call. */
@@ -92,7 +95,7 @@ export class OffsetWarp {
 
   /** Tests whether the warped position of a vertex depends on the input. */
   reads(input: InputName): boolean {
-    return this.numbersRead().has(this.recorded.inputs[input])
+    return this.inputNumbersRead().has(this.recorded.inputs[input])
   }
 
   /** Returns the numbers of uniforms and of the draw call's inputs that the warped position of a vertex depends on. */
@@ -189,7 +192,7 @@ export class OffsetWarp {
 
   private readonly inputsRead = lazily(() => this.inputsOf('position'))
   private readonly namedInputsRead = lazily(() => this.nameInputs(this.inputsRead()))
-  private readonly numbersRead = lazily(
+  private readonly inputNumbersRead = lazily(
     () => new Set(this.inputsRead().map(({ number }) => number)),
   )
   private readonly frameConstants = lazily(() =>
@@ -253,7 +256,7 @@ export class OffsetWarp {
       : readNumbers(uniformPlace, value, columns * rows, { test: finiteDouble })
   }
 
-  /** Throws for an input that the host lacks. */
+  /** Throws for an input that the host lacks, and for a `glsl.param` that is not declared. */
   private rejectMissing({ name: host, inputs: provided, advice = {} }: Host) {
     const { inputs, settings } = this.recorded
     const results: Result[] = settings.tangents

@@ -24,7 +24,7 @@ export interface RecordedWarp {
   isApproximate: boolean
   /** The number of the offset's Jacobian among the results. Present if the settings request it. */
   jacobian: number | undefined
-  /** The number of the first of the results `other0`, `other1` … */
+  /** The number of the result `other0`; `other1` … follow. These are the expressions of `RecordOptions.others`. */
   firstOther: number
   otherCount: number
 }
@@ -32,7 +32,10 @@ export interface RecordedWarp {
 /** A result of shader code. The Jacobian J of the offset transforms a direction t into t + J t. */
 export type Result = 'offset' | 'position' | 'normal' | 'tangent' | 'jacobian' | `other${number}`
 
-/** Returns the number of a result in the module. `knowsVariation` selects normals and tangents that take into account how normal and uv vary over the surface. */
+/**
+ * Returns the number of a result in the module. `knowsVariation` selects normals and tangents that take into account how normal and uv vary
+ * over the surface.
+ */
 export function resultNumber(
   { jacobian, firstOther }: Pick<RecordedWarp, 'jacobian' | 'firstOther'>,
   result: Result,

@@ -74,7 +74,7 @@ export interface TextOptions {
 /** The options that determine what is recorded and written. */
 export interface RecordOptions extends TextOptions {
   target?: Target | undefined
-  /** `false` leaves the normal out of the recording; all other values record it. */
+  /** `false` leaves the normal out of the recording; all other values record the normal. */
   normals?: boolean | NormalsOption | undefined
   fadeNoise?: boolean | undefined
   tangents?: boolean | undefined
@@ -82,7 +82,7 @@ export interface RecordOptions extends TextOptions {
   debug?: boolean | undefined
   /** If true, the Jacobian of the offset is recorded, too. */
   jacobian?: boolean | undefined
-  /** Returns further numbers, which the call of the offset function has computed. They become the results `other0`, `other1` … */
+  /** Returns further expressions, which the offset function has made when it was called. They become the results `other0`, `other1` … */
   others?: (() => readonly Expression[]) | undefined
 }
 

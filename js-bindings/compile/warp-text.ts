@@ -58,9 +58,9 @@ export function writeWarp(
     reflectsAtBorders: options.reflectsAtBorders,
   })
   const numbers = new Set<number>(Object.values(inputs))
-  const others = inputsRead.filter(({ number }) => !numbers.has(number))
-  const frame = uniqueDeclared(others.filter(isFrameUniform))
-  const parameters = uniqueDeclared(others.filter((variable) => !isFrameUniform(variable)))
+  const nonInputs = inputsRead.filter(({ number }) => !numbers.has(number))
+  const frame = uniqueDeclared(nonInputs.filter(isFrameUniform))
+  const parameters = uniqueDeclared(nonInputs.filter((variable) => !isFrameUniform(variable)))
   const selectInputs = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
     (Object.keys(sizes) as (keyof typeof inputs)[]).flatMap((name) => {
       const input = inputsRead.find(({ number }) => number === inputs[name])

@@ -1,4 +1,4 @@
-// `bounds`: a box that contains the warped points of a box.
+// `bounds`: returns a box that contains the warped positions of all points of a box.
 import type { VertexInput } from '../core/inputs/inputs.js'
 import { readRanges, uniformsOf, type Box, type Range } from '../core/inputs/vertices.js'
 import { Place } from '../options/place.js'

@@ -12,9 +12,9 @@ export interface EvaluationOptions {
 export interface EvaluateOptions extends EvaluationOptions {
   /**
    * Arrays of yours that receive the results. Each must be at least as long as its result; missing ones are created. `evaluate` returns
-   * the same arrays, in this object if it holds no others. They may be inputs or share memory with inputs, but two results
-   * that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or an input
-   * must be copied because a result would overwrite it before it is read.
+   * the same arrays, and even this object if it contains exactly these arrays. They may be inputs or share memory with inputs, but two
+   * results that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or an
+   * input must be copied because a result would overwrite it before it is read.
    */
   out?: Partial<WarpedVertices> | undefined
 }
@@ -40,9 +40,9 @@ export interface InverseOptions
 export interface WarpInverse {
   /** The position that the warp moves to the point: of several, the one that the search from `near` reaches. */
   position: number[]
-  /** True if the warp turns space inside out at the position, det(I + J) <= 0. Then the warp moves other positions to the point too, which
-   * are found from another `near`, unless the warp mirrors all of space or the point is exactly on a crease. Other positions may also exist
-   * if this is false: of three layers of a fold, only the middle one is inside out. */
+  /** True if the warp turns space inside out at the position, det(I + J) <= 0. Then the warp also moves other positions to the point, and a
+   * search from another `near` can find them. There are two exceptions: the warp mirrors all of space, or the point is exactly on a crease.
+   * Other positions may also exist if this is false: of three layers of a fold, only the middle one is inside out. */
   isFolded: boolean
 }
 
@@ -77,9 +77,10 @@ export interface CpuWarp {
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
   /**
    * Returns a box that contains the warped positions of all points in `box`: never too small for the results of `evaluate`, and
-   * seldom much larger. A GPU with a less exact sine (WebGPU allows an error of 2^-11) may exceed it by that share of a wave's
-   * height. Takes 0.1 ms, up to some 10 ms for warps that are hard to bound. If the offset depends on them, normals range from -1 to
-   * 1, colors from 0 to 1, and texture coordinates over `box.uvs`, by default from 0 to 1. A side is infinite if the offset may be.
+   * seldom much larger. On a GPU with a less exact sine (WebGPU allows an error of 2^-11), a wave may exceed the box by that share of
+   * its height. Takes 0.1 ms, up to some 10 ms for warps that are hard to bound. For an offset that depends on normals, colors or texture
+   * coordinates, these range from -1 to 1, from 0 to 1, and over `box.uvs`, by default from 0 to 1. A side of the returned box is
+   * infinite if the offset may be infinite.
    *
    * The bounds of each coordinate contain all of its values except NaN: for sqrt(x) with x from -1 to 1, which is NaN for
    * negative x, they are 0 and 1. So finite bounds do not guarantee that each vertex has a finite position. If a coordinate is NaN

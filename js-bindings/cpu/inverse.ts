@@ -150,7 +150,10 @@ function* startsAround(warp: Warp, target: Triple, near: Triple) {
     for (const direction of neighbours) yield along(target, share * reach, direction)
 }
 
-/** Finds a position that the warp moves to the target, within the tolerance above: the one that the search from `near` reaches, or else another. */
+/**
+ * Finds a position that the warp moves to the target, within the tolerance above: the one that the search from `near` reaches, or else
+ * another.
+ */
 export function findInverse(warp: Warp, target: Triple, near: Triple) {
   const search = new InverseSearch(warp, target)
   let found = search.searchFrom(near)

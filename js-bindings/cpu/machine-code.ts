@@ -46,7 +46,9 @@ export class MachineCode {
     private readonly written: WrittenCode,
   ) {}
 
-  /** Compiles a program; returns `null` if it is too long. Throws if the engine compiles no code. */
+  /**
+   * Compiles a program; returns `null` if it is too long. Throws if the JavaScript engine forbids to compile wasm, such as by a page's CSP.
+   */
   static compile(
     program: Program,
     wanted: readonly number[],
@@ -114,7 +116,7 @@ export class MachineCode {
 interface Batches {
   /** The length of the array when the views were made. */
   length: number
-  /** The numbers per vertex. */
+  /** The number of floats per vertex. */
   size: number
   views: readonly Float32Array[]
 }

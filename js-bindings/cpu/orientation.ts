@@ -23,7 +23,7 @@ export function isMirrored(
   return runInDouble(program, numbers, 1)[0]! < 0
 }
 
-/** Returns the result of `isMirrored` that is the same for all uniforms; `undefined` if it depends on them. */
+/** Returns the result of `isMirrored` if it is the same for all uniforms; `undefined` if it depends on them. */
 export function mirrors(warp: WarpProgram): boolean | undefined {
   if (!warp.hasNormals) return false
   const program = warp.orientationProgram()

@@ -24,17 +24,17 @@ interface Input {
   isRead: boolean
 }
 
-/** The source of an input's numbers: by default `numbers`, which all vertices share; they are zeros for an input that differs by
- * vertex, and for a missing one that is not read. */
+/** The source of an input's numbers. By default it is `numbers`, which all vertices share. These are zeros for an input that differs by
+ * vertex, and for an input that has no value and is not read. */
 export interface Origin extends Stream, Input {
   readonly numbers: number[]
 }
 
-/** The part of reading inputs that is the same in each call with a program and results. */
+/** Prepares reading the inputs of a program; the same for all calls with the same results. */
 export interface InputPlan {
   /** Names of the program's inputs that are not inputs of the warp. */
   parameters: ReadonlySet<string>
-  /** Names of the uniforms, without the inputs of a draw call. */
+  /** Names of the uniforms for which a caller may pass values, besides the inputs of a draw call. */
   known: ReadonlySet<string>
   /** Declared uniforms that the program does not read; values for them are checked nevertheless. */
   unread: readonly (readonly [name: string, uniform: DeclaredUniform])[]

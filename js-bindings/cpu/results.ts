@@ -14,7 +14,7 @@ export interface WarpedVertices {
   /** Present if normals were passed: 3 floats per vertex. The length is 1, or 0 where the warp collapses the surface. */
   normals?: Float32Array
   /**
-   * Present if normals and tangents were passed: 4 floats per vertex. The last one is that of the input tangent, or its negative if
+   * Present if normals and tangents were passed: 4 floats per vertex. The fourth is that of the input tangent, or its negative if
    * the warp mirrors all of space.
    */
   tangents?: Float32Array
@@ -28,7 +28,7 @@ export const resultNumbers = {
   determinant: [10],
 }
 
-/** Results of vertices that are computed together. */
+/** Results that `evaluate` computes together, with the sinks that receive them. */
 export class VertexResults extends ResultSet {
   /** The sinks of `evaluateAt`, of one vertex. */
   readonly point: readonly Sink[]
@@ -60,7 +60,10 @@ export const positionsAlone = new ResultSet(resultNumbers.positions)
 /** The result of `foldover`. */
 export const determinantAlone = new ResultSet(resultNumbers.determinant)
 
-/** Takes sinks from the pool, for the caller's arrays or for new ones. If a getter or a uniform's function evaluates too, it gets other sinks. */
+/**
+ * Takes sinks from the pool, for the caller's arrays or for new ones. If a getter of `out` or a uniform's function calls `evaluate`, that
+ * call gets other sinks.
+ */
 export function takeSinks(
   results: VertexResults,
   vertices: number,

@@ -30,11 +30,11 @@ export function runProgram(
  */
 const minVerticesForCode = 30_000
 
-/** A use of a program: for some results, and with inputs that are uniform or not. */
+/** A use of a program: which results it computes, and which of its inputs are uniform. */
 interface Use {
   wanted: ResultSet
   isUniform: readonly boolean[]
-  /** Missing after the first run; `null` if the program is too long. */
+  /** Missing until it is compiled; `null` if the program is too long. */
   code?: MachineCode | null
 }
 

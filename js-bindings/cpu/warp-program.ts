@@ -5,7 +5,7 @@ import type { Program } from '../core/module/serialized-module.js'
 import type { WarpError } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
 
-/** The programs of a recorded warp: `undefined` if it calls a `glsl.fn` or `glsl.texture`. */
+/** The programs of a recorded warp. `program` and `directionProgram` return `undefined` if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
   /** The option `uniforms`. */
   declared: DeclaredUniforms
@@ -34,7 +34,7 @@ export interface WarpProgram {
 export interface RunningProgram extends WarpProgram {
   /** Tests whether the warp mirrors all of space, so that the back of each triangle is its outer side. */
   isMirrored: (place: Place, uniforms: Uniforms | undefined) => boolean
-  /** Returns the result of `isMirrored` that is the same for all uniforms; `undefined` if it depends on them. */
+  /** Returns the result of `isMirrored` if it is the same for all uniforms; `undefined` if it depends on them. */
   mirrors: () => boolean | undefined
 }
 

@@ -5,7 +5,7 @@ import { warpsOf } from './warps.js'
 
 /**
  * Adds the offsets of several warps: each gets the original vertex, so their order does not matter. Throws a `WarpError`
- * if an argument is not a function and, when the warp is made, if one does not return a vec3.
+ * if an argument is not a function and, when the warp is made, if a function does not return a vec3.
  */
 export function add<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]

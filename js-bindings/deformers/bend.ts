@@ -19,11 +19,11 @@ export interface BendOptions {
   /** The direction of the line that is bent. Default: `'y'`, or `'x'` if the axis is the y axis. Only its component
    * perpendicular to the axis counts. */
   along?: AxisOption
-  /** A point of the line that keeps its length, in units. Default: `[0, 0, 0]`. It does not move if it is between `from`
-   * and `to`. */
+  /** A point of the line whose length the bend keeps, in units. Default: `[0, 0, 0]`. The point does not move if it is
+   * between `from` and `to`. */
   center?: VectorOption
-  /** The angle between the two straight ends, in radians. Default: π/2; 0 moves nothing. Seen against the axis, the part
-   * ahead turns counterclockwise. */
+  /** The angle between the two straight ends, in radians. Default: π/2; 0 moves nothing. When the axis points at the
+   * viewer, the end at `to` turns counterclockwise. */
   angle?: NumberOption
   /** The start and end of the bend, in units along the line, measured from `center`. Default: -100 and 100. `to` must be
    * greater than `from`. */
@@ -59,7 +59,7 @@ export function bend(options?: BendOptions): OffsetFunction {
 
     // The end of the arc: s' sin θ / θ and s' (1 - cos θ) / θ, which avoid an infinite radius.
     const isSmall = turn.mult(turn).lt(0.1)
-    // 1 / θ where it is used. Elsewhere it is finite, since `bounds` evaluates it too.
+    // 1 / θ for large θ, the only ones for which it is used. For small θ it is finite, since `bounds` also evaluates it there.
     const inverse = turn.div(turn.mult(turn).max(0.1))
     const ahead = onArc.mult(isSmall.ifElse(sineSeries(turn), sin.mult(inverse)))
     const aside = onArc.mult(isSmall.ifElse(versineSeries(turn), cos.neg().add(1).mult(inverse)))

@@ -29,7 +29,8 @@ export interface BulgeOptions {
 /**
  * Moves points away by d · amount · w, where d is the vector to them from the centre (or the axis) and
  * w = (1 - (r / radius)²)³ fades from 1 at the centre to 0 at `radius`, with continuous first and second derivatives; r is
- * the distance from the centre (or from it along the axis). Throws a `WarpError` for unknown options and wrong values.
+ * the distance from the centre or, if there is an axis, the part of that distance along the axis. Throws a `WarpError` for unknown options
+ * and wrong values.
  */
 export const bulge = (options?: BulgeOptions): OffsetFunction =>
   deformer(

@@ -27,7 +27,7 @@ interface Space {
 }
 
 /**
- * Applies a warp in another space. Its `position` is p' = M p, its `normal` the unit normal there, which points outwards
+ * Applies a warp in another space. The warp's `position` is p' = M p, its `normal` the unit normal there, which points outwards
  * even if M mirrors, and the offset is transformed back by the inverse of the linear part of M. So the units, axes and
  * origin of the warp are those of the space that M maps to. As for `chain`, you cannot differentiate with respect to that position.
  *

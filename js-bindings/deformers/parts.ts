@@ -1,7 +1,10 @@
 // Expressions that several formulas share.
 import type { Glsl, Scalar, Vec3 } from '../core/types/types.js'
 
-/** Decomposes a position relative to `center`: its coordinate along the unit vector `axis`, and the vector to it from that line. */
+/**
+ * Decomposes a position relative to the line through `center` in the direction of the unit vector `axis`: into `along`, its coordinate
+ * along the line, and `across`, the vector from the line to the position.
+ */
 export function fromAxis(position: Vec3, center: Vec3, axis: Vec3) {
   const fromCenter = position.sub(center)
   const along = fromCenter.dot(axis)

@@ -9,7 +9,10 @@ interface Surface {
   side?: Scalar | number
 }
 
-/** An internal method of the builder: returns -1 if the offset mirrors all of space, 1 if it mirrors none of it, and 0 if it may mirror parts. */
+/**
+ * An internal method of the builder: returns -1 if the offset mirrors all of space, 1 if it mirrors none of it, and 0 if it may mirror
+ * parts.
+ */
 interface Orienting {
   orientation(offset: Vec3, normal: Vec3, position: Vec3): Scalar
 }

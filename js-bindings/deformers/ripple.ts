@@ -12,8 +12,8 @@ import {
 import { falloff, fromAxis, wavePhase } from './parts.js'
 
 export interface RippleOptions {
-  /** The direction in which points move, perpendicular to the surface of the water. Default: `'z'`. The rings are around
-   * it. */
+  /** The direction in which points move, perpendicular to the surface of the water. Default: `'z'`. It is also the axis of
+   * the rings. */
   axis?: AxisOption
   /** The centre of the rings, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption

@@ -21,7 +21,8 @@ export interface ShearOptions {
 }
 
 /**
- * Moves points by direction · amount · h at h along an axis. Throws a `WarpError` for unknown options and wrong values.
+ * Moves points by direction · amount · h, where h is the coordinate along the axis, from `center`. Throws a `WarpError` for unknown options
+ * and wrong values.
  */
 export const shear = (options?: ShearOptions): OffsetFunction =>
   deformer(

@@ -24,9 +24,9 @@ export interface TaperOptions {
 }
 
 /**
- * Scales each slice across an axis, by r = max(0, 1 - amount · h / length) at h along it: the global taper of Barr,
- * "Global and Local Deformations of Solid Primitives" (1984), with a linear profile. Where r is 0 the shape collapses to a
- * line, which has no normals. Throws a `WarpError` for unknown options and wrong values.
+ * Scales each slice across an axis by r = max(0, 1 - amount · h / length), where h is the slice's coordinate along the axis, from `center`:
+ * the global taper of Barr, "Global and Local Deformations of Solid Primitives" (1984), with a linear profile. Where r is 0 the shape
+ * collapses to a line, which has no normals. Throws a `WarpError` for unknown options and wrong values.
  */
 export const taper = (options?: TaperOptions): OffsetFunction =>
   deformer(

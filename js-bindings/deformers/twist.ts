@@ -16,16 +16,16 @@ export interface TwistOptions {
   axis?: AxisOption
   /** The point of the axis whose slice does not move, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** The angle between slices that are `length` apart, in radians. Default: π/2; 0 moves nothing. Seen against the axis,
-   * the part ahead turns counterclockwise. */
+  /** The angle between slices that are `length` apart, in radians. Default: π/2; 0 moves nothing. When the axis
+   * points at the viewer, slices further along it turn counterclockwise. */
   angle?: NumberOption
   /** The length over which `angle` applies, in units above 0. Default: 200. */
   length?: NumberOption
 }
 
 /**
- * Rotates each slice about an axis by an angle that grows along the axis, θ = angle · h / length at h along it: the global
- * axial twist of Barr, "Global and Local Deformations of Solid Primitives" (1984). The twist continues beyond `length`, and
+ * Rotates each slice about an axis by an angle θ = angle · h / length, where h is the slice's coordinate along the axis, from `center`: the
+ * global axial twist of Barr, "Global and Local Deformations of Solid Primitives" (1984). The twist continues beyond `length`, and
  * preserves volumes. Throws a `WarpError` for unknown options and wrong values.
  */
 export const twist = (options?: TwistOptions): OffsetFunction =>

@@ -27,8 +27,9 @@ export interface WaveOptions {
 }
 
 /**
- * Makes a plane wave that travels along an axis: direction · amount · sin(2π (h - speed · t) / wavelength) at h along the
- * axis and t seconds after the sketch started. Throws a `WarpError` for unknown options and wrong values.
+ * Makes a plane wave that travels along an axis: direction · amount · sin(2π (h - speed · t) / wavelength), where h is the coordinate
+ * along the axis, from `center`, and t the time in seconds since the sketch started. Throws a `WarpError` for unknown options and wrong
+ * values.
  */
 export const wave = (options?: WaveOptions): OffsetFunction =>
   deformer(

@@ -31,10 +31,12 @@ export function nearest(name: string, names: Iterable<string>): string | undefin
   let best: string | undefined
   let minDistance = Math.max(1, Math.floor(name.length / 3)) + 0.5
   for (const candidate of names) {
-    const known = candidate.toLowerCase()
+    const candidateWord = candidate.toLowerCase()
     const isPrefix =
-      word.length > 2 && known.length > 2 && (word.startsWith(known) || known.startsWith(word))
-    const wordDistance = Math.min(distance(word, known), isPrefix ? 1.2 : Infinity)
+      word.length > 2 &&
+      candidateWord.length > 2 &&
+      (word.startsWith(candidateWord) || candidateWord.startsWith(word))
+    const wordDistance = Math.min(distance(word, candidateWord), isPrefix ? 1.2 : Infinity)
     if (wordDistance < minDistance) [best, minDistance] = [candidate, wordDistance]
   }
   return best

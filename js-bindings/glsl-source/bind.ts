@@ -60,7 +60,8 @@ export function bindExternals(
     if (isAttribute && name === instanceID)
       return inputNamed(inputs, 'instance') ?? parameterOf(place, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
-    // The components of `size` and `mouse` have names, such as height, that mean something else for an attribute of the source.
+    // A uniform can only be a whole input of a draw call: a uniform with the name of a component, such as height of `size`, means
+    // something else.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) {
       rejectInputName(place, glsl, external)

@@ -43,7 +43,7 @@ const differentiateOptions = object({
 } satisfies KindsOf<DifferentiateOptions>)
 
 /**
- * Returns the source of a function with the same parameters as the one in `source`. For a function that returns a float, the new one,
+ * Returns the source of a function with the same parameters as the function in `source`. For a function that returns a float, the new one,
  * `…Gradient`, returns a vector of the value and its derivatives with respect to each component of `by`: `vec4 mapGradient(vec3 p)` for
  * a distance field. For a function that returns a vector, the new one, `…Jacobian`, returns the matrix of its derivatives, with a column
  * for each component of `by`; if `by` is a float, a vector.
@@ -101,9 +101,9 @@ function unusedName({ head, externals }: Listing): string {
   const usedNames = new Set([...head.parameters, ...externals].map(rootOf))
   const name = ['result', 'outcome', 'derivatives'].find((each) => !usedNames.has(each))
   if (name) return name
-  let number = 2
-  while (usedNames.has(`result${number}`)) number++
-  return `result${number}`
+  let suffix = 2
+  while (usedNames.has(`result${suffix}`)) suffix++
+  return `result${suffix}`
 }
 
 interface ResultShape {

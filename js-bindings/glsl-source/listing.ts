@@ -21,7 +21,7 @@ export interface SourceText {
   language: SourceLanguage
 }
 
-/** Starts the front end's wasm module, which the first source would start. */
+/** Starts the front end's wasm module, which otherwise starts when the first source is parsed. */
 export const startFrontEnd = () => void wasm.glsl.get()
 
 /** Parses source, passes it to `work` and then closes it. Throws a `WarpError` with the line, column and a caret for a mistake. */

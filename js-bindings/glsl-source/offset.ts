@@ -41,7 +41,7 @@ const offsetOptions = object({
 
 /**
  * Makes an offset function from source in GLSL ES 3.00 or 1.00, for `createWarp`, `compileWarp`, `chain` and so on. The source
- * is parsed once. Its function's parameters are matched to inputs by name (`position`, `normal`, `uv`, `color`, `millis`, `mouse`,
+ * is parsed once. The parameters of its function are matched to inputs by name (`position`, `normal`, `uv`, `color`, `millis`, `mouse`,
  * `size` …); a single vec3 parameter is the position, whatever its name. Uniforms of the source are those of the option
  * `uniforms`, or else uniforms of your shader.
  *

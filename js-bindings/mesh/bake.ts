@@ -23,9 +23,9 @@ import { takeVariation, type SurfaceVariation } from './surface-variation.js'
 
 export interface BakeOptions extends EvaluationOptions {
   /**
-   * If present, the mesh is first divided where the warp bends it, like by `subdivide` with this tolerance: the maximum distance between the warped surface
-   * and the baked triangles, in units of the mesh. There is no camera, so it is not in pixels like the option `detail` of `createWarp`.
-   * By default, the mesh keeps its own vertices.
+   * If present, the mesh is first divided where the warp bends it, like by `subdivide` with this tolerance: the maximum distance between
+   * the warped surface and the baked triangles, in units of the mesh. There is no camera, so it is not in pixels like the option `detail`
+   * of `createWarp`. By default, the mesh keeps its own vertices.
    */
   detail?: number | undefined
 }
@@ -75,9 +75,10 @@ function bake(given: MeshOrGeometry, warp: Evaluates, uniforms: Uniforms | undef
 const isMirroredBy = (place: Place, warp: Evaluates, uniforms: Uniforms | undefined) =>
   warp[warpProgram]?.isMirrored(place, uniforms) ?? false
 
-/** A copy of a mesh before a warp, with all inputs of the warp, and after it. */
 export interface WarpedMesh {
+  /** A copy of the mesh before the warp, with all inputs of the warp. */
   rest: Mesh & Partial<SurfaceVariation>
+  /** The mesh after the warp. */
   warped: Mesh
 }
 

@@ -79,7 +79,8 @@ function setAttributes(geometry: BufferGeometry, mesh: Mesh, Numbers: AttributeC
 }
 
 /**
- * Returns a copy of a geometry with the vertices of `baked`, and if `isReversed` also with its triangles. `bake` warps the morph targets.
+ * Returns a copy of a geometry with the vertices of `baked`, and if `isReversed` also with the triangles of `baked`. `bake` warps the morph
+ * targets.
  */
 export function movedGeometry(
   original: Geometry,
@@ -144,6 +145,7 @@ interface TargetMesh {
   normals?: Float32Array
 }
 
+/** Returns numbers + factor * others, or without `others` the numbers themselves. */
 const sum = (numbers: Float32Array, others: Float32Array | undefined, factor = 1) =>
   others ? numbers.map((number, i) => number + factor * others[i]!) : numbers
 
@@ -186,7 +188,10 @@ function withoutBounds(geometry: BufferGeometry) {
   return geometry
 }
 
-/** Converts a range of the original's indices to the range of the triangles made from these, whose order is the originals'. */
+/**
+ * Converts a range of the original's indices to that of the triangles made from it. The new triangles are in the order of the original
+ * ones.
+ */
 function finerRange({ start, count }: Range, triangles: Uint32Array): Range {
   const firstTriangleFrom = (index: number) => triangles.findIndex((origin) => 3 * origin >= index)
   const [first, end] = [firstTriangleFrom(start), firstTriangleFrom(start + count)]

@@ -31,7 +31,7 @@ export class Job {
     private readonly module: MeshModule,
   ) {}
 
-  /** Copies numbers into the module, `size` per vertex. Throws if one is of another type; NaN and infinity are allowed. */
+  /** Copies numbers into the module, `size` per vertex. Throws if an element is no number; NaN and infinity are allowed here. */
   setFloats(name: FloatArray, numbers: ArrayLike<number>, size = 3) {
     // The memory is allocated first, so that an oversized array fails before its numbers are read.
     this.expect(this.mesh.resizeFloats(name, numbers))

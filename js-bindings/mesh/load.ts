@@ -48,7 +48,7 @@ const loadOptions = object({
 type ReferencedFiles = Map<string, Uint8Array>
 
 /**
- * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of its scene become one mesh, with the
+ * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of the model's scene become one mesh, with the
  * transforms of nodes, instances and bones and the weights of morph targets applied. Missing normals are computed, existing
  * ones scaled to length 1, and colours clamped to 0 to 1 (in an .obj, whole numbers up to 255 are scaled). `warnings` lists
  * corrections, and parts that are left out, such as animations. `source` is bytes, a Blob or File, or a URL, which in Node may be a

@@ -25,9 +25,9 @@ export interface NormalMapOptions extends EvaluationOptions {
    */
   size?: number | undefined
   /**
-   * The way in which the program that draws the mesh interpolates its tangent frame between vertices. `'normalized'`, for three.js: computes the
-   * bitangents of vertices, and normalizes tangent, bitangent and normal at each pixel. `'mikktspace'`, for Blender: computes the
-   * bitangent at the pixel, and normalizes none of the three. The finer the mesh, the less the two ways differ.
+   * The way in which the program that draws the mesh interpolates the mesh's tangent frame between vertices. `'normalized'`, for three.js:
+   * computes the bitangents of vertices, and normalizes tangent, bitangent and normal at each pixel. `'mikktspace'`, for Blender: computes
+   * the bitangent at the pixel, and normalizes none of the three. The finer the mesh, the less the two ways differ.
    * @default 'normalized'
    */
   frames?: FrameKind | undefined
@@ -46,7 +46,9 @@ const optionsKind = object({
   uniforms: anything<Uniforms>(),
 } satisfies KindsOf<NormalMapOptions>)
 
-/** The max fraction of the covered texels that may belong to several triangles: more are no inaccuracy of an unwrapping. */
+/**
+ * The max fraction of the covered texels that may belong to several triangles. A larger overlap is no mere inaccuracy of the unwrapping.
+ */
 const maxOverlap = 0.01
 
 /**

@@ -23,7 +23,7 @@ interface NodeModules {
 declare const process:
   | {
       versions?: { node?: string }
-      // Used in place of import(), which bundlers for browsers follow, and then fail.
+      // Used in place of import(): bundlers for browsers would follow it, and fail.
       getBuiltinModule<Name extends keyof NodeModules>(name: Name): NodeModules[Name]
       cwd(): string
     }

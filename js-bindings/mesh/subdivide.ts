@@ -50,7 +50,7 @@ const place = new Place('subdivide')
 /**
  * Returns the same surface with more vertices, not warped yet. With `tolerance`, edges are split only where necessary, until the warped
  * triangles are within the tolerance of the warped surface; with `levels`, edges are split everywhere. There are no cracks, and all
- * attributes of new vertices are interpolated. If `maxTriangles` is reached before, `warnings` says so. A mesh without triangles is
+ * attributes of new vertices are interpolated. If `maxTriangles` is reached before that, `warnings` says so. A mesh without triangles is
  * returned unchanged. For a `BufferGeometry` of three.js the result is one too, with all its attributes, morph targets and groups, and
  * the warnings in its `userData`. Throws a `WarpError` for wrong options, arrays that do not fit together, and a result that does not
  * fit into the module's 4 GB of memory.

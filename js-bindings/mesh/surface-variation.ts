@@ -10,7 +10,10 @@ const place = new Place('surfaceVariation')
 
 /** Gradients along the surface, each with 3 numbers per vertex. */
 export interface SurfaceVariation {
-  /** Gradients of the normal's x, y and z; on a sphere of radius r, each is the tangential part of that axis, divided by r. */
+  /**
+   * Gradients of the normal's x, y and z. On a sphere of radius r, each is the tangential part of the unit vector along x, y or z, divided
+   * by r.
+   */
   normalXGradients: Float32Array
   normalYGradients: Float32Array
   normalZGradients: Float32Array

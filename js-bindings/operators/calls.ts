@@ -123,7 +123,10 @@ export function callsOf(
       ? callOnExpressions(glsl, name, x, page)
       : callOnNumbers(glsl, name, x, page)
 
-  /** Calls a function by name: a function of `Math`, or one that a sketch calls without an object. `get` reads the page's function, which may be missing. */
+  /**
+   * Calls a function by name: a function of `Math`, or one that a sketch calls without an object. `get` reads the page's function, which
+   * may be missing.
+   */
   function call(name: string, get: () => unknown, ...x: unknown[]): unknown {
     const found = valueOf(get)
     const page = typeof found === 'function' ? (found as Any) : undefined

@@ -154,9 +154,8 @@ export const callOnExpressions = (
 const strandsNames = new Set(strands.split(' '))
 
 /**
- * Calls a known function if no operand is an expression. Numbers go to our function if it is one of p5.strands that takes numbers,
- * otherwise to the page's function.
- * p5 2 defines some functions of strands, which throw outside of a shader.
+ * Calls a known function if no operand is an expression. A function in `numberFunctions` with numbers is computed there; other functions
+ * are the page's. We never call the page's functions of p5.strands, since those of p5 2 throw outside of a shader.
  */
 export function callOnNumbers(
   glsl: Glsl | undefined,

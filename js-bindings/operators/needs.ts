@@ -93,9 +93,12 @@ function isCallToTranslate(
   return getsExpression && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
 }
 
-/** Returns a function that checks whether the value of a node may be an expression. The check ignores the order of statements. */
-function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => boolean {
-  const names = new Set(['arguments', ...others.filter((name) => !isBuiltIn(name))])
+/**
+ * Returns a function that checks whether the value of a node may be an expression. The check ignores the order of statements. `outerNames`
+ * are variables around the tree that may hold expressions.
+ */
+function expressionsIn(tree: Tree, outerNames: readonly string[]): (node: Tree) => boolean {
+  const names = new Set(['arguments', ...outerNames.filter((name) => !isBuiltIn(name))])
   const functions = new Set<string>()
   walk(tree, (node) => {
     if (/Function/.test(node.type)) {
@@ -138,8 +141,8 @@ function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => b
       target.type === 'MemberExpression' ? [rootOf(target).name as string] : namesBoundBy(target)
     for (const name of all) names.add(name)
   }
-  for (let before = -1; before !== names.size;) {
-    before = names.size
+  for (let sizeBefore = -1; sizeBefore !== names.size;) {
+    sizeBefore = names.size
     walk(tree, (node) => {
       if (node.type === 'VariableDeclarator' && node.init && mayBe(node.init)) set(node.id)
       if (node.type === 'AssignmentExpression' && mayBe(node.right)) set(node.left)

@@ -11,7 +11,10 @@ export interface Parsed {
   length: number
 }
 
-/** The forms of a function's source code: a function or class, a method of an object, a method of a class. Each becomes a program between `before` and `after`. */
+/**
+ * The forms of a function's source code: a function or class, a method of an object, a method of a class. Each becomes a program between
+ * `before` and `after`.
+ */
 const forms: readonly (readonly [before: string, after: string, find: (tree: Tree) => Tree])[] = [
   ['(', '\n)', (tree) => tree.body[0].expression],
   ['({ ', '\n})', (tree) => tree.body[0].expression.properties[0]],

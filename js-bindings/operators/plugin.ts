@@ -21,7 +21,10 @@ const exportsTakingOffsets = new Set(
   ),
 )
 
-/** Translates a module without changing its lines; returns `undefined` if it contains nothing to translate. Builds call this for each module. */
+/**
+ * Translates a module without changing its lines; returns `undefined` if it contains nothing to translate. Builds call this for each
+ * module.
+ */
 export const translateModule = (code: string): string | undefined => translateCode(code)?.toString()
 
 function translateCode(code: string): MagicString | undefined {
@@ -55,6 +58,7 @@ function translateCode(code: string): MagicString | undefined {
     () => translateIn(text, code, helper, translation),
   ])
   for (const { argument, tree } of offsets) {
+    // The names of changing variables, which the offset reads only once: the runtime warns about them.
     const once = changingIn(program, tree, free)
     const end = once.length ? `, { once: ${JSON.stringify(once)} })` : ')'
     pieces.push([

@@ -41,7 +41,7 @@ export function freeReferences(tree: Tree): References {
       case 'PrivateIdentifier':
         return scopes.privates.has(`#${node.name}`) ? undefined : add(`#${node.name}`, node)
     }
-    const childScopes = enter(node, scopes, parent)
+    const childScopes = scopesInside(node, scopes, parent)
     for (const child of Object.values(node).flat())
       if (child && typeof child === 'object' && typeof child.type === 'string')
         visit(child as Tree, childScopes, node)
@@ -58,7 +58,7 @@ function recordMember(node: Tree, parent?: Tree) {
 }
 
 /** Returns the scopes that enclose the children of a node. */
-function enter(node: Tree, scopes: EnclosingScopes, parent?: Tree): EnclosingScopes {
+function scopesInside(node: Tree, scopes: EnclosingScopes, parent?: Tree): EnclosingScopes {
   const names = namesOf(node)
   const here = names.length ? [...scopes.names, new Set(names)] : scopes.names
   if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')

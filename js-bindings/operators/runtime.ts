@@ -65,22 +65,23 @@ export type Operators = ReturnType<typeof operatorsOf>
  */
 export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}) {
   const differsByVertex = isPlain ? isCondition : decidesByVertex
-  const whole = (value: unknown) => toVector(glsl, value)
+  /** Converts arrays and p5's vectors to vectors of `glsl`; returns other values unchanged. */
+  const asOperand = (value: unknown) => toVector(glsl, value)
   const binary = (name: string) => (a: unknown, b: unknown) =>
     (isExpressionLike(a) || isExpressionLike(b)) && !isExistenceTest(name, a, b)
-      ? glsl[methodNames[name] ?? name]!(whole(a), whole(b))
+      ? glsl[methodNames[name] ?? name]!(asOperand(a), asOperand(b))
       : jsOperators[name]!(a as never, b as never)
 
   const and = (a: unknown, b: unknown) => {
     if (b === true) return a
     if (b === false) return dropCondition(a, false)
-    return isCondition(a) && isCondition(b) ? glsl.and!(a, b) : glsl.ifElse!(a, whole(b), 0)
+    return isCondition(a) && isCondition(b) ? glsl.and!(a, b) : glsl.ifElse!(a, asOperand(b), 0)
   }
   const or = (a: unknown, b: unknown) => {
     if (b === false) return a
     if (b === true) return dropCondition(a, true)
     if (isCondition(a) && isCondition(b)) return glsl.or!(a, b)
-    return glsl.ifElse!(a, isCondition(a) ? 1 : a, whole(b))
+    return glsl.ifElse!(a, isCondition(a) ? 1 : a, asOperand(b))
   }
   /** Selects one of two values, either of which may be JavaScript's true or false. */
   const select = (condition: unknown, yes: unknown, no: unknown) => {
@@ -89,7 +90,7 @@ export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}
     if (no === false) return and(condition, yes)
     if (yes === false) return and(glsl.not!(condition), no)
     if (no === true) return or(glsl.not!(condition), yes)
-    return glsl.ifElse!(condition, whole(yes), whole(no))
+    return glsl.ifElse!(condition, asOperand(yes), asOperand(no))
   }
   const dropCondition = (condition: unknown, value: unknown) => {
     useCondition(condition)
@@ -132,7 +133,7 @@ export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}
     )
   const move = (x: unknown, by: number) =>
     isExpressionLike(x)
-      ? glsl.add!(whole(x), by)
+      ? glsl.add!(asOperand(x), by)
       : typeof x === 'bigint'
         ? x + BigInt(by)
         : Number(x) + by
@@ -144,20 +145,20 @@ export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}
       string,
       (a: unknown, b: unknown) => unknown
     >),
-    whole,
+    asOperand,
     choose,
     returning: chooseReturn,
     call,
     method,
     invoke,
     construct,
-    neg: (x: unknown) => (isExpressionLike(x) ? glsl.neg!(whole(x)) : -(x as number)),
-    plus: (x: unknown) => (isExpressionLike(x) ? whole(x) : +(x as number)),
+    neg: (x: unknown) => (isExpressionLike(x) ? glsl.neg!(asOperand(x)) : -(x as number)),
+    plus: (x: unknown) => (isExpressionLike(x) ? asOperand(x) : +(x as number)),
     not: (x: unknown) => (differsByVertex(x) ? glsl.not!(x) : !x),
     /** Bitwise operators. On expressions only truncation is supported: `x | 0`, also written `~~x`, which the translation converts. */
     bits(name: string, a: unknown, b: unknown) {
       if (!isExpressionLike(a) && !isExpressionLike(b)) return bits[name]!(a as number, b as number)
-      if (b === 0 && /^(\||>>|\^)$/.test(name)) return glsl.trunc!(whole(a))
+      if (b === 0 && /^(\||>>|\^)$/.test(name)) return glsl.trunc!(asOperand(a))
       throw new WarpError(
         `${name} works on the bits of whole numbers, not on expressions of a warp; write glsl.floor(x), x * 2 or x % 2.`,
       )
@@ -189,7 +190,7 @@ export function operatorsOf(glsl: Glsl, { readHelper, isPlain }: RunOptions = {}
           `${text} has no effect: an expression never changes, unlike a p5.Vector; set the variable, as in v = v.mult(2).`,
         )
     },
-    /** Runs both branches of an `if`, and selects between the values that they give to the variables that one of them sets. */
+    /** Runs both branches of an `if`. For each variable that a branch sets, selects between its values after the two branches. */
     branch(
       condition: unknown,
       yes: Thunk,
@@ -237,13 +238,14 @@ interface RunOptions {
   readHelper?: ReadHelper
   /** Variables that are read only once although their values change. */
   once?: readonly string[]
-  /** True if the function uses no operators on numbers; see `operatorsOf`. */
+  /** True if the function uses only logic (see needs.ts), so that a numeric condition tests for existence; see `operatorsOf`. */
   isPlain?: boolean
   /** Throws if the function cannot be called with this `this`. */
   check?: (self: unknown) => void
 }
 
-let current: Operators | undefined
+/** The operators of the running offset function. */
+let runningOperators: Operators | undefined
 
 /** Makes an offset function from the factory of a translated function. */
 export function withOperators(
@@ -253,12 +255,16 @@ export function withOperators(
   const run = function (this: unknown, inputs: WarpInputs) {
     check?.(this)
     for (const name of once) noteReadOnce(new Place('createWarp'), name)
-    const outer = current
-    current = operatorsOf(glslOf(inputs), { ...(readHelper && { readHelper }), isPlain })
+    const outer = runningOperators
+    runningOperators = operatorsOf(glslOf(inputs), { ...(readHelper && { readHelper }), isPlain })
     try {
-      return asVector(current, inputs, Reflect.apply(make(current), this, [inputs]))
+      return asVector(
+        runningOperators,
+        inputs,
+        Reflect.apply(make(runningOperators), this, [inputs]),
+      )
     } finally {
-      current = outer
+      runningOperators = outer
     }
   } as OffsetFunction
   const result = readHelper ? run : withOperatorMessage(run, () => notTranslated)
@@ -275,7 +281,7 @@ let idleOperators: Operators | undefined
 /** The operators of the running offset function, for helper functions that a build has translated. */
 export const operators: Operators = new Proxy({} as Operators, {
   get: (_, name) =>
-    Reflect.get(current ?? (idleOperators ??= operatorsOf(noGlsl)), name) as unknown,
+    Reflect.get(runningOperators ?? (idleOperators ??= operatorsOf(noGlsl)), name) as unknown,
 })
 
 /** The builder while no offset function is running. */
@@ -293,5 +299,5 @@ export const glslOf = (inputs: object) => ('glsl' in inputs ? inputs.glsl : inpu
 /** Converts a result `[x, y, z]`, or a vector of p5, to a vec3. */
 export function asVector(operators: Operators, inputs: object, result: unknown): Vec3 {
   const isOffset = 'glsl' in inputs && (!Array.isArray(result) || result.length === 3)
-  return (isOffset && !isExpression(result) ? operators.whole(result) : result) as Vec3
+  return (isOffset && !isExpression(result) ? operators.asOperand(result) : result) as Vec3
 }

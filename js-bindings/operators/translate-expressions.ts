@@ -48,7 +48,9 @@ export abstract class ExpressionTranslator {
     return `${this.translation.operatorsName}.${name}(`
   }
 
-  /** Translates a node that becomes an argument, or follows `=>`; adds parentheses if it needs them, since a node's own are not part of it. */
+  /**
+   * Translates a node that becomes an argument, or follows `=>`; adds parentheses if it needs them, since a node's own are not part of it.
+   */
   protected operand(node: Tree) {
     this.visit(node)
     if (node.type === 'SequenceExpression' || this.edits.source[node.start] === '{')

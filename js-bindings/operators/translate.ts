@@ -97,7 +97,7 @@ class Translator extends ExpressionTranslator {
     return true
   }
 
-  /** Translates an expression whose value is unused, without parentheses, which could call the expression on the previous line. */
+  /** Translates an expression whose value is unused. Adds no parentheses: they could call the expression on the previous line. */
   private statement(node: Tree): boolean {
     const { expression } = node
     const { type } = expression
@@ -146,7 +146,7 @@ class Translator extends ExpressionTranslator {
     )
   }
 
-  /** Returns a `var` declared in a node that is read outside of it. */
+  /** Returns the name of a `var` that is declared in the node, but read outside of the node. */
   private escapingVar(node: Tree): string | undefined {
     return varsIn(node, false).find((name) => {
       let isFound = false

@@ -26,7 +26,10 @@ export interface Schema<All extends Kinds> extends Kind<ValuesOf<All>, OptionsOf
   readInto(values: Partial<ValuesOf<All>>, value: unknown, place: Place): void
 }
 
-/** Makes the kind of an object of options. A schema is a kind itself, so schemas nest. `advice` says what to write instead of an unknown option. */
+/**
+ * Makes the kind of an object of options. A schema is a kind itself, so schemas nest. `advice` says what to write instead of an unknown
+ * option.
+ */
 export const object = <All extends Kinds>(
   kinds: All,
   advice?: (name: string) => string,

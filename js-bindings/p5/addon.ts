@@ -34,7 +34,7 @@ export interface Warping {
   ): Distort<Uniforms>
   /**
    * Draws p5's `box(width, height, depth)` with `detail` squares along each edge (default: 20), so that a warp can bend it.
-   * Throws a `WarpError`.
+   * Throws a `WarpError` for a wrong argument or a canvas that is not 3D.
    */
   warpBox(width?: number, height?: number, depth?: number, detail?: number): this
 }
@@ -60,14 +60,15 @@ export interface Loading {
   /**
    * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, stores the result in the geometry and
    * returns the geometry: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. Call it again after the
-   * vertices have changed. Needs p5 2. Throws a `WarpError`.
+   * vertices have changed. Needs p5 2. Throws a `WarpError` for anything but a geometry of p5 2.
    */
   addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
   /**
    * Returns a copy of a p5.Geometry with more vertices, for a warp to bend. A number n splits each triangle into four, n times;
    * `await subdivide(shape, { warp: wave, tolerance: 0.5 })` adds vertices only where the warp needs them. The tolerance is in units of
    * the shape, and `wave` is the result of createWarp or compileWarp. The warp's uniforms have their current values, unless the option
-   * "uniforms" overrides them. The original shape is not changed. Throws a `WarpError`.
+   * "uniforms" overrides them. The original shape is not changed. Throws a `WarpError` for a shape without triangles, and for wrong
+   * options.
    */
   subdivide<Geometry extends object>(
     geometry: Geometry,

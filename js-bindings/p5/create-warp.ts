@@ -61,7 +61,7 @@ export const createWarp = (
   return withSketchLine(() => create(canvas, offset, options))
 }
 
-/** Maps a sketch to the last frame in which it made a warp, and how many consecutive frames before that one also made one. */
+/** Maps a sketch to the last frame in which it made a warp, and the number of consecutive frames before that in which it also made one. */
 const recentWarps = new WeakMap<Canvas, readonly [frame: number, streak: number]>()
 
 /** Warns once if the sketch makes a warp in several consecutive frames. */

@@ -38,16 +38,16 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   defs?: string
   /**
    * Where normals are computed: at `'vertex'` and interpolated between vertices, or exactly at each `'pixel'`. `'auto'` selects
-   * `'pixel'` if the offset contains noise or bends strongly along an edge of p5's default sphere, and its normal takes at most 4,000
-   * operations.
+   * `'pixel'` if the offset contains noise, or if interpolated normals would be off by more than 1° on a typical mesh (p5's default
+   * sphere), unless the normal takes more than 4,000 operations.
    * @default 'auto'
    */
   normals?: NormalsOption
   /**
    * The maximum distance, in pixels of the canvas, between the drawn triangles and the warped surface: shapes are subdivided as finely as
    * their current size on the screen requires. `'auto'` is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }`
-   * also rounds coarse shapes. With `false`, shapes have only their own vertices. So do, with any value, shapes between beginShape() and
-   * endShape(), instances, and shapes under a warp that only the GPU can evaluate.
+   * also rounds coarse shapes. `false` disables the subdivision. Shapes between beginShape() and endShape(), instances, and shapes under a
+   * warp that only the GPU can evaluate are never subdivided.
    * @default false
    */
   detail?: DetailOption
@@ -59,12 +59,13 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   fadeNoise?: boolean
   /**
    * If true, the normals of an offset that depends on normal or uv account for how these vary over the surface; if false, normal and uv
-   * are treated as constant. Default: true.
+   * are treated as constant.
+   * @default true
    */
   surfaceVariation?: boolean
   /**
-   * If true, lines and points are warped too: outlines by `stroke()`, `line()` and `bezier()`. If false, they are not drawn. Default:
-   * true if the sketch has called `stroke()` and the offset reads neither normal, uv nor color, which lines lack.
+   * If true, outlines of shapes, lines and points are warped, too. If false, they are not drawn. Default: true if the sketch has called
+   * `stroke()` and the offset reads neither normal, uv nor color, which lines lack.
    */
   stroke?: boolean
   /**
@@ -74,8 +75,8 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    */
   returns?: 'offset' | 'position'
   /**
-   * A shader that the sketch made by `modify` or `buildMaterialShader`, to which the warp is added: its hooks stay. Uniforms that are
-   * set in it are passed to the warp.
+   * A shader that the sketch created with `modify` or `buildMaterialShader`, to which the warp is added. The shader keeps its hooks.
+   * Uniforms that are set in this shader also apply to the warp's copy of it.
    */
   shader?: object
   /**

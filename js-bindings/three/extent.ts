@@ -116,7 +116,7 @@ function extentOfAll(warp: ThreeWarp, object: Warpable): Extent {
   return { box: all.box, sphere: smallerSphere(all.sphere, sphereAround(all.box)) }
 }
 
-/** Bounds one instance, before its matrix. */
+/** Bounds one instance, before its matrix is applied. */
 function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
   const isRest = warp.settings.space === 'rest' && isMoved(object)
   const box = isRest ? restBox(object) : posedBox(object)
@@ -127,7 +127,7 @@ function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
 
 /**
  * Bounds the warped points of an extent in two ways: by the image of its box, and by its sphere, moved and grown by the range of offsets.
- * Returns the smaller sphere.
+ * The result has the box of the first way, and the smaller of the two spheres.
  */
 function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
   const warped = extentOfBox(warpedBox(warp, object, box))
@@ -201,7 +201,7 @@ const cornersOf = ({ min, max }: Box3) =>
 
 const isFiniteFloat = (number: number) => Number.isFinite(Math.fround(number))
 
-/** An empty box is not infinite; one with a NaN is. */
+/** An empty box does not count as infinite; a box with a NaN does. */
 const isInfinite = (box: Box3) =>
   !box.isEmpty() && ![...box.min.toArray(), ...box.max.toArray()].every(isFiniteFloat)
 

@@ -17,7 +17,7 @@ export function instanceState(object: Warpable): number[] {
 export const isInstancedMesh2 = (object: Warpable) =>
   (object as { isInstancedMesh2?: boolean }).isInstancedMesh2 === true
 
-/** Returns such numbers for a batch, which has the matrices of its instances in a texture, and flags for those that are visible. */
+/** Returns the numbers of `instanceState` for a batch, which has the matrices of its instances in a texture, and flags for visible ones. */
 function batchState(object: BatchedMesh): number[] {
   if (!object.isBatchedMesh) return []
   const { _matricesTexture: matrices } = object as unknown as {

@@ -49,7 +49,7 @@ export function warpPart(
       }
     }),
     replaceProperties(object, {
-      // They are computed when they are read, so that uniforms may be set at any time.
+      // The bounds are computed when they are read, so that uniforms may be set at any time.
       boundingSphere: computedProperty(boundingSphere),
       boundingBox: computedProperty(() => extent().box),
       ...asProperties({ computeBoundingSphere() {}, computeBoundingBox() {} }),
@@ -91,7 +91,7 @@ function drawDivided(detail: DetailedPart) {
   }
 }
 
-/** Disables the culling by which @three.ez/instanced-mesh hides instances: it uses the bounds of the unwarped geometry. */
+/** Disables the culling by which @three.ez/instanced-mesh hides instances: that culling uses the bounds of the unwarped geometry. */
 function showAllInstances(object: { perObjectFrustumCulled: boolean }) {
   const before = object.perObjectFrustumCulled
   object.perObjectFrustumCulled = false

@@ -15,9 +15,9 @@ import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /**
- * The way in which pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix of the object
- * or, for a warp in the space `'world'`, of the camera. `'flat'`: as a varying that is constant in each instance. `'smooth'`: as an
- * interpolated varying, since the matrices of bones vary.
+ * The way in which pixels get the matrix that transforms normals from the space of the offset to view space. `'uniform'`: from the matrix
+ * of the object or, for a warp in the space `'world'`, of the camera. `'flat'`: as a varying that is constant in each instance. `'smooth'`:
+ * as an interpolated varying, since the matrices of bones vary.
  */
 export type Matrices = 'uniform' | 'flat' | 'smooth'
 
@@ -56,7 +56,7 @@ export class PixelNormals {
     this.texts = stages.map((stage) => warp.textFor('glsl300', stage, names))
   }
 
-  /** The number of vectors that it passes to pixels. */
+  /** The number of vectors that this code passes to pixels. */
   get varyingCount(): number {
     const { matrices, mayHaveTangents } = this.options
     return this.inputs.size + Number(mayHaveTangents) + (matrices === 'uniform' ? 0 : 3) + 1
@@ -77,7 +77,7 @@ export class PixelNormals {
     ].join('\n')
   }
 
-  /** Returns statements that pass the inputs. `expressions` are those of the vertex shader. */
+  /** Returns statements that pass the inputs. `expressions` maps an input → its expression in the vertex shader. */
   pass(expressions: Readonly<Record<string, string>>): string {
     const tangent = expressions.tangent
     return [
@@ -93,7 +93,10 @@ export class PixelNormals {
     ].join('\n')
   }
 
-  /** Returns statements that set the varyings to zero, where a warp in world space is not evaluated. Pixels there get the normal of the flat triangle. */
+  /**
+   * Returns statements that set the varyings to zero, where a warp in world space is not evaluated. Pixels there get the normal of the flat
+   * triangle.
+   */
   get clear(): string {
     return [...this.inputs]
       .map(([input, type]) => `${varyingOf(input)} = ${type}( 0.0 );`)
@@ -169,7 +172,7 @@ return warpjetNormalized( warpjetFlip * warpjetViewNormal, warpjetFacingNormal )
 }`
   }
 
-  /** Returns statements for the tangents. The matrix that transforms them is, up to scale, the cofactor matrix of the one for normals. */
+  /** Returns statements for the tangents. The matrix for tangents is, up to scale, the cofactor matrix of the matrix for normals. */
   private get tangents(): string {
     const { warp } = this
     const orientation = warp.mirrors === false ? '1.0' : shaderNames.orientation
@@ -210,7 +213,7 @@ export const markViewPosition = (source: string) =>
 
 /**
  * Declares functions for where a warp collapses the surface. `warpjetFacing` returns the geometric normal of the drawn triangle,
- * before three.js negates normals of back faces. It is called outside of branches, where screen-space derivatives are defined.
+ * before three.js negates normals of back faces. `warpjetFacing` is called outside of branches, where screen-space derivatives are defined.
  * `warpjetNormalized` returns `other` for a vector that is zero or not finite.
  */
 export const declareFacing = `vec3 warpjetFacing() {

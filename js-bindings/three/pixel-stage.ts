@@ -19,7 +19,10 @@ type Shader = WebGLProgramParametersWithUniforms & {
   defines?: object
 }
 
-/** Returns the code by which a shader computes normals at each pixel; `undefined` if it computes them at vertices. `name` is for the message. */
+/**
+ * Returns the code by which a shader computes normals at each pixel; `undefined` if it computes them at vertices. `name` is for the
+ * message.
+ */
 export function pixelNormalsFor(
   shader: Shader,
   material: Material,

@@ -21,12 +21,15 @@ export function boundsState({ geometry }: Warpable): number[] {
   return sphere ? [...sphere.center.toArray(), sphere.radius] : []
 }
 
-/** Maps positions of geometries to their bounds at rest, for one version. */
+/** Maps the attribute `position` of a geometry, or of a morph target → its bounds, for one version of the attribute. */
 const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
 
 const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
 
-/** Returns bounds of the geometry. Instances of an InstancedBufferGeometry, as of text, can be anywhere: only the bounds that the user sets include them. */
+/**
+ * Returns bounds of the geometry. Instances of an InstancedBufferGeometry, as of text, can be anywhere: only the bounds that the user sets
+ * include them.
+ */
 export const restBox = ({ geometry }: Warpable): Box3 =>
   boundsSetByUser(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
 export const restSphere = ({ geometry }: Warpable): Sphere =>

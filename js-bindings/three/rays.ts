@@ -28,7 +28,7 @@ const warned = new WeakSet<ThreeWarp>()
 
 /**
  * Creates the `raycast` of a warped object. `original` is its method without the warp. `bounds` returns a sphere around everything that is
- * drawn of the object, and `surfaceNow` its divided surface, if that is drawn.
+ * drawn of the object, and `surfaceNow` the object's divided surface, if that is drawn.
  */
 export function raycastOf(
   warp: ThreeWarp,

@@ -23,6 +23,7 @@ export const share = (material: Material, adopt: (object: Object3D) => Variants 
   void shared.set(material, adopt)
 export const unshare = (material: Material) => void shared.delete(material)
 
+/** Warps an object that has a material of the option `share`, and returns the object's variants. */
 function adopt(object: Object3D) {
   const { material } = object as { material?: Material | Material[] }
   const adoptShared = Array.isArray(material)

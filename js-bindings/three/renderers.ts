@@ -54,7 +54,7 @@ export const attachToWebGPU = (target: Object3D | Material, warp: ThreeWarp): ((
 export const computeDivision = (input: ComputeInput): ComputeDetail | undefined =>
   nodes?.computeDivision(input)
 
-/** Prepares a renderer that is about to draw a warped object; throws if it cannot draw it warped. */
+/** Prepares a renderer that is about to draw a warped object. Throws if the renderer cannot draw the object warped. */
 export function prepareRenderer(
   renderer: WebGLRenderer,
   { settings: { method } }: ThreeWarp,

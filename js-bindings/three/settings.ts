@@ -27,7 +27,7 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * textures of three.js, or functions that return one of them, called once per frame. */
   uniforms?: Uniforms
   /**
-   * The stage that computes normals: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a warp that contains noise or bends strongly, unless that takes too many operations per pixel. Shaders that change
    * normals after the warp, or that do not use three.js' normals, always get normals of vertices.
    * @default 'auto'
@@ -43,8 +43,8 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * Draws meshes with as many triangles as needed for the drawn surface to be within this number of pixels of the true warped surface: a
    * number, or `'auto'`, which is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse meshes.
    * `false` draws the vertices of the geometry. For `warp` only. With this option, bones and morph targets are applied on the CPU.
-   * Batches, points and lines keep their vertices. So do meshes with bones or morph targets in the space `'rest'`, instances in the space
-   * `'world'`, and all meshes outside of a `Scene`. For shadows, the number is in texels of their maps.
+   * These keep their own vertices: batches, points and lines, meshes with bones or morph targets in the space `'rest'`, instances in the
+   * space `'world'`, and all meshes outside of a `Scene`. For shadows, the number is in texels of their maps.
    * @default false
    */
   detail?: DetailOption

@@ -26,7 +26,7 @@ export interface WovenSurface {
   name: string
 }
 
-/** Maps warps → a map from vertex shaders to the same shaders with the warp. */
+/** Maps a warp → a map from the options and the source of a vertex shader to this shader with the warp. */
 const woven = new WeakMap<ThreeWarp, Map<string, string>>()
 
 export class ShaderWeaver {
@@ -42,7 +42,7 @@ export class ShaderWeaver {
     this.uniforms = uniformsFor(warp, surface.material)
   }
 
-  /** Adds the warp to a shader. If it does not fit, prints an error: a thrown one would leave `render()`. */
+  /** Adds the warp to a shader. If the warp does not fit, prints an error: a thrown error would leave `render()`. */
   weave(shader: Shader, material: Material, renderer: WebGLRenderer) {
     const { warp } = this
     Object.assign(shader.uniforms, this.uniforms)

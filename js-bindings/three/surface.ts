@@ -92,7 +92,7 @@ function transformedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
   const rows = gradientsOfNormals.map((name) => vertices[name]!)
   const transformed = rows.map((numbers) => new Float32Array(numbers.length))
   const transposed = covariant.clone().transpose()
-  const varies = new Matrix3()
+  const normalDerivative = new Matrix3()
   const normal = new Vector3()
   const column = new Vector3()
   const along = new Vector3()
@@ -101,13 +101,13 @@ function transformedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
     const length = normal.length() || 1
     normal.divideScalar(length)
     rows.forEach((numbers, k) =>
-      column.fromArray(numbers, i).toArray(varies.elements as unknown as number[], 3 * k),
+      column.fromArray(numbers, i).toArray(normalDerivative.elements as unknown as number[], 3 * k),
     )
-    varies.premultiply(covariant).multiply(transposed)
-    along.copy(normal).applyMatrix3(varies)
+    normalDerivative.premultiply(covariant).multiply(transposed)
+    along.copy(normal).applyMatrix3(normalDerivative)
     transformed.forEach((numbers, k) =>
       column
-        .fromArray(varies.elements, 3 * k)
+        .fromArray(normalDerivative.elements, 3 * k)
         .addScaledVector(along, -normal.getComponent(k))
         .divideScalar(length)
         .toArray(numbers, i),

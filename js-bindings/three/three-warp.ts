@@ -19,7 +19,9 @@ import type { Settings } from './settings.js'
 import { handlesOf, type UniformHandle } from './uniforms.js'
 import { three } from './values.js'
 
-/** The results of the code in the vertex stage: it computes the position and, up to the named one, the normal and the tangent. */
+/**
+ * The last result of the code in the vertex stage: `'normal'` comes with the position, and `'tangent'` with the position and the normal.
+ */
 export type VertexStage = 'position' | 'normal' | 'tangent'
 
 /** The results of the code in the vertex stage or in the fragment stage. */
@@ -47,7 +49,7 @@ export class ThreeWarp extends HostWarp {
   readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
   /** The stage that computes normals. */
   readonly normals: NormalStage
-  /** In milliseconds. */
+  /** The input `millis`, in milliseconds. */
   readonly millis = { value: 0 }
   /** Returns whether the warp mirrors all of space with the current uniforms. */
   readonly isMirroredNow = remembered(

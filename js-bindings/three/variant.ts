@@ -30,7 +30,7 @@ export class Variant extends ForwardingMaterial {
   _listeners: object | undefined = undefined
   /** The uniforms that the material's `onBeforeCompile` adds, which all variants of the material share. */
   added: AddedUniforms | undefined = undefined
-  /** The number of programs that it has been compiled for. */
+  /** The number of times that the material was compiled. */
   compilations = 0
   private readonly weaver: ShaderWeaver
   private readonly onOriginalDispose: () => void

@@ -8,8 +8,8 @@ import { fromBufferGeometry } from './geometry.js'
 
 /**
  * Computes how normal and uv vary over a geometry and adds the result as attributes, so that offsets that depend on them,
- * such as one along the normal, get exact normals: `await addSurfaceVariation(geometry)`, once, before it is warped. Loads
- * 'warpjet/mesh'. Returns the geometry. Throws a `WarpError` unless it consists of triangles with positions.
+ * such as one along the normal, get exact normals: `await addSurfaceVariation(geometry)`, once, before the geometry is warped. Loads
+ * 'warpjet/mesh'. Returns the geometry. Throws a `WarpError` unless the geometry consists of triangles with positions.
  */
 export async function addSurfaceVariation<Geometry extends BufferGeometry>(
   geometry: Geometry,

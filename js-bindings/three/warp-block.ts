@@ -25,6 +25,7 @@ ${code.preparation}${code.isWorld && pixel ? `${pixel.clear}\n` : ''}${code.guar
 }`
 }
 
+/** Three.js' variables for the normal and the tangent in the space of the object. */
 export const atObject: Surface = { normal: 'objectNormal', tangent: 'objectTangent' }
 
 /** Returns statements that warp only the position. An offset along the normal needs the normal after morph targets and bones. */
@@ -63,7 +64,10 @@ ${toView(code, surface, true)}
 transformedNormal = warpjetViewNormal;`
 }
 
-/** Returns statements that warp position and normals, if other code changes a normal: each normal is transformed back to the object by itself. */
+/**
+ * Returns statements that warp position and normals, if other code changes a normal: each normal is transformed back to the object by
+ * itself.
+ */
 function warpAtView(code: WarpCode) {
   const moved = code.evaluate('warpjetStart', atObject)
   const warpBack = (normal: string, tangent: string, hasVarying: boolean) => {

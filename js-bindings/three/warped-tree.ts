@@ -18,7 +18,10 @@ export class WarpedTree {
   readonly parts: Part[] = []
   readonly skipped: Object3D[] = []
   private readonly variants: Variants
-  /** The parts of clones and of objects that were added later. Held weakly, since these objects may be collected before the warp is disposed of. */
+  /**
+   * The parts of clones and of objects that were added later. Held weakly, since these objects may be collected before the warp is disposed
+   * of.
+   */
   private readonly later = new Set<WeakRef<Part>>()
   private readonly partOf = new WeakMap<Object3D, Part>()
   private readonly releases: (() => void)[] = []

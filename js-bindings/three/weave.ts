@@ -157,7 +157,10 @@ objectTangent = ${tangent};
 const once = (mark: string, statements: string) =>
   `\n#ifndef ${mark}\n#define ${mark}\n${statements}\n#endif`
 
-/** Returns statements that complete the normal and the bitangent, which three's own lines compute from a normal that was warped before the bones. */
+/**
+ * Returns statements that complete the normal and the bitangent, which three's own lines compute from a normal that was warped before the
+ * bones.
+ */
 const afterPose = (
   warp: ThreeWarp,
 ) => `#if defined( WARPJET_NORMAL_DONE ) && defined( WARPJET_VARYING_NORMAL )

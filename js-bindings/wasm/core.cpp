@@ -191,7 +191,10 @@ std::vector<Variable> results(const Module& module) {
   return all;
 }
 
-std::uint32_t separate(Module& module, const Words& known) { return separateFrame(module, known); }
+// `frameInputs` are the inputs that are constant during a frame.
+std::uint32_t separate(Module& module, const Words& frameInputs) {
+  return separateFrame(module, frameInputs);
+}
 
 // Pairs the numbers of inputs or results with their names. JavaScript passes two arrays, since a
 // record for each pair takes three calls.

@@ -1,6 +1,6 @@
 // The bindings of detail: a mesh that is divided as finely as its warped surface needs it on the
 // screen. JavaScript fills the arrays of a mesh, evaluates the warp at its samples, and reads the
-// arrays of the divided mesh. Its objects live as long as the mesh.
+// arrays of the divided mesh. The bound objects live as long as the mesh.
 #include "detail/detail.hpp"
 
 #include <emscripten.h>

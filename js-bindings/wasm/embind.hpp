@@ -70,7 +70,7 @@ struct TypeID<T, std::enable_if_t<IsVector<typename Canonicalized<T>::type>::val
   static constexpr TYPEID get() { return LightTypeID<typename Canonicalized<T>::type>::get(); }
 };
 
-// For results only.
+// Views are for results only.
 template <typename T>
 struct BindingType<warpjet::View<T>> {
   using WireType = BindingType<val>::WireType;
@@ -79,7 +79,7 @@ struct BindingType<warpjet::View<T>> {
   }
 };
 
-// For parameters only: the characters are released after the call.
+// A string_view is for parameters only: the characters are released after the call.
 template <>
 struct BindingType<std::string_view> {
   using WireType = BindingType<std::string>::WireType;

@@ -2,7 +2,10 @@
 // `createWarp` works in a plain `setup()`.
 import { WarpError } from '../errors/errors.js'
 
-/** Calls `compile` with the bytes of a module, which is inlined as hexadecimal digits. Throws a `WarpError` that explains why the browser rejects any module. */
+/**
+ * Calls `compile` with the bytes of a module, which is inlined as hexadecimal digits. Throws a `WarpError` that explains why the browser
+ * rejects any module.
+ */
 export function withBytes<Result>(
   digits: string,
   compile: (bytes: Uint8Array<ArrayBuffer>) => Result,

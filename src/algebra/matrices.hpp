@@ -18,7 +18,7 @@ Value diagonal(int size, Expression value);
 // Returns the matrix of a right-handed rotation: counterclockwise when the axis points at the
 // viewer. The angle is in radians.
 Value rotationAbout(int axis, Expression angle);
-// Returns that matrix for an axis of any direction and length, by Rodrigues' formula.
+// Returns the rotation about an axis of any direction and length, by Rodrigues' formula.
 Value rotationAbout(const Value& axis, Expression angle);
 
 }  // namespace warpjet

@@ -10,8 +10,8 @@ Expression sum(const Value& v);
 Expression dot(const Value& a, const Value& b);
 Value cross(const Value& a, const Value& b);
 
-// The derivatives of `length` and `normalize` at the zero vector are defined as zero, and so is its
-// unit vector.
+// `normalize` returns zero for the zero vector. The derivatives of `length` and `normalize` are
+// defined as zero there.
 Expression length(const Value& v);
 Value normalize(const Value& v);
 

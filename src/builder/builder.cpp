@@ -80,8 +80,8 @@ int Builder::constant(double value) {
   return addResult(Value(Expression{&graph_, id}), graph_.size(), "val");
 }
 
-int Builder::call(int number, bool isMethod) {
-  const Operation& operation = operations[number];
+int Builder::call(int operationIndex, bool isMethod) {
+  const Operation& operation = operations[operationIndex];
   const Site site{operation.name, isMethod};
   const std::size_t before = graph_.size();
   if (operation.source == Operation::Source::Composition) {
@@ -120,9 +120,9 @@ std::optional<Value> Builder::apply(const Operation& operation, const Site& site
   return std::nullopt;
 }
 
-int Builder::callFunction(int number) {
+int Builder::callFunction(int functionIndex) {
   const std::size_t before = graph_.size();
-  const Function& function = graph_.function(static_cast<std::uint32_t>(number));
+  const Function& function = graph_.function(static_cast<std::uint32_t>(functionIndex));
   const Site site{function.name, false};
   const auto result = [&]() -> std::optional<Value> {
     if (!checkCount(function.arity, site)) return std::nullopt;
@@ -135,7 +135,7 @@ int Builder::callFunction(int number) {
       std::vector<NodeId> arguments;
       for (const Value& operand : operands_)
         arguments.push_back(operand.nodes()[operand.size() == 1 ? 0 : i]);
-      return Expression{&graph_, graph_.call(static_cast<std::uint32_t>(number), arguments)};
+      return Expression{&graph_, graph_.call(static_cast<std::uint32_t>(functionIndex), arguments)};
     });
   }();
   return addResult(result, before, function.name);

@@ -1,5 +1,6 @@
-// The interface that offset functions are recorded with: operations by number, on values by handle.
-// Every error becomes a message that says what to change; nothing throws and nothing is lost.
+// The interface that records offset functions. Operations are identified by their number, values by
+// handles. Every error becomes a message that says what to change: nothing throws, and no error is
+// ignored.
 #pragma once
 
 #include <array>
@@ -32,8 +33,9 @@ inline constexpr std::array<std::string_view, 10> warpOperands{
     "position",        "normal",          "uv",        "tangent",   "normalXGradient",
     "normalYGradient", "normalZGradient", "uGradient", "vGradient", "color"};
 
-// The results that a warp adds, in this order. Those that depend on the Jacobian are added twice:
-// with a constant normal and uv, and with normal and uv that vary over the surface.
+// The results that `Builder::warp` adds, in this order. `orientedResults` depend on the Jacobian
+// and are added twice: with a constant normal and uv, and with normal and uv that vary over the
+// surface.
 inline constexpr std::array<std::string_view, 2> movedResults{"offset", "position"};
 inline constexpr std::string_view orientationResult = "orientation";
 inline constexpr std::array<std::string_view, 4> orientedResults{"normal", "tangent", "direction",
@@ -64,16 +66,17 @@ class Builder {
   // Calls an operation, or a function of the host, on the values pushed since the last call. The
   // first operand of a method is its receiver.
   void push(int handle) { operands_.push_back(values_.get(graph_, handle)); }
-  int call(int operation, bool isMethod);
-  int callFunction(int function);
+  int call(int operationIndex, bool isMethod);
+  int callFunction(int functionIndex);
   int callNoise(const Noise& noise, bool isMethod);
   // Samples the host's image of that name; the operand is a vec2.
   int callTexture(const Sampling& sampling, std::string_view image);
   // Returns the width and height of the host's image of that name.
   int imageSize(std::string_view image);
 
-  // Adds a function that a front end recorded as a module; returns its number. Calls take numbers,
-  // and return the handle of the first value; the other handles follow.
+  // Adds a function that a front end recorded as a module; returns its number. Arguments and
+  // results are single numbers. A call returns the handle of the first result; the handles of the
+  // others follow.
   [[gnu::noinline]] int addRecorded(std::string_view name, std::uint32_t variables,
                                     std::span<const std::uint32_t> words);
   [[gnu::noinline]] int callRecorded(int function);
@@ -106,7 +109,7 @@ class Builder {
   void output(std::string_view method, std::string_view name, int handle);
 
   // Adds all results of a warp. The values pushed are the offset, then `warpOperands`. Returns 1 if
-  // it needs the gradients, 0 if not; or `failed` or `needsPartials`.
+  // the normal depends on the gradients of normal and uv, 0 if not; or `failed` or `needsPartials`.
   int warp(std::string_view method, const WarpOptions& options);
 
   // Returns the number of the input that the value is, or is a component of.
@@ -156,7 +159,7 @@ class Builder {
   // Returns true if a node reads a variable of a loop outside of its fold. With `mayReadStep`, the
   // step number is ignored.
   bool readsOpenRepeat(std::span<const NodeId> nodes, bool mayReadStep);
-  bool checkReadsNoRepeat(const Value& value, std::string_view asker);
+  bool checkReadsNoRepeat(const Value& value, std::string_view method);
 
   // Returns the handle of a value; `failed` if a node made since `before`, which is a size of the
   // graph, can't be computed in a shader.

@@ -70,19 +70,19 @@ std::string Builder::Site::describeOperand(std::size_t operand) const {
 }
 
 bool Builder::checkCount(int wanted, const Site& site) {
-  const int given = static_cast<int>(operands_.size());
-  if (given == wanted) return true;
+  const int count = static_cast<int>(operands_.size());
+  if (count == wanted) return true;
   const int receivers = site.isMethod ? 1 : 0;
   reject(site.method, {"expected ", argumentCount(wanted - receivers), ", got ",
-                       std::to_string(given - receivers), "."});
+                       std::to_string(count - receivers), "."});
   return false;
 }
 
 std::nullopt_t Builder::rejectShapes(Shape a, Shape b, const Site& site) {
   const bool isProduct = a.isMatrix() || b.isMatrix();
   return reject(site.method, {shapeName(a), " and ", shapeName(b), " do not fit together; use ",
-                              isProduct ? "matrices and vectors of one size."
-                                        : "vectors of one size, or numbers."});
+                              isProduct ? "matrices and vectors of the same size."
+                                        : "vectors of the same size, or numbers."});
 }
 
 std::optional<Shape> Builder::commonShape(std::span<const Value> operands, const Site& site) {
@@ -98,8 +98,8 @@ std::optional<Shape> Builder::commonShape(std::span<const Value> operands, const
 
 std::optional<Value> Builder::applyRow(Op op, const Site& site) {
   if (op == ops::find("atan") && operands_.size() == 2) op = ops::find("atan2");
-  const std::size_t fewest = site.isMethod ? 2 : 1;
-  if (!ops::has(op, ops::Trait::Chained) || operands_.size() < fewest) {
+  const std::size_t minCount = site.isMethod ? 2 : 1;
+  if (!ops::has(op, ops::Trait::Chained) || operands_.size() < minCount) {
     if (!checkCount(ops::declaration(op).arity, site)) return std::nullopt;
     return applyRowTo(op, operands_, site);
   }
@@ -164,7 +164,7 @@ bool Builder::fitsInput(const Value& operand, std::size_t place, const Site& sit
         std::find(nodes.begin(), nodes.begin() + i, nodes[i]) != nodes.begin() + i;
     if (graph_.isInput(nodes[i]) && !isRepeated) continue;
     reject(site.method, {site.describeOperand(place),
-                         isRepeated ? " must have different components."
+                         isRepeated ? " must not repeat a component."
                                     : " must be an input such as millis or position.x(), "
                                       "not something computed."});
     return false;

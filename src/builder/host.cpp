@@ -35,8 +35,8 @@ void Builder::nameInput(std::uint32_t number, const Label& label, std::string_vi
   numbers_[label.root].push_back(number);
 }
 
-// Finds an input that was read before, or a part of one; nullopt if it is new. The inner value is
-// missing if there was an error.
+// Finds an input that was read before, or a part of one. Returns nullopt if the input is new, and
+// an empty inner optional if it was rejected.
 std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view method,
                                                             const Label& label, Shape shape) {
   const std::vector<std::uint32_t>& sameRoot = numbers_[label.root];
@@ -51,27 +51,29 @@ std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view met
   };
   for (const std::uint32_t i : sameRoot) {
     if (labels_[i].text != label.text) continue;
-    const Shape known = graph_.input(i).shape;
-    if (known == shape) return allComponents(i);
-    return rejected({quoteShort(label.text), " was read as ", shapeName(known),
+    const Shape knownShape = graph_.input(i).shape;
+    if (knownShape == shape) return allComponents(i);
+    return rejected({quoteShort(label.text), " was read as ", shapeName(knownShape),
                      " before, and now as ", shapeName(shape), "."});
   }
   for (const std::uint32_t i : sameRoot) {
-    const Shape known = graph_.input(i).shape;
-    const auto part = partOf(labels_[i], known, label);
+    const Shape knownShape = graph_.input(i).shape;
+    const auto part = partOf(labels_[i], knownShape, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
-    // The known input has no such part; the host that compiles the code reports that.
+    // If the label names a part that the known input does not have, such as .w of a vec3, treats it
+    // as a new input: the host reports it when it compiles the shader.
     if (isWithin(label, labels_[i]) && !isWithin(labels_[i], label)) return std::nullopt;
   }
   for (const std::uint32_t i : sameRoot) {
-    const Label& known = labels_[i];
-    if (!mayOverlap(known, label)) continue;
-    const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
-    if (isWithin(known, label))
-      return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
+    const Label& earlier = labels_[i];
+    if (!mayOverlap(earlier, label)) continue;
+    const std::string_view whole =
+        isWithin(earlier, label) && shape.isMatrix() ? "matrix" : "vector";
+    if (isWithin(earlier, label))
+      return rejected({quoteShort(earlier.text), " was read before ", quoteShort(label.text),
                        ", of which it is a part; read the ", whole, " first."});
-    return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
-                     " and may be a part of it; read the ", whole, " of both first."});
+    return rejected({quoteShort(earlier.text), " was read before ", quoteShort(label.text),
+                     ", which may have the same components; read the whole ", whole, " first."});
   }
   return std::nullopt;
 }
@@ -138,28 +140,30 @@ bool Builder::dependsOnLoopOf(NodeId call, std::span<const NodeId> nodes) const 
 }
 
 bool Builder::setPartials(NodeId call) {
-  const std::vector<Value> given = std::exchange(operands_, {});
+  const std::vector<Value> partials = std::exchange(operands_, {});
   const Function& function = graph_.function(call);
-  if (static_cast<int>(given.size()) != function.arity) {
+  if (static_cast<int>(partials.size()) != function.arity) {
     reject(function.name,
-           {"expected ", std::to_string(function.arity), " derivatives, one per argument."});
+           {"expected ", std::to_string(function.arity), " derivatives, one per argument, got ",
+            std::to_string(partials.size()), "."});
     return false;
   }
-  std::vector<NodeId> partials;
-  for (const Value& partial : given) {
+  std::vector<NodeId> nodes;
+  for (const Value& partial : partials) {
     if (!partial.shape().isNumber()) {
       reject(function.name,
-             {"expected a single number as derivative ", std::to_string(partials.size() + 1),
-              ", got ", shapeName(partial.shape()), "."});
+             {"expected a single number as derivative ", std::to_string(nodes.size() + 1), ", got ",
+              shapeName(partial.shape()), "."});
       return false;
     }
-    partials.push_back(partial[0].id);
+    nodes.push_back(partial[0].id);
   }
-  if (dependsOnLoopOf(call, partials)) {
-    reject(function.name, {"its derivative cannot be a result of the repeat that calls it."});
+  if (dependsOnLoopOf(call, nodes)) {
+    reject(function.name, {"expected derivatives that do not depend on the repeat() in which the "
+                           "function is called."});
     return false;
   }
-  graph_.setPartials(call, partials);
+  graph_.setPartials(call, nodes);
   return true;
 }
 

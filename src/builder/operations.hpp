@@ -53,7 +53,7 @@ constexpr bool isHidden(const ops::Declaration& row) { return row.traits.has(ops
 
 using Source = Operation::Source;
 
-inline constexpr std::array others{
+inline constexpr std::array vectorOperations{
     Operation{"column", Source::Part, 0},           Operation{"row", Source::Part, 1},
     Operation{"vec2", Source::Vector, 2},           Operation{"vec3", Source::Vector, 3},
     Operation{"vec4", Source::Vector, 4},           Operation{"mat2", Source::MatrixOfColumns, 2},
@@ -70,25 +70,25 @@ inline constexpr auto hiddenCount = static_cast<std::size_t>(
 inline constexpr auto operations = [] {
   using Source = Operation::Source;
   std::array<Operation, ops::count - detail::hiddenCount + detail::aliases.size() +
-                            compositions.size() + detail::others.size()>
+                            compositions.size() + detail::vectorOperations.size()>
       all{};
   std::size_t n = 0;
-  const auto number = [](std::size_t i) { return static_cast<std::uint8_t>(i); };
+  const auto toIndex = [](std::size_t i) { return static_cast<std::uint8_t>(i); };
   for (std::size_t i = 0; i < ops::count; ++i) {
     if (!detail::isHidden(ops::declarations[i]))
-      all[n++] = {ops::declarations[i].name, Source::Row, number(i),
+      all[n++] = {ops::declarations[i].name, Source::Row, toIndex(i),
                   ops::declarations[i].traits.has(ops::Trait::SourceOnly)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {
       if (ops::declarations[i].name == alias.original)
-        all[n++] = {alias.name, Source::Row, number(i)};
+        all[n++] = {alias.name, Source::Row, toIndex(i)};
     }
   }
   for (std::size_t i = 0; i < compositions.size(); ++i)
-    all[n++] = {compositions[i].title.name, Source::Composition, number(i),
+    all[n++] = {compositions[i].title.name, Source::Composition, toIndex(i),
                 !compositions[i].isListed};
-  for (const Operation& other : detail::others) all[n++] = other;
+  for (const Operation& operation : detail::vectorOperations) all[n++] = operation;
   return all;
 }();
 

@@ -16,12 +16,13 @@ constexpr std::string_view repeatMethod = "repeat";
 
 int Builder::openRepeat(int steps) {
   const std::vector<Value> start = std::exchange(operands_, {});
-  std::uint64_t all = static_cast<std::uint64_t>(steps);
-  for (const Repeat& repeat : repeats_) all *= std::max(graph_.loop(repeat.fold.loop).steps, 1u);
-  if (all > maxSteps) {
+  std::uint64_t totalSteps = static_cast<std::uint64_t>(steps);
+  for (const Repeat& repeat : repeats_)
+    totalSteps *= std::max(graph_.loop(repeat.fold.loop).steps, 1u);
+  if (totalSteps > maxSteps) {
     reject(repeatMethod, {"expected at most ", std::to_string(maxSteps),
                           " steps, where those of nested repeats are multiplied, got ",
-                          std::to_string(all), "."});
+                          std::to_string(totalSteps), "."});
     return failed;
   }
   if (repeats_.size() == maxLoopDepth) {
@@ -110,9 +111,9 @@ bool Builder::readsOpenRepeat(std::span<const NodeId> nodes, bool mayReadStep) {
   return false;
 }
 
-bool Builder::checkReadsNoRepeat(const Value& value, std::string_view asker) {
+bool Builder::checkReadsNoRepeat(const Value& value, std::string_view method) {
   if (!readsOpenRepeat(value.nodes(), false)) return true;
-  reject(asker, {onlyInItsBody});
+  reject(method, {onlyInItsBody});
   return false;
 }
 

@@ -61,11 +61,12 @@ NodeId multipleOf(Graph& graph, Term x, Term y) {
     const NodeId factor = factorOf(graph, x.id, i);
     if (factor == noNode) continue;
     for (int k = 0; k < maxFactors; ++k) {
-      const NodeId same = factorOf(graph, y.id, k);
-      if (same == noNode) continue;
-      // The sign of a constant is part of it.
-      const bool isOpposite = factor != same;
-      if (isOpposite && !(graph.isConstant(factor) && graph.isConstant(same, -graph.value(factor))))
+      const NodeId otherFactor = factorOf(graph, y.id, k);
+      if (otherFactor == noNode) continue;
+      // A constant factor includes its sign, so it may also be the negative of the other factor.
+      const bool isOpposite = factor != otherFactor;
+      if (isOpposite &&
+          !(graph.isConstant(factor) && graph.isConstant(otherFactor, -graph.value(factor))))
         continue;
       const NodeId a = restOf(graph, x.id, i), b = restOf(graph, y.id, k);
       const bool isDifference = x.isNegative != (y.isNegative != isOpposite);

@@ -70,7 +70,8 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
   for (int i = 0; i < graph_.arity(from); ++i) {
     const NodeId operand = graph_.operand(from, i);
     if (components[operand] == 0) continue;
-    // Lists and results read all arguments of a call, each of which has its own tangent.
+    // Lists and results belong to calls of our own functions: they read all arguments, and each
+    // argument has its own tangent.
     if (graph_.isList(operand) || graph_.isResult(id)) return {};
     if (components[operand] != components[id]) return {};
     if (base && tangents[operand].base != *base) return {};
@@ -82,7 +83,7 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
 void Differentiator::findTangent(NodeId id, const Direction& direction) {
   Tangents& tangents = direction.tangents;
   auto& [factor, base] = tangents.set(id) = {direction.one, direction.one};
-  // Any nonzero value: readers of the call ask for the tangent of each argument.
+  // Any nonzero value will do: readers of the call use the tangents of its arguments instead.
   if (graph_.isList(id) || graph_.isLibraryCall(id)) return;
   if (const auto common = commonBase(id, direction)) {
     factor = chainRule(id, direction, &Differentiator::factorOf);

@@ -32,7 +32,7 @@ class Differentiator {
   // From now on, new nodes are recorded in `log`.
   void logTo(std::vector<DerivedNodes>& log) { log_ = &log; }
 
-  // Returns the size of the cache for later derivatives.
+  // Returns the bytes that the cache for later derivatives takes.
   std::size_t bytes() const { return bytes_; }
 
  private:
@@ -46,9 +46,9 @@ class Differentiator {
   // The components of an input that a node depends on, one bit each.
   using Components = Paged<std::uint32_t>;
 
-  // The max size of the cache, apart from the current derivative; when it is exceeded, the cache is
-  // cleared and rebuilt on demand. Otherwise, hundreds of parameters of a million nodes would fill
-  // the memory.
+  // The max size of the cache, apart from the current derivative. If it is exceeded, the cache is
+  // cleared and rebuilt on demand. Without this limit, derivatives of a million nodes with respect
+  // to hundreds of inputs would fill the memory.
   static constexpr std::size_t maxBytes = std::size_t{1} << 27;
 
   // The state of differentiation with respect to one input component.

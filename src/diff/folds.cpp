@@ -69,7 +69,8 @@ bool Differentiator::visitFoldPart(NodeId id, const Direction& direction) {
     return true;
   }
   if (!graph_.isOutcome(id)) return false;
-  // The derivative of the same variable, as the outcome of the extended fold.
+  // The derivative of an outcome is an outcome of the extended fold: that of the variable's
+  // derivative.
   const NodeId fold = tangents[graph_.operand(id, 0)].factor;
   const NodeId local = tangents[graph_.operand(id, 1)].factor;
   const NodeId zero = direction.zero;
@@ -92,7 +93,7 @@ void Differentiator::visitFold(NodeId id, const Direction& direction) {
     if (tangentLocal != zero)
       states.push_back({tangentLocal, fullTangent(tangents[start]), fullTangent(tangents[next])});
   }
-  // Stored in place of a tangent; only outcomes read it.
+  // The extended fold is stored in place of a tangent; only outcomes read it.
   tangents.set(id) = {graph_.fold(graph_.loopOf(id), states), direction.one};
 }
 

@@ -15,7 +15,7 @@ class Paged {
  public:
   static constexpr std::size_t pageSize = 128;
 
-  // Makes room for the node.
+  // Returns the value of the node for writing, and allocates its page if necessary.
   Value& set(NodeId id) {
     const std::size_t page = index(id) / pageSize;
     if (page >= pages_.size()) pages_.resize(page + 1);

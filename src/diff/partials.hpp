@@ -26,7 +26,7 @@ struct Slope {
 };
 
 // Returns the slopes of a call of a host function, or of a result of one of our functions.
-// Arguments without a derivative have none.
+// Arguments with respect to which the function has no derivative are left out.
 std::vector<Slope> slopesOf(Graph& graph, NodeId id);
 
 }  // namespace warpjet

@@ -14,14 +14,15 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// The first operands for which an operation is defined.
+// The interval of the first operand in which an operation is defined.
 struct Domain {
   Op op;
   double low, high;
 };
 
-// inversesqrt is missing, since the derivatives of asin and acos contain it: where its operand
-// would be reflected, it is NaN, so that the normal there is the geometric one.
+// inversesqrt is not listed, since the derivatives of asin and acos contain it. An operand that
+// would have to be reflected makes it NaN instead, and a NaN normal is replaced by the geometric
+// normal.
 constexpr Domain domains[] = {
     {ops::find("sqrt"), 0, infinity}, {ops::find("log"), 0, infinity},
     {ops::find("log2"), 0, infinity}, {ops::find("pow"), 0, infinity},
@@ -35,8 +36,8 @@ constexpr double minDistance = 1.0 / 16;
 
 class Borders : public Rewriter {
  public:
-  // Considers the operations of all results: the normal of log(x) contains only its derivative 1 /
-  // x.
+  // Considers the operations of all results. The normal alone is not enough: that of log(x)
+  // contains only the derivative 1 / x.
   Borders(Graph& graph, Library& library, Comments& comments)
       : Rewriter(graph, comments), library_(library), isInLoop_(graph.size()) {
     const auto size = static_cast<std::uint32_t>(graph.size());

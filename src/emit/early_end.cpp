@@ -43,7 +43,7 @@ class Assumption {
     if (!isOr && !graph_.is(id, ops::find("and"))) return {};
     const auto a = truth(graph_.operand(id, 0), depth - 1);
     const auto b = truth(graph_.operand(id, 1), depth - 1);
-    // One operand decides if it is true for `or`, or false for `and`.
+    // A single operand decides the result: a true one for `or`, a false one for `and`.
     if (a == isOr || b == isOr) return isOr;
     return a && b ? std::optional(!isOr) : std::nullopt;
   }
@@ -56,10 +56,12 @@ class Assumption {
 
   const Graph& graph_;
   NodeId flag_;
-  // Caches the result for each node, since several may share one.
+  // Caches the result for each `ifElse`, since several nodes may read the same one.
   std::unordered_map<NodeId, NodeId> chosen_;
 };
 
+// Returns true if `flag` ends the loop: once it is more than 0.5, it remains so, and all other
+// states keep their values.
 bool ends(const Graph& graph, std::span<const State> states, const State& flag) {
   Assumption hasEnded(graph, flag.local);
   const NodeId next = hasEnded.chosen(flag.next);

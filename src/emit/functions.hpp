@@ -15,7 +15,8 @@ class Declarations {
  public:
   Declarations(const Dialect& dialect, Library& library) : dialect_(dialect), library_(library) {}
 
-  // Adds each function that these statements call once, after the functions that it calls itself.
+  // Adds, without duplicates, the functions that these statements call, each after those that it
+  // calls itself.
   void add(const Graph& graph, const EmittedCode& emitted);
 
   const std::string& text() const { return text_; }

@@ -18,7 +18,8 @@ inline constexpr std::string_view declaration = "$0 $1", definition = "$0 $1 = "
                                   function = "$0 $1($2) {\n", parameter = "$0 $1",
                                   structure = "struct $0 {$1 };\n", member = " $0 $1;";
 
-// Version 1.00 needs the extension OES_standard_derivatives; JavaScript never fades noise in it.
+// Version 1.00 needs the extension OES_standard_derivatives; our JavaScript never fades noise for
+// it.
 inline constexpr std::string_view across = R"(highp float warpjetAcross(highp float x) {
   return dFdx(x);
 }

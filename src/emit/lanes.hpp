@@ -40,6 +40,8 @@ struct Lanes {
 // Records which nodes are statements, and which statements are packed into one.
 class Packs {
  public:
+  // How lanes are written: as one number for all of them, as components of an existing vector, as
+  // an operation on vectors, or as a list of numbers.
   enum class Form : std::uint8_t { Number, Part, Operation, Row };
   // Lanes are written as an operand, or as the expression that a statement computes.
   enum class As : std::uint8_t { Operand, Statement };
@@ -97,8 +99,8 @@ class Packs {
   // Returns the vector and component that a node is read from, as four times the vector's key plus
   // the component; less than four if it isn't a component of a vector.
   std::uint64_t placeOf(NodeId id) const;
-  // Returns the number of components of the vector that a node is read from, if that is one of our
-  // variables or the host's; 0 otherwise.
+  // If a node is read from a vector that is one of our variables or the host's, returns the number
+  // of components of that vector; 0 otherwise.
   int vectorSizeOf(NodeId id) const;
   bool isPart(const Lanes& lanes) const;
   // Returns operand i of each lane.

@@ -28,9 +28,11 @@ double scaleByPowerOfTen(double x, int exponent) {
   return exponent < 0 ? x / powersOfTen[-exponent] : x * powersOfTen[exponent];
 }
 
-// Returns the shortest decimal that reads back as the positive `value`: closer than half the gap to
-// the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate
-// to 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
+// Returns the shortest decimal that a compiler reads back as the positive `value`: its error must
+// be less than half the gap between `value` and the neighboring float32 on the side of the error.
+// We require 1e-5 (`margin`) less than that, because these computations in double have errors, too:
+// 1e-14 of the value, while half a gap is at least 1e-8 of it. If only the margin excludes a
+// decimal, one more digit is written.
 Decimal findShortest(float value) {
   constexpr double margin = 1e-5;
   const double exact = value;

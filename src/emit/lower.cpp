@@ -41,11 +41,11 @@ constexpr Formula formulaOf() {
 }
 
 // The formula that replaces each operation. Null if every language has the operation, or if
-// languages without it reject it.
+// languages without it reject it (see findUnsupported): these are operations on ints.
 constexpr auto formulas =
     ops::withIndices<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 
-bool lacks(ops::Language language, Op op) { return ops::spelling(op, language).isMissing(); }
+bool isMissing(Op op, ops::Language language) { return ops::spelling(op, language).isMissing(); }
 
 class Lowering : public Rewriter {
  public:
@@ -55,7 +55,7 @@ class Lowering : public Rewriter {
  private:
   NodeId replaceOperation(NodeId id) override {
     const Op op = graph_.node(id).op;
-    return lacks(language_, op) && formulas[index(op)]
+    return isMissing(op, language_) && formulas[index(op)]
                ? formulas[index(op)](graph_, newOperands(id))
                : Rewriter::replaceOperation(id);
   }
@@ -67,25 +67,25 @@ class Lowering : public Rewriter {
 
 std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
                                  ops::Language language) {
-  if (!lacksAny(graph, language)) return {};
+  if (!usesMissing(graph, language)) return {};
   for (const NodeId id : reachable(graph, roots)) {
     if (!graph.isOperation(id)) continue;
     const Op op = graph.node(id).op;
-    if (lacks(language, op) && !formulas[index(op)]) return ops::declaration(op).name;
+    if (isMissing(op, language) && !formulas[index(op)]) return ops::declaration(op).name;
   }
   return {};
 }
 
-bool lacksAny(const Graph& graph, ops::Language language) {
+bool usesMissing(const Graph& graph, ops::Language language) {
   for (std::size_t row = 0; row < ops::count; ++row) {
-    if (graph.has(Op(row)) && lacks(language, Op(row))) return true;
+    if (graph.has(Op(row)) && isMissing(Op(row), language)) return true;
   }
   return false;
 }
 
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
                           Comments& comments) {
-  if (!lacksAny(graph, language)) return {roots.begin(), roots.end()};
+  if (!usesMissing(graph, language)) return {roots.begin(), roots.end()};
   return Lowering(graph, language, comments).rewrite(roots);
 }
 

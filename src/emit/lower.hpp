@@ -11,7 +11,7 @@
 namespace warpjet {
 
 // Returns true if the graph contains an operation that the language lacks.
-bool lacksAny(const Graph& graph, ops::Language language);
+bool usesMissing(const Graph& graph, ops::Language language);
 
 // Returns the name of an operation that the language lacks and that can't be lowered, or empty.
 std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,

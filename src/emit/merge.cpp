@@ -46,7 +46,7 @@ class Merger {
       isShorter = true;
     }
     if (!isShorter) return;
-    std::vector<std::uint32_t> unitOf(count_, none);
+    std::vector<std::uint32_t> unitOf(count_, none);  // by statement: its merged statement
     Statements merged;
     for (const std::uint32_t i : order) {
       if (unitOf[i] == none && !isRemoved(i)) mergeOne(merged, unitOf, i);

@@ -21,7 +21,8 @@ class Finder {
   }
 
  private:
-  // Matches the inverse length of a vector; its components become the sums of the product.
+  // Matches the inverse length of a vector. The components of the vector become the sums of the
+  // product.
   bool findSums(NodeId inverse) {
     if (!graph_.is(inverse, inversesqrt)) return false;
     NodeId rest = graph_.operand(inverse, 0);

@@ -29,8 +29,8 @@ struct MatrixProducts {
 };
 
 // Searches where `nodes` normalize a vector; `uses` has the number of reads of each node. All nine
-// factors must be present, since with 0 or 1 among them the sums are shorter, and not all may be
-// differences, as cofactors are: those are written as cross products. Sums remain sums if one of
+// factors must be present: with 0 or 1 among them, the sums are shorter. Not all factors may be
+// differences, as cofactors are, which are written as cross products. Sums remain sums if one of
 // their terms is read elsewhere.
 MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes,
                             std::span<const std::uint32_t> uses);

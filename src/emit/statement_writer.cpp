@@ -29,9 +29,10 @@ void StatementWriter::begin(std::string_view form, std::string_view type, std::s
 }
 
 void StatementWriter::write(const Statements& statements) {
-  const std::size_t known = writer_.matrixCount();
+  const std::size_t firstMatrix = writer_.matrixCount();
   for (const Statement& statement : statements.all) {
-    if (const auto rotation = rotationOf(statement)) writer_.countMatrix(rotation->matrix, known);
+    if (const auto rotation = rotationOf(statement))
+      writer_.countMatrix(rotation->matrix, firstMatrix);
   }
   for (const std::uint32_t i : schedule(statements.work)) {
     const Statement& statement = statements.all[i];
@@ -44,7 +45,7 @@ void StatementWriter::write(const Statements& statements) {
     else
       compute(statement);
   }
-  writer_.forgetMatrices(known);
+  writer_.forgetMatrices(firstMatrix);
 }
 
 std::optional<Packs::Rotation> StatementWriter::rotationOf(const Statement& statement) const {
@@ -83,11 +84,11 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   appendExpanded(code_, plan_.dialect.loop, {counter, std::to_string(graph_.loop(loop).steps)});
   indent_ += "  ";
   if (const auto step = plan_.loops->stepOf(loop)) {
-    const std::string number = temporaries_.next();
-    define(type, number);
+    const std::string stepName = temporaries_.next();
+    define(type, stepName);
     appendExpanded(code_, plan_.dialect.construction, {type, counter});
     code_ += ";\n";
-    writer_.name(*step, number);
+    writer_.name(*step, stepName);
   }
   write(plan_.statements[loop + 1]);
   assignStates(states);

@@ -102,7 +102,7 @@ class Maker {
     }
   }
 
-  // Records a read from the body of that loop, or from outside of all loops.
+  // Records that the body of `loop`, or the code outside of all loops, reads the node.
   void read(NodeId id, std::uint32_t loop) {
     if (loopOf(id) == loop) return;
     if (graph_.isList(id)) {
@@ -199,7 +199,7 @@ class Maker {
     return info(id).statement == none ? info(id).reads.count : 0;
   }
 
-  // Adds the reads of an operand's expression. `set` must be the last one.
+  // Adds the reads of an operand's expression to `set`, which must be the last set of `made_`.
   void include(Set& set, NodeId id) {
     if (loopOf(id) != loop_) return;  // computed before the body begins
     const NodeInfo& node = info(id);

@@ -51,8 +51,8 @@ class Finder {
   }
 
  private:
-  // Returns the inputs of the output's shape that the output, or an operand of one of its
-  // components, has a component of.
+  // Returns the inputs of the output's shape that may be a term of the output: one of their
+  // components is a component of the output, or an operand of such a component.
   std::vector<std::uint32_t> inputsIn(const Output& output) const {
     std::vector<std::uint32_t> inputs;
     const auto consider = [&](NodeId id) {

@@ -16,7 +16,7 @@ struct Sum {
   std::size_t output;
 };
 
-// Returns the sum that each output is, if it is one.
+// Returns, for each output, the sum that it is, if any.
 std::vector<std::optional<Sum>> findSums(const Graph& graph, std::span<const Output> outputs);
 
 }  // namespace warpjet

@@ -157,7 +157,7 @@ class ShaderTextWriter {
     Library library = module_.library.withEmptyCaches();
     ShaderText text;
     const bool hasReflections = options_.reflectsAtBorders && hasBorders(graph_);
-    if (hasReflections || options_.fadesNoise || lacksAny(graph_, dialect_.language)) {
+    if (hasReflections || options_.fadesNoise || usesMissing(graph_, dialect_.language)) {
       Graph graph = graph_.copy();
       Comments comments = module_.comments;
       if (hasReflections) setOutputs(reflectAtBorders(graph, library, outputNodes(), comments));

@@ -100,8 +100,8 @@ constinit const Dialect wgsl{
   return textureLoad(image, vec2i(clamp(vec2f(x, y), vec2f(0.0), last)), 0);
 }
 )",
-    // Derivatives are allowed in branches that only some pixels take: wrong are only those of
-    // pixels with a neighbor that takes the other branch.
+    // Allows derivatives in branches that only some pixels take. They are wrong only in pixels with
+    // a neighbor that takes the other branch.
     .across = R"(@diagnostic(off, derivative_uniformity)
 fn warpjetAcross(x: f32) -> f32 {
   return dpdx(x);

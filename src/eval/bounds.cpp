@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// A box is no longer split if none of its sides is a larger share of the whole box's side.
+// A box is split only if one of its sides is longer than this share of the whole box's side.
 constexpr double minShare = 0x1p-24;
 
 // The number of instructions that may still be run.
@@ -82,7 +82,8 @@ class Search {
   void sampleCorners();
   void sampleBox(std::span<const Interval> box);
 
-  // Returns a bound that is good enough.
+  // Returns the upper bound, for this sign, at which a box need not be split any more: the best
+  // sampled value plus the tolerance.
   double target(double sign) const {
     const double best = sign > 0 ? sampled_.high : -sampled_.low;
     const double size = std::max(std::abs(sampled_.low), std::abs(sampled_.high));

@@ -71,8 +71,8 @@ class CodeWriter {
 
   // Returns the value in a local that no other value shares.
   Staged copyToOwnLocal(Staged x);
-  // Frees a local for another value; or frees all locals taken since the last call, except this
-  // one.
+  // `release` frees a local for another value; `releaseAllBut` frees all locals taken since its
+  // last call, except this one.
   void release(Staged x) { free_.push_back(x.place); }
   void releaseAllBut(Staged x);
 

@@ -42,8 +42,8 @@ X sineOfReduced(X r) {
   return r + r * t * p;
 }
 
-// Returns the sign bit set for odd multiples of π, which flip the sine: shifts out all bits but the
-// lowest.
+// Returns a mask of sign bits, set where `multiple` of π is odd, which flips the sine. The multiple
+// is the lowest bits of its float; all but the last bit are shifted out.
 template <FourLanes X>
 typename X::Mask signOfOdd(X multiple) {
   return {asMask(multiple).bits << 31};

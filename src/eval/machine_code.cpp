@@ -91,13 +91,13 @@ class Generator {
 
   void writeRoutines() {
     for (const Op op : routines_) {
-      const std::uint32_t number = wasm_.functionCount();
+      const std::uint32_t functionIndex = wasm_.functionCount();
       const bool isUnary = arities[index(op)] == 1;
       CodeWriter writer(module_, 1, isUnary ? 1 : 2);
       writer.returnValue(
           routineFormula(op, writer.parameter(0), writer.parameter(isUnary ? 0 : 1)));
       wasm_.add(isUnary ? Routine : Routine2, writer.function());
-      module_.routines[index(op)] = number;
+      module_.routines[index(op)] = functionIndex;
     }
   }
 

@@ -12,7 +12,7 @@ namespace warpjet {
 
 namespace {
 
-// The step of a noise, as a share of the wavelength of its second octave: later ones add little.
+// The step of a noise, as a share of the wavelength of its second octave; later octaves add little.
 constexpr double stepOfNoise = 0.36;
 constexpr int octavesOfNoise = 2;
 
@@ -56,7 +56,7 @@ class Dependence {
     Kind kind = Kind::Constant;
     for (int i = 0; i < graph_.arity(id); ++i)
       kind = std::max(kind, kinds_[index(graph_.operand(id, i))]);
-    // A step, such as floor, is constant but for its jumps.
+    // A step function, such as floor, is constant but for its jumps.
     const bool isStep = graph_.isOperation(id) && ops::isStep(graph_.node(id).op);
     return isStep && kind == Kind::Varying ? Kind::Constant : kind;
   }

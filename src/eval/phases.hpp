@@ -18,9 +18,9 @@ struct Phase {
   double step;
 };
 
-// Appends a result to the module: the numbers of all phases that `results` depend on and that vary
-// continuously with any of the inputs `varying` (by number). Waves in a loop or in a function of
-// the host have no phases. Returns the phases in order.
+// Appends a result to the module: the coordinates of all phases that `results` depend on and that
+// vary continuously with any of the inputs `varying` (by number). Waves in a loop or in a function
+// of the host have no phases. Returns the phases in order.
 std::vector<Phase> addPhases(Module& module, std::span<const std::uint32_t> results,
                              std::span<const std::uint32_t> varying);
 

@@ -22,9 +22,9 @@ struct Program {
   std::uint32_t instructions = 0;
 };
 
-// Compiles the roots. The program's input numbers are the components of all inputs of the graph
-// except images, in order. Returns nullopt if it would have to call a host function or to run a
-// loop.
+// Compiles the roots. The program's input numbers (floats) are the components of all inputs of the
+// graph except images, in order. Returns nullopt if it would have to call a host function or to run
+// a loop.
 std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots);
 
 // The program of these results of a module, in this order, with the bodies of our functions inlined

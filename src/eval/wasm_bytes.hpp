@@ -30,6 +30,7 @@ namespace wasm {
 
 inline constexpr std::uint8_t i32 = 0x7f, v128 = 0x7b, functionType = 0x60, noResult = 0x40;
 enum Section : std::uint8_t { Types = 1, Imports, Functions, Exports = 7, Code = 10 };
+// The kinds of imports and exports.
 enum Outside : std::uint8_t { OfFunction = 0, OfMemory = 2 };
 
 enum Plain : std::uint8_t {

@@ -19,7 +19,7 @@ class Words {
 
   Op op(std::uint32_t i) const { return Op{static_cast<std::uint8_t>(instruction(i)[0])}; }
 
-  // Returns the instructions that it reads, all of them earlier.
+  // Returns the instructions that instruction i reads, all of them earlier.
   std::span<const std::uint32_t> operands(std::uint32_t i) const {
     return instruction(i).subspan(1, arities[index(op(i))]);
   }

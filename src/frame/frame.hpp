@@ -12,8 +12,8 @@ namespace warpjet {
 // The frame inputs are vec4s with this name and a number.
 inline constexpr const char* frameLabel = "warpjetFrame";
 
-// Values beyond this number are computed in the shader, which has space for 256 vec4s, including
-// those of the host.
+// Further frame constants are computed in the shader: a shader has space for 256 vec4s of uniforms,
+// including those of the host.
 inline constexpr std::size_t maxFrameValues = 128;
 
 // Loops remain loops if unrolling them gives more nodes than this.
@@ -22,8 +22,8 @@ inline constexpr std::size_t maxUnrolledNodes = 20'000;
 // Modifies the module: its results read frame inputs in place of expressions that depend only on
 // the inputs `known` (by number), and an additional last result has the values of the frame inputs.
 // Frame constants inside of periodic functions are reduced by whole periods, so that float32 keeps
-// its precision however long a sketch runs. Loops whose steps add different constants are unrolled
-// for that. Returns the number of vec4s.
+// its precision however long a sketch runs. To make that possible, loops whose steps add different
+// constants are unrolled. Returns the number of vec4s.
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known);
 
 }  // namespace warpjet

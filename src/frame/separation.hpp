@@ -27,8 +27,8 @@ class Separation {
   std::size_t reduced() const { return reduced_; }
 
  private:
-  // A sum of a varying part, as nodes of the shader, and a frame constant, before it is passed as
-  // an input.
+  // A value as the sum of a varying part, in nodes of the shader, and a frame constant, which has
+  // not been passed as an input yet.
   struct Sum {
     NodeId varying = noNode, frame = noNode;
   };

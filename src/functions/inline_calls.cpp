@@ -20,7 +20,7 @@ class Inliner {
     if (!graph_.has(foldOp)) return visitAll(nodes);
     const Loops loops(graph_, nodes);
     bodies_.resize(graph_.loopCount());
-    std::vector<NodeId> others;
+    std::vector<NodeId> outsideNodes;
     Flags isKnown(graph_.loopCount());
     for (const NodeId id : loops.order()) {
       if (graph_.isFold(id)) {
@@ -28,10 +28,10 @@ class Inliner {
         isKnown[graph_.loopOf(id)] = true;
       }
       const std::uint32_t loop = loops.loopOf(id);
-      (loop == Loops::outside ? others : bodies_[loop]).push_back(id);
+      (loop == Loops::outside ? outsideNodes : bodies_[loop]).push_back(id);
     }
     loops_ = &loops;
-    visitAll(others);
+    visitAll(outsideNodes);
   }
 
   NodeId inlined(NodeId id) const { return inlined_[index(id)]; }
@@ -64,10 +64,10 @@ class Inliner {
       for (std::size_t i = 0; i < states.size(); ++i) inlined_[index(states[i].local)] = values[i];
     };
     assign();
-    const NodeId number = graph_.stepOf(loop);
-    inlined_.resize(std::max(inlined_.size(), std::size_t{index(number)} + 1), noNode);
+    const NodeId stepNode = graph_.stepOf(loop);
+    inlined_.resize(std::max(inlined_.size(), std::size_t{index(stepNode)} + 1), noNode);
     for (std::uint32_t step = 0; step < graph_.loop(loop).steps && !graph_.isFull(); ++step) {
-      inlined_[index(number)] = graph_.constant(step);
+      inlined_[index(stepNode)] = graph_.constant(step);
       const std::size_t before = copies_.size();
       visitAll(bodies_[loop]);
       copies_.resize(before, Copy{noNode});

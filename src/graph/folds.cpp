@@ -125,8 +125,8 @@ std::uint32_t Loops::unite(std::uint32_t a, std::uint32_t b) {
   if (a == 0) return b;
   if (sets_[a].loop < sets_[b].loop) std::swap(a, b);
   const auto [loop, rest] = sets_[a];
-  const std::uint32_t others = unite(rest, sets_[b].loop == loop ? sets_[b].rest : b);
-  return others == rest ? a : makeSet(loop, others);
+  const std::uint32_t unitedRest = unite(rest, sets_[b].loop == loop ? sets_[b].rest : b);
+  return unitedRest == rest ? a : makeSet(loop, unitedRest);
 }
 
 std::uint32_t Loops::removeLoop(std::uint32_t set, std::uint32_t loop) {

@@ -6,7 +6,7 @@
 // product matches in either order, unless both orders have a row; its constant comes last. If
 // several rows match, the first one wins.
 //
-// Reasons why a row may preserve the value less than bit for bit:
+// Why some rows do not keep every bit of the value:
 //   ifNumber: x * 0 is NaN for an infinite x, so every structural zero of a Jacobian would remain;
 //   and so would x - x in the derivative of moved - position. value: shaders don't guarantee the
 //   sign of a zero. rounding: the replacement has fewer operations and is closer to the exact

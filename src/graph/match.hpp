@@ -30,9 +30,9 @@ class Bindings {
 
 // Returns the rules that the kinds of the operands admit, as bits; 0 for most operations.
 inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<NodeId>& operands) {
-  const std::uint8_t number = rules.bucketOf[index(op)];
-  if (number == Rules::noBucket) return 0;
-  const Bucket& bucket = rules.buckets[number];
+  const std::uint8_t bucketIndex = rules.bucketOf[index(op)];
+  if (bucketIndex == Rules::noBucket) return 0;
+  const Bucket& bucket = rules.buckets[bucketIndex];
   std::uint32_t candidates = operands[0] == operands[1] ? ~std::uint32_t{0} : ~bucket.ofEqual;
   for (int i = 0; i < arities[index(op)]; ++i)
     candidates &= bucket.candidates[i][kindOf(graph, operands[i])];

@@ -14,9 +14,10 @@ class MultiIndices {
   MultiIndices(int variables, int order);
 
   int count() const { return static_cast<int>(all_.size()); }
-  // Returns the derivative of `number` with respect to one more variable.
+  // Returns the number of the derivative of derivative `number` with respect to one more variable.
   int derivative(int number, int variable);
-  // Returns the derivative that this one was derived from, with respect to `lastVariable`.
+  // Returns the number of the derivative that this one was derived from, with respect to
+  // `lastVariable`.
   int origin(int number) const { return all_[number].origin; }
   int lastVariable(int number) const { return all_[number].last; }
 

@@ -67,11 +67,13 @@ class RotationMatcher {
     return true;
   }
 
+  // Called for each goal with two solutions. Returns true if the second one is to be tried.
   bool choose() {
     if (choice_ == choiceCount_) isOtherwise_[choiceCount_++] = false;
     return isOtherwise_[choice_++];
   }
 
+  // Reverses the last choice that can be reversed. Returns false if there is none.
   bool chooseOtherwise() {
     while (choiceCount_ > 0 && isOtherwise_[choiceCount_ - 1]) --choiceCount_;
     if (choiceCount_ == 0) return false;

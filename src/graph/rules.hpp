@@ -91,6 +91,8 @@ constexpr bool requiresNegative(const Pattern& when, const Item& constant) {
          right.kind == Kind::Literal && right.value == 0;
 }
 
+// Returns true if the item can match an operand of this kind, in an identity with the condition
+// `when`.
 constexpr bool canMatch(const Item& item, const Pattern& when, std::size_t kind) {
   const bool isConstant = kind >= arities.size() || kind == index(constantOp);
   switch (item.kind) {
@@ -108,6 +110,7 @@ constexpr bool canMatch(const Item& item, const Pattern& when, std::size_t kind)
   }
 }
 
+// Returns true if all numbers that are operands of the root are among `namedNumbers`.
 constexpr bool namesNumbers(const Pattern& pattern) {
   for (std::size_t item = 1; item < pattern.size(); item += pattern.items[item].size) {
     const Item& operand = pattern.items[item];

@@ -33,8 +33,8 @@ struct Material {
 // triangle; without indices, vertices are in the order of the triangles.
 struct Mesh {
   std::vector<float> positions, normals, uvs, colors, tangents;
-  // 3 per vertex each: the gradients over the surface of x, y and z of the normal, and of u and v,
-  // once surface/variation.hpp has computed them.
+  // Empty until surface/variation.hpp fills them: the gradients over the surface of x, y and z of
+  // the normal, and of u and v, each with 3 floats per vertex.
   std::array<std::vector<float>, 5> gradients;
   std::vector<std::uint32_t> indices;
   // One per vertex, or empty: 1 if a material of an .obj sets the color, 0 if the file has none. p5

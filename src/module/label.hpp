@@ -31,8 +31,8 @@ struct Label {
 // Parses an expression, which must be syntactically valid.
 Label readLabel(std::string_view text);
 
-// Returns the components of `whole`, which has that shape, that the expression `part` reads, if
-// any.
+// Returns which components of `whole`, a value of shape `shape`, the expression `part` reads;
+// nullopt if it isn't known to read any.
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part);
 
 // Returns true if `part` has the root of `whole` and starts with its selectors, so that it reads

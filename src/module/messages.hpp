@@ -18,10 +18,10 @@ std::string argumentCount(int count);
 inline constexpr std::string_view notFinite =
     "the result of these constants is not a finite float32 number.";
 inline constexpr std::string_view dividesByZero =
-    "it divides by zero, or by a number too close to zero for float32.";
+    "a divisor is zero, or too close to zero for float32.";
 inline constexpr std::string_view tooLarge =
-    "these are more than four million operations; does a loop never end, or is a derivative of a "
-    "very high order?";
+    "more than four million operations; check for an endless loop or a derivative of very high "
+    "order.";
 inline constexpr std::string_view tooHighOrder =
     "derivatives of noise and textures are limited to order three; a warp's normal takes one "
     "derivative, and so does each normal that a chain passes on.";

@@ -13,18 +13,18 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 
 }  // namespace
 
-// Returns a loop of octaves, the first of which is the unshifted noise. The alternative, each
-// octave written out, compares as follows (SwiftShader, warps with their normals of 5 octaves of 3D
-// noise, medians of 3 rounds side by side on a busy machine, in milliseconds of the first draw, and
-// of a frame of 14,000 vertices):
+// Returns a loop of octaves, the first of which is the unshifted noise. The alternative is to write
+// out each octave. This compares both, for warps with normals and 5 octaves of 3D noise, in
+// milliseconds of the first draw, and of a later frame of 14,000 vertices (SwiftShader, medians of
+// 3 rounds side by side on a busy machine):
 //
 //                                  every octave        a loop
 //   fbm, GLSL 3.00                  1878    55        641   108
 //   fbm, GLSL 1.00                  7079    91       1140    85
-//   three levels of it, GLSL 3.00   6940   156       1560   143
+//   nested fbm, 3 deep, GLSL 3.00   6940   156       1560   143
 //
-// So frames of one level in GLSL 3.00 become slower, by half in a second measurement, and the first
-// frame is more than a second faster.
+// So later frames of a single fbm in GLSL 3.00 become slower, by half in a second measurement, but
+// the first frame is more than a second faster.
 Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
                         const Expression* parameters, Expression (*shape)(Expression)) {
   const Expression seed = parameters[0], lacunarity = parameters[1], gain = parameters[2];

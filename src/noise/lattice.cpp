@@ -26,17 +26,17 @@ class Lattice {
     }
   }
 
-  // In three and more dimensions, a loop iterates over the two sides of the cell: frames are slower
-  // by a tenth to a third, and the first frame takes half the time. Compared with all corners
-  // written out (SwiftShader, warps with their normals of fbm with 5 octaves in 3D, minimum of 7
-  // rounds, in milliseconds of the first draw, and of a frame of 14,000 points):
+  // In 3D and above, the two sides of the cell along the first axis are computed in a loop instead
+  // of being written out. That halves the time of the first draw, but later frames take a sixth to
+  // more than a third longer. Milliseconds of the first draw, and of a later frame of 14,000
+  // points, for warps with normals of fbm with 5 octaves in 3D (SwiftShader, minimum of 7 rounds):
   //
-  //                                    all corners       a loop
-  //   one level, GLSL 3.00               95    23        47    27
-  //   one level, GLSL 1.00              103    18        55    21
-  //   three levels of it, GLSL 3.00     252    44       106    56
-  //   three of it, GLSL 1.00            285    31       135    39
-  //   three of vectors, GLSL 3.00       600    83       249   114
+  //                                    written out       a loop
+  //   fbm, GLSL 3.00                     95    23        47    27
+  //   fbm, GLSL 1.00                    103    18        55    21
+  //   fbm nested three deep, GLSL 3.00  252    44       106    56
+  //   fbm nested three deep, GLSL 1.00  285    31       135    39
+  //   the same of vectors, GLSL 3.00    600    83       249   114
   Expression value(Expression seed) {
     if (cell_.size() < 3) return valueFrom(0, seed);
     const Expression zero{seed.graph, seed.graph->constant(0)};
@@ -71,11 +71,11 @@ class Lattice {
   Numbers cell_, offset_, blend_;
 };
 
-Expression ramp(Library& library, Expression cellHash, const Numbers& offset) {
+Expression directionalRamp(Library& library, Expression cellHash, const Numbers& offset) {
   return dot(randomDirection(library, cellHash, static_cast<int>(offset.size())), offset);
 }
 
-Expression level(Library&, Expression cellHash, const Numbers&) {
+Expression hashedValue(Library&, Expression cellHash, const Numbers&) {
   return cellHash * (2 / (ops::hashPrime - 1)) - 1.0;
 }
 
@@ -88,11 +88,12 @@ constexpr double maxSlopeOfFade = 15.0 / 8;
 // blends, which add up to 1; g its direction and o the offset from it. Its derivative along an axis
 // is s Σ w g' + s Σ w' (g · o), where g' is a component of g. The first sum is at most 1, as |g|
 // is. In the second, w' is ±fade'(t) times the weight w₂ of the corner along the other axes, which
-// add up to 1 on each side, so the sum is at most fade'(t) (Σ w₂ |o| + Σ w₂ |o₁|) for both sides.
-// Along an axis the mean square of an offset, (1 - fade) t² + fade (1 - t)², is at most 1/4; so by
-// Jensen's inequality Σ w₂ |o| <= √(t² + (n - 1) / 4). With u = 2t - 1, both sums together are at
-// most √(n + u²) <= √n (1 + u² / 2), and fade'(t) is 15/8 (1 - u²)², so their product has its
-// maximum at u = 0: 15/8 √n.
+// add up to 1 on each side. So the sum is at most fade'(t) (Σ w₂ |o| + Σ w₂ |o₁|), where o and o₁
+// are the offsets from the corners on the two sides. Along an axis, the mean square of an offset,
+// (1 - fade) t² + fade (1 - t)², is at most 1/4; so by Jensen's inequality
+// Σ w₂ |o| <= √(t² + (n - 1) / 4). With u = 2t - 1, both sums together are at most
+// √(n + u²) <= √n (1 + u² / 2), and fade'(t) is 15/8 (1 - u²)², so their product has its maximum
+// at u = 0: 15/8 √n.
 double maxSlopeOfGradientNoise(int dimensions) {
   const double root = std::sqrt(dimensions);
   return 2 / root * (1 + maxSlopeOfFade * root);
@@ -104,11 +105,11 @@ double maxSlopeOfValueNoise() { return maxSlopeOfFade * 2; }
 Expression gradientNoise(Library& library, const Point& p, Expression seed) {
   // The maximum is in the middle of a cell, when all directions point to it.
   const double scale = 2 / std::sqrt(static_cast<double>(p.size()));
-  return Lattice(library, p, ramp).value(seed) * scale;
+  return Lattice(library, p, directionalRamp).value(seed) * scale;
 }
 
 Expression valueNoise(Library& library, const Point& p, Expression seed) {
-  return Lattice(library, p, level).value(seed);
+  return Lattice(library, p, hashedValue).value(seed);
 }
 
 }  // namespace warpjet

@@ -29,8 +29,9 @@ struct Noise {
   NoiseKind kind;
   NoiseKind base = {};  // of fractals and curl
   int octaves = 1;      // of fractals
-  // True if integer cells are passed, too, which are added to the point. Float32 need not represent
-  // the point's position within a cell, however far away the point is.
+  // True if integer cells are passed, too, which are added to the point. Then float32 need not
+  // represent the cells, so that it represents the position within a cell precisely, however far
+  // away the point is.
   bool hasCells = false;
   // True if the width of a pixel is passed, too, in the space of the point: see `fadeNoise`.
   bool fades = false;

@@ -59,7 +59,7 @@ struct Skewed {
       whole.push_back(floor(x));
       inside.push_back(fract(x));
     }
-    // Its product with an integer of up to 4096 is exact in float.
+    // The product of `coarse` and an integer of up to 4096 is exact in float.
     const double coarse = std::round(skew * 4096) / 4096;
     const Expression cells = sum(whole), product = cells * coarse;
     shift = floor(product);
@@ -75,9 +75,9 @@ struct Skewed {
 
 // With r the reach, o the offset from a corner, and m = r - |o|² where that is positive, the
 // gradient of m⁴ (g · o) is m⁴ g - 8 m³ (g · o) o. Its length is at most m⁴ if g is orthogonal to
-// o, and m³ |m - 8 |o|²| if it is parallel to o. Neither exceeds r³ m, since m <= r and since m² (8
-// r - 9 m) has its maximum 2048/2187 r³ at m = 16/27 r. It remains to bound the sum of m. If m is
-// positive at k corners, the squared distances from them add up to at least those from their
+// o, and m³ |m - 8 |o|²| if it is parallel to o. Neither exceeds r³ m, since m <= r and since
+// m² (8 r - 9 m) has its maximum 2048/2187 r³ at m = 16/27 r. It remains to bound the sum of m. If
+// m is positive at k corners, the squared distances from them add up to at least those from their
 // centroid, k (k - 1) e² / (2k), where e is the edge: so the sum is at most k r - (k - 1) e² / 2,
 // with its maximum for all n + 1 corners.
 double maxSlopeOfSimplexNoise(int dimensions) {

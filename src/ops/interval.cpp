@@ -14,7 +14,7 @@ double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 // Returns the hull of the values of a product or quotient at the corners of a box.
 Interval hullOfScaledCorners(Binary f, const Interval& x, const Interval& y, double relativeError) {
   Interval result = hullOfCorners(f, x, y, relativeError);
-  // Keeps the zero positive for nonnegative factors: a product of lengths.
+  // Keeps the zero positive for nonnegative factors, as in a product of lengths.
   if (result.low == 0 && !isNegative(x.low) && !isNegative(y.low)) result.low = 0.0;
   return result;
 }

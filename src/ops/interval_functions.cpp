@@ -16,7 +16,7 @@ bool containsMultiple(const Interval& x, double start, double period, double rel
   return std::ceil(from - slack) <= std::floor(to + slack);
 }
 
-// Returns the range of sin or cos, which is 1 at `peak`.
+// Returns the range of f, sin or cos, whose value at `peak` is 1.
 Interval wave(Unary f, const Interval& x, double peak) {
   if (x.isEmpty()) return x;
   if (x.canBeInfinite()) return {-1, 1, true};

@@ -37,8 +37,8 @@ struct Changing {
     State,
   } kind = Kind::State;
   double by = 0;  // the change of a counter per step
-  // The value before a step; at its end if the loop continues; and after it, also if the loop ends
-  // early.
+  // The values of the variable: before a step (`now`); at the end of the step, if the loop
+  // continues (`atEnd`); and after the step in any case, even if the loop ends early (`next`).
   Id now{}, atEnd{}, next{};
 };
 

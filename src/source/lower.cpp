@@ -75,7 +75,7 @@ void Lowering::addExternal(const std::string& name, Type type, bool isAttribute,
       addExternal(name + '[' + std::to_string(i) + ']', type.element(), isAttribute, leaves);
   } else if (type.isStruct()) {
     for (const Field& field : tree_.types.structure(type).fields) {
-      // An array of arrays is one of structures whose only field has no name.
+      // An array of arrays is represented as an array of structures whose only field has no name.
       const std::string part = field.name.empty() ? "" : '.' + std::string(field.name);
       addExternal(name + part, field.type, isAttribute, leaves);
     }

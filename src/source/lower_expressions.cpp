@@ -12,7 +12,7 @@ Lowering::Value Lowering::evaluate(ExpressionId number) {
   ++depth_;
   Value value = evaluateInner(node);
   --depth_;
-  // Limits calls that return thousands of numbers, too.
+  // Values of thousands of numbers count as several steps, so that their calls are limited, too.
   steps_ += value.size() / 64;
   return problems_.any() ? undefined(node.type) : value;
 }
@@ -224,8 +224,8 @@ Lowering::Value Lowering::element(const Expression& node) {
   return pick(elements, at);
 }
 
-// Declares an element of a storage buffer as an external. Its name is known once its indices are,
-// for which loops may have to be unrolled.
+// Declares an element of a storage buffer as an external. Its name contains its indices, which may
+// be known only if loops are unrolled.
 Lowering::Value Lowering::hostElement(const Expression& node) {
   std::string name = tree_.made[static_cast<std::size_t>(node.index)];
   std::size_t from = 0;

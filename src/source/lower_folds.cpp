@@ -145,7 +145,8 @@ bool Lowering::foldLoop(const Statement& statement) {
   const auto steps = stepsOf(statement, folding);
   if (steps) {
     folding.steps = *steps;
-    // Limits thousands of long loops inside of an unrolled loop, too.
+    // Long loops count as several steps, so that thousands of them in an unrolled loop are limited,
+    // too.
     steps_ += *steps / 64;
   } else {
     if (maxIterations_ == 0) return false;
@@ -260,7 +261,8 @@ bool Lowering::close(const Statement& statement, const Folding& folding) {
         !(isStart && onlyCounts(each.next, each.now, folding.steps, 16)))
       return false;
     if (isState && (base == Base::Uint || base == Base::Sampler)) return false;
-    // A state has the index of its variable; other indices are states that stay 0.
+    // The state of each variable has the index of the variable in `folding.all`. Variables that are
+    // not states get a state that stays 0.
     starts.push_back(isState ? asFloat(each.start) : number(Base::Float, 0));
     nexts.push_back(isState ? asFloat(each.next) : number(Base::Float, 0));
   }

@@ -8,7 +8,8 @@ namespace {
 
 // The limit for loops whose end is known.
 constexpr int maxUnrolledIterations = 20'000;
-// The limit for loops that only the shader can end, without the option maxIterations.
+// Without the option maxIterations: the limit for loops whose end is known only when the shader
+// runs.
 constexpr int maxUnknown = 1'000;
 constexpr const char* endsUnknown =
     "the number of iterations of this loop is known only when the shader runs; count to a constant "
@@ -43,8 +44,8 @@ void Lowering::unroll(const Statement& statement) {
     store_.open();
   };
   const Problems before = problems_;
-  // The number of iterations after which only the shader knows whether the loop ends. The first
-  // iteration of a `do` is one of them.
+  // Counts the iterations of which only the shader knows whether they are reached. The first
+  // iteration of a `do` counts, too.
   int unknown = statement.isLate;
   const bool isEndless = hasNoEnd(statement);
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {

@@ -21,20 +21,22 @@ constexpr std::uint32_t index(Id id) { return static_cast<std::uint32_t>(id); }
 
 struct Operation {
   Code code;
-  // The type of the result; Float for a group of numbers.
+  // The type of the result. An operation on vectors (see Recorder::group) has Float.
   Base base;
   std::uint16_t count = 0;
   // The index of the first operand in the list of operands.
   std::uint32_t first = 0;
-  // The value of a constant; the number of a leaf or a component.
+  // The value of a constant, or the index (of an argument, a uniform or a component) that a leaf or
+  // a component reads.
   double value = 0;
 };
 
-// A loop of the shader: its number of iterations, and the enclosing loop, counted from 1.
+// A loop of the shader. Loop numbers start at 1.
 struct Loop {
-  std::uint32_t outer;
-  std::uint32_t steps = 0;
-  // The max product of the iterations of loops nested in it.
+  std::uint32_t outer;      // the number of the enclosing loop; 0 if there is none
+  std::uint32_t steps = 0;  // the number of iterations
+  // Iterations of the nested loops per iteration of this loop: the maximum of steps * inner over
+  // its nested loops; 1 if there are none.
   std::uint32_t inner = 1;
 };
 
@@ -51,13 +53,14 @@ class Recorder {
   Id constant(Base base, double value);
   // Returns an uninitialized value: it may be anything.
   Id undefined(Base base);
-  // Records a leaf: component number `part` of an argument or a uniform of that layout, or an
-  // image.
+  // Records a leaf: an image, or component `part` of argument or uniform number `number`. `layout`
+  // encodes the columns and rows of its type, four bits each; it is 0 for images.
   Id leaf(Code code, int number, int part = 0, int layout = 0);
   // Returns the leaf as a number of that type. An integer consists of two leaves of 16 bits each,
   // since a leaf is a float.
   Id leafOf(Code code, int number, int part, Type type);
-  // A flag added to the layout if the leaf is the upper half, which has the sign.
+  // Added to `layout` for the upper 16 bits of an integer, which include the sign. Columns and rows
+  // are at most 4, so this bit is free.
   static constexpr int highHalf = 128;
 
   // Records an operation, or folds it if all operands are known. Results of int or uint wrap
@@ -71,7 +74,8 @@ class Recorder {
     return component(Code::Component, group, part, layout);
   }
 
-  // Returns the argument number `i` of a function of the source, in the function's body.
+  // Returns argument `i` of the function recorded as `routine`, for use in the body of that
+  // function.
   Id parameter(std::uint32_t routine, std::size_t i) {
     return leaf(Code::Parameter, static_cast<int>(routine), static_cast<int>(i));
   }
@@ -89,8 +93,8 @@ class Recorder {
   Id state(std::uint32_t loop, std::size_t i) {
     return leaf(Code::State, static_cast<int>(loop), static_cast<int>(i));
   }
-  // Returns the loop, given the initial values of its states, which are floats, and their values
-  // after each step.
+  // Closes a loop and returns its operation. `starts` are the initial values of its states, which
+  // are floats, and `nexts` their values after each step.
   Id fold(std::uint32_t loop, std::uint32_t steps, std::span<const Id> starts,
           std::span<const Id> nexts);
   // Returns the final value of a state.
@@ -121,8 +125,8 @@ class Recorder {
   }
 
  private:
-  // Avoids operations that some languages reject at compile time: visible divisions by zero and
-  // shifts by 32.
+  // Replaces operations with constant operands that some languages reject at compile time:
+  // divisions by 0, and shifts by 32 or more.
   Id avoidUndefined(Code code, Base base, Id x, Id y);
   Id component(Code code, Id group, int part, int layout);
   // Returns true if a float is computed only from integers and step numbers.

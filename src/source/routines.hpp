@@ -21,7 +21,7 @@ struct Routine {
   // The number under which the recorder has its parameters.
   std::uint32_t number;
   std::size_t parameters;
-  // Values that it reads from outside; calls pass them after the arguments.
+  // Values that the routine reads from outside; calls pass them after the arguments.
   std::vector<Id> outside;
   std::vector<Id> results;
 };

@@ -36,7 +36,7 @@ struct FunctionHead {
 };
 
 // Each operation is its code, followed by:
-//   Constant     the number of its value; the same for Whole, which is an int or uint
+//   Constant     its index in `constants`; the same for Whole, which is an int or uint
 //   Argument     number, component, layout
 //   Uniform      number of the name, component, layout
 //                for both: an integer has two halves; 128 in the layout marks the upper one

@@ -98,8 +98,8 @@ class SignOfPolynomial {
 
   static bool isBefore(const Monomial& x, const Monomial& y) { return x.factors < y.factors; }
 
-  // Returns true if an atom is equal for all vertices. A cosine may be unmarked although its angle
-  // is uniform: `replaceSquaredSine` finds it in the graph.
+  // Returns true if an atom is equal for all vertices. That includes a cosine of a uniform angle
+  // which `uniformNodes` has not marked, since `replaceSquaredSine` finds it in the graph.
   bool isUniform(std::uint8_t factor) const {
     const NodeId node = atoms_[factor].node;
     return isUniform_[index(node)] ||

@@ -18,8 +18,7 @@ namespace {
 
 // Returns x + 1 if x is a sum with the term -1 within a few levels; otherwise nullopt. An offset is
 // often "moved - position", and its derivative is such a sum; adding 1 would cost digits where the
-// rest is small. Treats -(a
-// - b), which the graph doesn't simplify, as b - a.
+// rest is small. -(a - b), which the graph doesn't simplify, is treated as b - a.
 std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
   if (graph.isConstant(x.id, -1)) return Expression{&graph, graph.constant(0)};
@@ -111,8 +110,8 @@ Value normalizeOrZero(const Value& v, const Size& known) {
 }
 
 // Returns M, scaled down so that its entries add up to at most `limit` if they may be larger.
-// Scaling by a positive factor keeps directions and orientation. If the size is
-// unbounded, as near a pole, M is unchanged.
+// Scaling by a positive factor keeps directions and orientation. If the size is unbounded, as near
+// a pole, M is unchanged.
 Value limitSize(const Value& m, double limit) {
   const double maxValue = maxMagnitude(m);
   if (maxValue <= limit || maxValue == Interval::infinity) return m;

@@ -104,8 +104,8 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     const settings = ['height=0.25', 'way=1,2,3', 'many=-3', 'bits=5', 'isOn=1', 'turn=0,1,-1,0']
     const others = ['heights[1]=0.5', 'waves[0].length=2', 'millis=2000']
     const all = [...settings, ...others]
-    const setting = (list) => list.flatMap((assignment) => ['--set', assignment])
-    const set = setting(all)
+    const toOptions = (assignments) => assignments.flatMap((assignment) => ['--set', assignment])
+    const set = toOptions(all)
     const result = await works('bake', 'model.glb', 'uniforms.glsl', ...set, '-o', 'set.glb')
     assert.equal(result.code, 0, result.stderr)
     const [before, after] = await Promise.all(
@@ -125,7 +125,7 @@ fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
     }
     const missing = await warpjet('bake', 'model.glb', 'uniforms.glsl', '-o', 'set.glb')
     assert.match(missing.stderr, /uniforms\.glsl reads \w+; add --set \w+=<number>/)
-    const rest = setting(all.filter((assignment) => !assignment.startsWith('many')))
+    const rest = toOptions(all.filter((assignment) => !assignment.startsWith('many')))
     const withoutMany = await warpjet(
       'bake',
       'model.glb',

@@ -10,9 +10,6 @@ const { sin, cos, tan, sqrt, log, abs, sign, min, max } = Math
 const clamp = (x, low, high) => min(max(x, low), high)
 const mix = (a, b, t) => a + t * (b - a)
 
-// A row has equivalent forms of a call, a function that returns its value, one that returns its derivatives with respect to x, y and z
-// (derived by hand), and the points where they are compared (default: `anywhere`).
-
 const random = seededRandom(7)
 const anywhere = Array.from({ length: 40 }, () => [0, 1, 2].map(() => 4 * random() - 2))
 const positive = anywhere.map((point) => point.map((x) => abs(x) + 0.1))
@@ -22,6 +19,8 @@ const zeros = () => [0, 0, 0]
 const oneIfSmallest = (x, ...others) => (x < min(...others) ? 1 : 0)
 const oneIfLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
 
+// A row has equivalent forms of a call, a function that returns its value, one that returns its derivatives with respect to x, y and z
+// (derived by hand), and the points where they are compared (default: `anywhere`).
 const arithmetic = [
   [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, zeros],
   [[(ad, x) => x.neg()], (x) => -x, () => [-1, 0, 0]],

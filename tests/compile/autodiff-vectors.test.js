@@ -12,14 +12,13 @@ const mix = (a, b, t) => a + t * (b - a)
 
 const random = seededRandom(7)
 
-// A row has equivalent forms of a call on vectors a, b and c and a number k, and a function that returns its value. Finite differences of
-// the value approximate the derivatives.
-
 const zip = (f, ...vectors) => vectors[0].map((_, i) => f(...vectors.map((vector) => vector[i])))
 const dot = (a, b) => zip(times, a, b).reduce(plus)
 const difference = (a, b) => zip((x, y) => x - y, a, b)
 const components = ['x', 'y', 'z', 'w']
 
+// A row has equivalent forms of a call on vectors a, b and c and a number k, and a function that returns its value. Finite differences of
+// the value approximate the derivatives.
 const vectorRows = [
   [[({ a }) => a.neg()], ({ a }) => a.map((x) => -x)],
   [[({ a, b }) => a.add(b), ({ ad, a, b }) => ad.vecSum(a, b)], ({ a, b }) => zip(plus, a, b)],

@@ -246,9 +246,9 @@ test('literals in the code are exact', () => {
   }
 })
 
-const warps = isRun('thousands of warps') ? 10_000 : 1_000
+const warpCount = isRun('thousands of warps') ? 10_000 : 1_000
 
-test(`${warps} warps leave no memory behind, also if the callback throws`, () => {
+test(`${warpCount} warps leave no memory behind, also if the callback throws`, () => {
   const failing = () => {
     throw new Error('from the sketch')
   }
@@ -259,11 +259,11 @@ test(`${warps} warps leave no memory behind, also if the callback throws`, () =>
   }
   for (let i = 0; i < 100; i++) round()
   const before = memoryInUse()
-  for (let i = 0; i < warps; i++) round()
+  for (let i = 0; i < warpCount; i++) round()
   assert.equal(memoryInUse(), before)
 })
 
-test('repeated squaring and a long chain take little time', () => {
+test('repeated squaring has few nodes, and a chain of 100,000 operations compiles', () => {
   const compileWithSlope = (build) =>
     compile((glsl) => {
       const x = glsl.param('x')

@@ -1,5 +1,6 @@
-// The fragment code differs from the vertex code: it keeps operands in the domains of operations at the border of a mesh, by reflecting
-// them, and fades noise. tests/p5/pixel-light.browser.test.js checks pictures.
+// Differences of the fragment code from the vertex code. At the border of a mesh, the operand of an operation such as sqrt may leave its
+// domain in a pixel: the fragment code reflects it at the border of the domain. Also, it fades noise. Checks the code;
+// tests/p5/pixel-light.browser.test.js checks pictures.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -59,7 +60,7 @@ test('operands in loops are not reflected', () => {
   }
 })
 
-test('debug names the same lines of the user’s code where noise fades and operands are reflected', () => {
+test('debug names the same lines of the user’s code in fragment code with fading noise and reflected operands as in vertex code', () => {
   const offset = ({ glsl, position }) => {
     const height = position.x().sin()
     const noise = glsl.fbm(position.mult(3))

@@ -9,7 +9,7 @@ import { compileWarp } from '../../dist/warpjet.js'
 const bitsOf = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
 
 /** The hash pcg of Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020). */
-const pcgText = `uint pcg(uint v) {
+const pcgSource = `uint pcg(uint v) {
   uint state = v * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
@@ -20,8 +20,11 @@ function pcg(v) {
   return ((word >>> 22) ^ word) >>> 0
 }
 
-/** The two 16-bit halves of the integer h as coordinates, which float32 represents exactly: in GLSL, and in JavaScript. */
-const halvesText = 'vec3(float(h & 65535u), float(h >> 16u), sin(millis) * 0.0)'
+/**
+ * The two 16-bit halves of the integer h, which float32 represents exactly, as coordinates: in GLSL, and in JavaScript. The third
+ * coordinate is 0, but reads a frame constant.
+ */
+const halvesSource = 'vec3(float(h & 65535u), float(h >> 16u), sin(millis) * 0.0)'
 const halvesOf = (h) => [h & 0xffff, h >>> 16]
 const offsetOf = (source, uniforms = 'uniform float millis;\n') =>
   glslOffset(`#version 300 es\n${uniforms}${source}`)
@@ -36,9 +39,9 @@ const optionSets = [{}, { perFrame: true }]
 
 test('constants beyond 2^24 are exact in expressions that also read frame constants', () => {
   const offset = offsetOf(
-    `${pcgText}\nvec3 offset(vec3 p) {
+    `${pcgSource}\nvec3 offset(vec3 p) {
       uint h = pcg(floatBitsToUint(p.x)) + (sin(millis) > 2.0 ? 1u : 0u);
-      return ${halvesText} + vec3(sin(millis), 0.0, 0.0);
+      return ${halvesSource} + vec3(sin(millis), 0.0, 0.0);
     }`,
   )
   for (const target of ['glsl300', 'wgsl'])
@@ -89,7 +92,7 @@ test('the bits of a uniform are exact, and so are values computed from them', ()
   const seeds = [0, -0, 1, 2.75, -3.5, 1e-30, 16777217, -1e30, 123456.789]
   const offset = (h) =>
     offsetOf(
-      `${pcgText}\nvec3 offset(vec3 p) { uint h = ${h} + uint(p.z); return ${halvesText}; }`,
+      `${pcgSource}\nvec3 offset(vec3 p) { uint h = ${h} + uint(p.z); return ${halvesSource}; }`,
       'uniform float millis, seed;\n',
     )
   const results = {
@@ -156,7 +159,7 @@ test('frame constants beyond the maximum of 128 are computed in the shader', () 
 
 test('three.js uses the exact values in the shader, in its uniforms, and for raycasting', () => {
   const offset = offsetOf(
-    `${pcgText}\nvec3 offset(vec3 p) { uint h = pcg(floatBitsToUint(seed)) + uint(p.z); return ${halvesText}; }`,
+    `${pcgSource}\nvec3 offset(vec3 p) { uint h = pcg(floatBitsToUint(seed)) + uint(p.z); return ${halvesSource}; }`,
     'uniform float millis, seed;\n',
   )
   const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), new THREE.MeshBasicMaterial())

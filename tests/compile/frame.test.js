@@ -144,7 +144,7 @@ test('noise far from the origin is as accurate as near it: cells and positions i
     const warp = compileWarp(offset, options)
     assert.match(warp.declarations, /Cells/, name)
     const place = [0.3, 0.55, 0.7]
-    // This noise is evaluated in double precision. It repeats every 4,091 cells, so the remainder of a shift has the same values.
+    // This noise is evaluated in double precision. It repeats every 4,091 cells, so a shift and its remainder give the same values.
     const reference = compile((glsl) => {
       const position = glsl.vec3Param('position')
       return { y: offset({ glsl, position, uniforms: { cells: glsl.param('cells') } }).y() }

@@ -29,13 +29,13 @@ describe('shader code is readable:', () => {
       assert.doesNotMatch(text, /(\*|\/) 1\.0(?!\d)|(?<![\w.])1\.0 \*/, 'a product with 1')
       assert.doesNotMatch(text, /[*+-] -?0\.0(?!\d)|(?<![\w.])0\.0 [*+]/, 'a sum or product with 0')
       assert.doesNotMatch(text, /--|[+-] -/, 'a double sign')
-      assert.deepEqual(doubledParentheses(text), [])
+      assert.deepEqual(findDoubledParentheses(text), [])
       assert.doesNotMatch(text, /\S {2}| $/m, 'stray spaces')
     })
 })
 
 /** Finds `((…))` whose inner pair encloses everything that the outer pair does. */
-function doubledParentheses(text) {
+function findDoubledParentheses(text) {
   const [open, doubled] = [[], []]
   let lastClosed
   for (let i = 0; i < text.length; i++) {

@@ -85,8 +85,9 @@ class Generator {
   isHeads = () => this.below(2) === 0
   /** Returns a number with few digits, so that the literal in the code is exact in float32. */
   number = () => ((1 + this.below(6)) / 4) * (this.isHeads() ? 1 : -1)
+  /** Returns a and b in random order. */
   either = (a, b) => (this.isHeads() ? [a, b] : [b, a])
-  /** Returns a random formula of nested operations, up to `depth`. Its inputs are x more often than others. */
+  /** Returns a random formula of operations nested up to `depth` deep. It reads x more often than the other inputs. */
   formula(depth = 2) {
     const input = this.inputs[Math.max(this.below(6) - 2, 0)]
     if (depth === 0) return input
@@ -206,7 +207,7 @@ describe('the value and the derivative:', () => {
         check(seed, (generator) => [write(generator)], isRewritten)
     })
 
-  test('a point that is rotated twice has the shortest code', () => {
+  test('a point that is rotated twice', () => {
     for (let seed = 0; seed < 5 * formulaCount; seed++)
       check(seed, (generator) => {
         const point = [generator.formula(1), generator.formula()]
@@ -215,7 +216,7 @@ describe('the value and the derivative:', () => {
       })
   })
 
-  test('the derivative of a rotated constant point is the other component times the slope of the angle', () => {
+  test('if only the angle depends on x, the derivative of a rotated point is the other component times the slope of the angle', () => {
     for (let seed = 0; seed < formulaCount; seed++)
       check(
         seed,
@@ -223,7 +224,7 @@ describe('the value and the derivative:', () => {
           const [x, y, z, w] = generator.inputs
           return rotate(generator, [y.add(w), z], x.mult(w).add(generator.number()))
         },
-        // y + w, the angle, its sine and cosine, four products and two sums; then two products and a minus sign.
+        // Value: y + w, the angle, its sine and cosine, four products and two sums. Derivatives: two products and a minus sign.
         ({ stats }) => stats.operations <= 1 + 2 + 2 + 6 + 3,
       )
   })
@@ -277,6 +278,7 @@ describe('vectors:', () => {
   test('differences of products of components are a cross product, in either order', () => {
     for (let i = 0; i < formulaCount; i++) {
       const [u, v] = shuffle(['a', 'b'])
+      // The index of the component whose terms are swapped; mostly -1, for none.
       const swapped = below(3) ? -1 : below(3)
       const isReverse = below(2) === 1
       const product = (a, b) => (isReverse ? b.mult(a) : a.mult(b))
@@ -308,6 +310,7 @@ describe('vectors:', () => {
   test('the same operations on all components become vector operations, and different ones do not', () => {
     for (let i = 0; i < formulaCount; i++) {
       const [scale, shift] = numbers(2).map((number) => Math.round(number * 4) / 4 + 5)
+      // The index of the component whose operations differ; 3 if none do.
       const differing = below(4)
       const order = shuffle(['x', 'y', 'z'])
       const { code } = compile((glsl) => {

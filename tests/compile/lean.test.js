@@ -9,7 +9,7 @@ import { stackedSines } from '../warps/stress.js'
 
 const countCalls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?.length ?? 0
 
-/** Counts the numbers that a function is called with: three for a vec3, or two for two components of it. */
+/** Counts the components of all arguments with which a function is called: 3 for a vec3 `v`, 2 for `v.xy`. */
 const countComponents = (text, name) => {
   let count = 0
   for (const [, variable, components] of text.matchAll(
@@ -154,7 +154,7 @@ for (const [name, nested] of Object.entries({
     const size = (depth) => compileWarp(nested(depth)).code.length
     for (const depth of [12, 24, 48]) {
       const [first, second] = [size(2 * depth) - size(depth), size(4 * depth) - size(2 * depth)]
-      // Twice as many levels, and longer numbers in names.
+      // `second` is for twice as many levels; the numbers in names are longer, too.
       assert.ok(
         second <= 1.1 * 2 * first,
         `${first} characters for ${depth} levels, then ${second}`,
@@ -174,7 +174,7 @@ test('a square is one multiplication', () => {
 })
 
 test('a warp that does not depend on x has no column for x', () => {
-  // Each component has its own sine for each of these coordinates.
+  // Returns an offset. Each component is a sum of sines, one for each coordinate in `axes`; all sines are different.
   const sinesOf = (axes) => (glsl, position) => {
     const component = (i) =>
       axes.map((axis, k) =>

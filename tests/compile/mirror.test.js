@@ -171,11 +171,11 @@ test('adjustNormal returns normals on the outer side', () => {
     const position = glsl.vec3Param('position')
     const adjust = (factor) =>
       glsl.vec3(position.x().mult(factor), 0, 0).adjustNormal(glsl.vec3Param('normal'), position)
-    return { known: adjust(-2), byUniform: adjust(glsl.param('by')) }
+    return { byConstant: adjust(-2), byUniform: adjust(glsl.param('by')) }
   })
   const at = (by) => evaluate({ position: [1, 0, 0], normal: [1, 0, 0], by })
   assert.deepEqual(
-    at(-3).known.map((x) => x + 0),
+    at(-3).byConstant.map((x) => x + 0),
     [-1, 0, 0],
   )
   assert.deepEqual(
@@ -222,7 +222,7 @@ test('the bitangent points where texture coordinates increase, also in a mirror'
     n.map((x) => Math.round(x) + 0),
     [0, 0, 1],
   )
-  // M b is (0, 1, 0).
+  // The derivative of the warped position along the original b is (0, 1, 0).
   assert.ok(b[1] > 0.9, `${b}`)
   const flipped = warp.evaluate({ ...mesh, tangents: [1, 0, 0, -1] })
   assert.equal(flipped.tangents[3], -tangents[3])

@@ -30,7 +30,7 @@ describe("'auto' computes normals at pixels", () => {
     assert.equal(stageOf(offset, { uniforms: { only: [0, 0, 1e-3] } }), 'vertex')
   })
 
-  test('whatever the strength is when the warp is made', () => {
+  test('for waves times a uniform, whatever its value is when the warp is made', () => {
     const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)
     assert.equal(stageOf(offset, { uniforms: { strength: 0 } }), 'pixel')
   })
@@ -86,7 +86,7 @@ describe("'auto' computes normals at vertices", () => {
   })
 })
 
-test('the option says where normals are computed', () => {
+test('the option `normals` selects where normals are computed, and the property `normals` of the warp returns it', () => {
   assert.equal(compileWarp(fbm).normals, 'vertex')
   assert.equal(compileWarp(fbm, { normals: true }).normals, 'vertex')
   assert.equal(compileWarp(fbm, { normals: false }).normals, false)
@@ -134,7 +134,7 @@ describe('the code for pixels', () => {
   })
 })
 
-test("'auto' calls the function of a uniform once more", () => {
+test("'auto' calls the function of a uniform once more than the default does", () => {
   let calls = 0
   const strength = () => ++calls && 0.5
   const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)

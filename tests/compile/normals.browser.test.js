@@ -2,15 +2,15 @@
 // other. Prints a table of the measured errors at the end.
 //
 // There are two bounds on normals, since SwiftShader, which replaces a GPU here, computes sin and cos only to 2e-4:
-// - with an accurate sine in GLSL instead of the built-in one, `degrees` of the warp, which is 0.02° for nearly all warps, wherever the warp is smooth;
-// - with the built-in one, 0.02° at 99% of the vertices, and everywhere 0.02° times the sensitivity of the normal to errors of the
+// - with an accurate sine in GLSL instead of the built-in one: the warp's `degrees` (0.02° for nearly all warps) wherever the warp is
+//   smooth;
+// - with the built-in sine: 0.02° at 99% of the vertices, and at all of them 0.02° times the sensitivity of the normal to errors of the
 //   derivatives (2e-4 is 0.0115°).
 // Excluded are vertices near a kink of the warp, and those where the surface has nearly collapsed, to 1/100,000 of its area, so that
 // float32 cannot represent its direction to 0.02°.
 //
-// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to `reach`, the
-// size of the numbers in the formula. At
-// `millis` 98,765 the angles of these warps reach 1,000, where the spacing of float32 is 6e-5.
+// The bounds on positions are 2e-5 with the accurate sine and 1e-3 with the built-in one, relative to `reach`, the size of the numbers in
+// the formula. At `millis` 98,765 the angles of these warps reach 1,000, where the spacing of float32 is 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -61,7 +61,7 @@ vec3 warpedNormal = normal;`
   })
 })
 
-/** Returns whether the square of a number is subnormal: GPUs flush it to 0, unlike the CPU. */
+/** Returns whether the square of a number is subnormal: GPUs flush such a square to 0, unlike the CPU. */
 const isTiny = (x) => x !== 0 && Math.abs(x) <= 1e-15
 
 describe('positions and normals are correct:', () => {

@@ -1,4 +1,5 @@
-// An offset function is called only once, even if shader code is generated several times: one that uses random() remains the same warp.
+// An offset function is called only once, even if shader code is generated several times. A warp whose offset function calls Math.random()
+// therefore always looks the same.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'

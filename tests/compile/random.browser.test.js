@@ -21,7 +21,7 @@ after(() => pipelines.close())
 
 const expectedOf = (test) => test.points.map((point) => gpuExpected(test, point))
 
-/** Evaluates cases in one shader; returns { results } or { error }. Another compiler can replace warpjet. */
+/** Evaluates cases in one shader; returns { results } or { error }. The last test passes a wrong `compiler` instead of warpjet's. */
 async function runCases(target, cases, compiler = compile) {
   try {
     const program = programOf(cases, target, compiler)

@@ -108,6 +108,6 @@ for (const sizes of [
   [...assumedSizes, ...hugeSizes],
   [1e20, 1.5e20, 1],
 ])
-  test(`at positions of the sizes ${sizes} too`, (t) => {
+  test(`normals have length 1, or are zero, also at positions of the sizes ${sizes}`, (t) => {
     assert.deepEqual(failuresOf(sizes, t, 0.2), [])
   })

@@ -21,8 +21,8 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
   for (const warp of measured)
     test(warp.name, async () => {
       const { start, then, step } = await measureAfterAWeek(gpu, warp, { perFrame: true })
-      // Errors are about as large as at the start; the largest, now at other vertices, are up to 1.8 (positions) and 2.5 times (angles) as
-      // large.
+      // Errors are about as large as at the start. The largest errors, which are now at other vertices, grow at most by the factors 1.8
+      // (positions) and 2.5 (angles).
       const [positions, angles] = [then.position / start.position, then.angle / start.angle]
       assert.ok(!(positions > 2), `positions are ${positions} times as far off as at the start`)
       assert.ok(!(angles > 3), `normals are ${angles} times as far off as at the start`)
@@ -34,7 +34,7 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
       assert.ok(step < 0.001, `the motion between frames is ${step} off`)
     })
 
-  test('float32 is not accurate after a week without them', async () => {
+  test('without frame constants, float32 is not accurate after a week', async () => {
     const { then, step } = await measureAfterAWeek(
       gpu,
       warps.find(({ name }) => name === 'sine-sphere'),

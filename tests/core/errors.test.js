@@ -1,5 +1,5 @@
 // Each mistake throws one clear message, and does not affect the next warp. tests/cpp/builder_errors_test.cpp tests the messages of the C++
-// code; here is one of them for each way by which they reach JavaScript.
+// code; this file tests one of them for each way by which messages reach JavaScript.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'
@@ -11,25 +11,26 @@ const zeroOffset = ({ glsl }) => glsl.vec3(0, 0, 0)
 
 afterEach(() => assert.match(compileWarp(zeroOffset).code, /warpedPosition/))
 
-const offset = (callback) => () => compileWarp(callback)
+/** Returns a function that compiles an offset function. */
+const compiling = (offset) => () => compileWarp(offset)
 
 test('rejects wrong results of the offset function', () => {
   throwWarpErrors([
-    [offset(() => undefined), /must return a vec3.*undefined/],
-    [offset(() => 5), /must return a vec3.*the number 5/],
-    [offset(({ glsl }) => glsl.vec2(1, 2)), /must return a vec3.*a vec2/],
-    [offset(({ millis }) => millis), /must return a vec3.*a single number/],
-    [offset(() => [0, 0, 0]), /must return a vec3.*an array of 3/],
-    [offset(({ glsl }) => glsl.vec3(NaN, 0, 0)), /vec3: argument 1 is NaN/],
-    [offset(({ glsl }) => glsl.vec3(0, 1 / 0, 0)), /vec3: argument 2 is Infinity/],
+    [compiling(() => undefined), /must return a vec3.*undefined/],
+    [compiling(() => 5), /must return a vec3.*the number 5/],
+    [compiling(({ glsl }) => glsl.vec2(1, 2)), /must return a vec3.*a vec2/],
+    [compiling(({ millis }) => millis), /must return a vec3.*a single number/],
+    [compiling(() => [0, 0, 0]), /must return a vec3.*an array of 3/],
+    [compiling(({ glsl }) => glsl.vec3(NaN, 0, 0)), /vec3: argument 1 is NaN/],
+    [compiling(({ glsl }) => glsl.vec3(0, 1 / 0, 0)), /vec3: argument 2 is Infinity/],
   ])
 })
 
 test("rejects JavaScript's operators on expressions", () => {
   throwWarpErrors([
-    [offset(({ position }) => position.x() * 2), /own \+ - \* \/ .* do not work on expressions/],
+    [compiling(({ position }) => position.x() * 2), /own \+ - \* \/ .* do not work on expressions/],
     [
-      offset(({ position }) => (position.x() > 0 ? position : position.neg())),
+      compiling(({ position }) => (position.x() > 0 ? position : position.neg())),
       /do not work on expressions/,
     ],
   ])
@@ -59,8 +60,8 @@ test('rejects expressions of another copy of warpjet', async () => {
   other.compileWarp(({ position }) => (foreign = position))
   const message = /was made by another copy of warpjet; this page loads two copies, so load all/
   throwWarpErrors([
-    [offset(() => foreign), message],
-    [offset(({ position }) => position.add(foreign)), message],
+    [compiling(() => foreign), message],
+    [compiling(({ position }) => position.add(foreign)), message],
   ])
 })
 
@@ -80,7 +81,7 @@ test('rejects values that are not offset functions', () => {
 })
 
 test('rejects invalid operands', () => {
-  const add = (operand) => offset(({ position }) => position.add(operand))
+  const add = (operand) => compiling(({ position }) => position.add(operand))
   throwWarpErrors([
     [add(undefined), /add: expected a number or an expression for argument 1, got undefined/],
     [add('1'), /add: expected .* for argument 1, got the text "1"/],
@@ -89,10 +90,10 @@ test('rejects invalid operands', () => {
     [add(NaN), /add: argument 1 is NaN/],
     [add(1e-60), /add: argument 1 is 1e-60, too close to zero/],
     [add(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/],
-    [offset(({ millis }) => millis.add()), /add: expected 1 argument, got 0/],
-    [offset(({ glsl }) => glsl.sum()), /sum: expected 2 arguments, got 0/],
+    [compiling(({ millis }) => millis.add()), /add: expected 1 argument, got 0/],
+    [compiling(({ glsl }) => glsl.sum()), /sum: expected 2 arguments, got 0/],
     [
-      offset(({ glsl, millis }) => glsl.max(millis, null)),
+      compiling(({ glsl, millis }) => glsl.max(millis, null)),
       /max: expected .* for argument 2, got null/,
     ],
   ])
@@ -100,16 +101,16 @@ test('rejects invalid operands', () => {
 
 test('rejects vectors of different sizes', () => {
   throwWarpErrors([
-    [offset(({ position, uv }) => position.add(uv)), /add: a vec3 and a vec2 do not fit/],
-    [offset(({ uv }) => uv.z()), /z: a vec2 has no such components/],
-    [offset(({ uv }) => uv.scale(uv)), /scale: expected a single number as argument 1/],
+    [compiling(({ position, uv }) => position.add(uv)), /add: a vec3 and a vec2 do not fit/],
+    [compiling(({ uv }) => uv.z()), /z: a vec2 has no such components/],
+    [compiling(({ uv }) => uv.scale(uv)), /scale: expected a single number as argument 1/],
   ])
 })
 
 test('rejects divisions by zero', () => {
   throwsWarpError(
-    offset(({ position }) => position.div(0)),
-    /div: it divides by zero/,
+    compiling(({ position }) => position.div(0)),
+    /div: a divisor is zero/,
   )
 })
 
@@ -117,8 +118,8 @@ test('rejects expressions of another warp', () => {
   let stolen
   compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
   throwWarpErrors([
-    [offset(() => stolen), /comes from another warp/],
-    [offset(({ position }) => position.add(stolen)), /add: argument 1 comes from another warp/],
+    [compiling(() => stolen), /comes from another warp/],
+    [compiling(({ position }) => position.add(stolen)), /add: argument 1 comes from another warp/],
     [() => stolen.add(1), /add: the function that made this expression is over/],
   ])
 })
@@ -149,7 +150,7 @@ test('rejects invalid options', () => {
 
 test('rejects results requested by .output(…) outside of gen', () => {
   const withSlope = (write) =>
-    offset(({ glsl, millis, position }) => {
+    compiling(({ glsl, millis, position }) => {
       const slope = glsl.fn({
         name: 'slope',
         arity: 1,
@@ -207,7 +208,7 @@ test('rejects a class instead of a function', () => {
     })
   throwWarpErrors([
     [
-      offset(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
+      compiling(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
       /^slope: expected a number or an expression for derivative 1, got a class/,
     ],
     [
@@ -240,7 +241,7 @@ test('rejects invalid names of results', () => {
 })
 
 test('rejects invalid names of parameters', () => {
-  const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
+  const param = (name) => compiling(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
   throwWarpErrors([
     [param('for'), /"for" cannot be read in a shader: "for" is a reserved word of GLSL/],
     [param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/],
@@ -381,9 +382,9 @@ test('reports constants whose product, which only the derivative computes, is in
 
 test('stops an endless loop with a message', { timeout: 60_000 }, () => {
   throwsWarpError(
-    offset(({ millis }) => {
+    compiling(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)
     }),
-    /more than four million operations; does a loop never end/,
+    /more than four million operations; check for an endless loop/,
   )
 })

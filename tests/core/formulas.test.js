@@ -58,7 +58,7 @@ for (const [name, { value, by, where }] of Object.entries(formulas))
           (after - before) / (2 * step),
           evaluateFormula(text, values, where),
         ]
-        const message = `${names[i]} of ${name} at ${place}: ${slope} by finite differences, not ${expected}`
+        const message = `the derivative of ${name} by ${names[i]} at ${place}: ${slope} by finite differences, not ${expected}`
         assert.ok(Math.abs(slope - expected) <= 1e-7 * Math.max(1, Math.abs(expected)), message)
       }
     }

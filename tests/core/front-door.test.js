@@ -67,6 +67,7 @@ test('a component without parentheses can be the derivative of a function', () =
   )
 })
 
+/** The further operands of operations in the next test. Default: 2. */
 const operands = {
   mix: [2, 0.25],
   clamp: [0, 1],

@@ -72,6 +72,7 @@ function nearest(p) {
   return { c: [(a - b + 1e-6) / 2e-3 + p[0], (a - c + 1e-6) / 2e-3 + p[1]] }
 }
 
+/** Returns the variables of the octaves at a point, with their gains `g`, values `n` and derivatives `dn`. */
 function octaves(p, dp) {
   const shifts = [0.6180339887498949, 0.7548776662466927]
   const all = [0, 1, 2, 3, 4].map((k) => {
@@ -109,6 +110,7 @@ const variablesOf = {
   ...Object.fromEntries(fractals.map((name) => [name, octaves])),
 }
 
+/** Returns the value that the docs show: of the two values of worley, the first. */
 const first = (name, result) => (name === 'worley' ? result[0] : result)
 
 for (const [name, { value, derivative }] of Object.entries(noiseFormulas))

@@ -16,7 +16,10 @@ import { randomOf } from '../random/generate.js'
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']
 const range = (n) => Array.from({ length: n }, (_, i) => i)
 
-/** Compiles a kind of noise to a function that maps a point → an array of numbers. `derive` makes further expressions from each value of the noise. */
+/**
+ * Compiles a kind of noise to a function that maps a point → an array of numbers. `derive` makes further expressions from each value of the
+ * noise.
+ */
 function evaluatorOf({ kind, dimensions }, options, derive = () => []) {
   const { evaluate } = compile((glsl) => {
     const p = glsl[makers[dimensions - 1]]('p')

@@ -13,7 +13,7 @@ const assertNear = (got, expected, tolerance, message) =>
   )
 
 describe('glsl.repeat returns values', () => {
-  test('of a number, and passes the number of the step', () => {
+  test('of a number, and passes the index of the step', () => {
     const { evaluate } = compile((glsl) => ({
       sum: glsl.repeat(5, 0, (sum, i) => sum.add(i.mult(glsl.param('x')))),
     }))
@@ -82,7 +82,7 @@ describe('glsl.repeat returns values', () => {
   })
 })
 
-test('a warp with repeat transforms normals like the same loop in JavaScript, on the CPU', () => {
+test('on the CPU, a warp with repeat transforms normals like the same warp with the loop unrolled by JavaScript', () => {
   const offset =
     (repeat) =>
     ({ glsl, position }) =>
@@ -241,7 +241,7 @@ describe('rejects', () => {
   for (const [name, [build, pattern]] of Object.entries(cases))
     test(name, () => throwsWarpError(compileWith(build), pattern))
 
-  test('a state of another session', () => {
+  test('an expression of another warp as a state', () => {
     let foreign
     compile((glsl) => ({ r: (foreign = glsl.param('x')) }))
     throwsWarpError(

@@ -205,7 +205,10 @@ for (const target of targets)
             if (filter === 'bilinear') continue
             assert.ok(jump('slope') < 2e-3, `${where}: the slope jumps by ${jump('slope')}`)
             if (filter === 'bicubic') continue
-            assert.ok(jump('second') < 2e-2, `${where}: the second derivative by ${jump('second')}`)
+            assert.ok(
+              jump('second') < 2e-2,
+              `${where}: the second derivative jumps by ${jump('second')}`,
+            )
           }
         }
     })

@@ -14,8 +14,8 @@ const isRotation = (form) => form.endsWith(') v')
 const isAdjusted = (form) => form.startsWith('adjust')
 
 /**
- * Returns the letters of the inputs of a formula. F, the Jacobian of position + offset, replaces both, since nothing else
- * matters about them.
+ * Returns the letters of the inputs of a formula. The position and the offset have no letters: only F, the Jacobian of their sum,
+ * matters.
  */
 function lettersIn(form) {
   const letters = lettersOf(form)
@@ -26,17 +26,18 @@ function lettersIn(form) {
 
 const sizesOf = (form) => (/cross|rotate|adjust/.test(form) ? [3] : [2, 3, 4])
 
-/** Returns pseudorandom numbers from -1.5 to 1.5. */
 let counter = 0
-const number = () => 1.5 * Math.sin(0.7 * ++counter * counter + 12.9 * counter)
+/** Returns pseudorandom numbers from -1.5 to 1.5. */
+const nextNumber = () => 1.5 * Math.sin(0.7 * ++counter * counter + 12.9 * counter)
 const list = (n, make) => Array.from({ length: n }, make)
 const randomOperand = (letter, n) => {
-  if (isScalar(letter)) return number()
-  if (!isMatrix(letter)) return list(n, number)
+  if (isScalar(letter)) return nextNumber()
+  if (!isMatrix(letter)) return list(n, nextNumber)
   // Matrices that are far from singular, with a diagonal of either sign.
-  const sign = Math.sign(number())
-  return list(n, (_, i) => list(n, (_, j) => number() + (i === j ? 3 * sign : 0)))
+  const sign = Math.sign(nextNumber())
+  return list(n, (_, i) => list(n, (_, j) => nextNumber() + (i === j ? 3 * sign : 0)))
 }
+// `place` maps each letter → the value of that input, `changes` maps it → the derivative of the input with respect to t.
 const moveAlong = (place, changes, t) =>
   Object.fromEntries(
     Object.entries(place).map(([letter, x]) => [letter, add(x, times(t, changes[letter]))]),
@@ -67,7 +68,7 @@ function buildResult(glsl, title, form, operands) {
   return glsl[name](offset, ...operands.slice(1), position)
 }
 
-/** Compiles an operation; its program returns the value and the derivative along the changes. */
+/** Compiles an operation; its program returns the value and the derivative along the changes, with respect to t. */
 function programOf(title, n) {
   const { form } = vectorFormulas[title]
   return compile((glsl) => {
@@ -142,21 +143,21 @@ function evaluateAt(title, place, changes) {
 }
 
 describe('where there is no derivative', () => {
-  const [zero, one, up, some3] = [[0, 0], [1, 0], [0, 1], [0.3, -0.7]] // prettier-ignore
+  const [zero, one, up, oblique] = [[0, 0], [1, 0], [0, 1], [0.3, -0.7]] // prettier-ignore
 
   test('length, dist and distance of a zero vector have the derivative 0', () => {
-    assert.equal(evaluateAt('length', { v: zero }, { v: some3 }).derivative, 0)
+    assert.equal(evaluateAt('length', { v: zero }, { v: oblique }).derivative, 0)
     for (const name of ['dist', 'distance'])
-      assert.equal(evaluateAt(name, { a: one, b: one }, { a: some3, b: up }).derivative, 0)
+      assert.equal(evaluateAt(name, { a: one, b: one }, { a: oblique, b: up }).derivative, 0)
   })
 
   test('normalize of a zero vector is 0 and has the derivative 0', () => {
-    const { value, derivative } = evaluateAt('normalize', { a: zero }, { a: some3 })
+    const { value, derivative } = evaluateAt('normalize', { a: zero }, { a: oblique })
     assert.deepEqual([...value, ...derivative].map(Math.abs), [0, 0, 0, 0])
   })
 
   test('at grazing incidence, the derivative of refract omits the square root', () => {
-    const actual = evaluateAt('refract', { i: one, n: up, η: 1 }, { i: zero, n: some3, η: 0.5 })
+    const actual = evaluateAt('refract', { i: one, n: up, η: 1 }, { i: zero, n: oblique, η: 0.5 })
     // η = 1, c = 0, k = 0: dη i + η di − (dη c + η dc + 0) n − 0, where dc = dn · i.
     assertNear(actual.derivative, [0.5, -0.3], 1e-12, 'refract')
   })
@@ -165,7 +166,7 @@ describe('where there is no derivative', () => {
     const actual = evaluateAt(
       'faceforward',
       { n: up, i: one, r: up },
-      { n: some3, i: zero, r: zero },
+      { n: oblique, i: zero, r: zero },
     )
     assertNear(actual.value, [0, -1], 0, 'value')
     assertNear(actual.derivative, [-0.3, 0.7], 0, 'derivative')

@@ -57,7 +57,7 @@ test('a vector can be passed as separate numbers, as in p5', () => {
   compare(3, (v, w) => v.copy().lerp(w, 0.25))
 })
 
-test('these numbers can be expressions, also for functions of the builder and for aliases', () => {
+test('separate numbers can be expressions, also for functions of the builder and for aliases', () => {
   const text = (write) =>
     compile((glsl) => ({
       result: write(glsl, glsl.vec3Param('v'), glsl.param('a'), glsl.vec2Param('uv')),
@@ -72,7 +72,7 @@ test('these numbers can be expressions, also for functions of the builder and fo
     [(glsl, v, a) => v.cross(a, 2, 3), (glsl, v, a) => v.cross(glsl.vec3(a, 2, 3))],
     [(glsl, v, a) => v.lerp(a, 2, 3, 0.5), (glsl, v, a) => v.mix(glsl.vec3(a, 2, 3), 0.5)],
     [(glsl, v) => glsl.vec3(...v.array()), (glsl, v) => glsl.vec3(v.x, v.y, v.z)],
-    // Other operands are not combined to a vector: those that include a vector, and those of a method of a number.
+    // Operands are not combined into a vector if one of them is a vector, or if the method is called on a number.
     [(glsl, v, a) => v.add(v, a, 2), (glsl, v, a) => v.add(v).add(a).add(2)],
     [(glsl, v, a) => a.mult(2, 3, 4), (glsl, v, a) => a.mult(2).mult(3).mult(4)],
     [(glsl, v, a) => v.mult(2).add(a), (glsl, v, a) => v.mult(2).add(glsl.vec3(a, a, a))],
@@ -157,7 +157,7 @@ test('unsupported uses throw, and say what to write', () => {
     )
 })
 
-test('warns once per line about copy(), which the user may want to modify', (t) => {
+test('warns once per line about copy(), since the user may want to modify the copy', (t) => {
   const warn = t.mock.method(console, 'warn', () => {})
   const warnings = () => warn.mock.calls.map(({ arguments: [text] }) => text)
   compileWith((v) => {
@@ -188,15 +188,18 @@ test('warns once per line about copy(), which the user may want to modify', (t) 
 })
 
 test('limit(0) is 0, for a zero vector too', () => {
-  const { evaluateAt } = compileWarp(({ position, uniforms }) => position.limit(uniforms.most), {
-    uniforms: { most: 1 },
-  })
-  for (const [place, most, moved] of [
+  const { evaluateAt } = compileWarp(
+    ({ position, uniforms }) => position.limit(uniforms.maxLength),
+    {
+      uniforms: { maxLength: 1 },
+    },
+  )
+  for (const [place, maxLength, moved] of [
     [[0, 0, 0], 0, [0, 0, 0]],
     [[3, 0, 4], 0, [3, 0, 4]],
     [[3, 0, 4], 1, [3.6, 0, 4.8]],
   ]) {
-    const { position } = evaluateAt(place, { uniforms: { most } })
+    const { position } = evaluateAt(place, { uniforms: { maxLength } })
     position.forEach((x, i) => assert.ok(Math.abs(x - moved[i]) < 1e-6, `${position}`))
   }
 })

@@ -24,32 +24,32 @@ TEST_F(BuilderErrors, RejectsWrongArgumentCounts) {
 TEST_F(BuilderErrors, RejectsIncompatibleShapes) {
   expectRejected(
       call("add", {v2, v3}),
-      "add: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+      "add: a vec2 and a vec3 do not fit together; use vectors of the same size, or numbers.");
   expectRejected(
       call("clamp", {v2, x, v3}),
-      "clamp: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+      "clamp: a vec2 and a vec3 do not fit together; use vectors of the same size, or numbers.");
   expectRejected(
       call("dot", {v4, v3}),
-      "dot: a vec4 and a vec3 do not fit together; use vectors of one size, or numbers.");
-  expectRejected(
-      call("smoothstep", {x, v2, v3}),
-      "smoothstep: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+      "dot: a vec4 and a vec3 do not fit together; use vectors of the same size, or numbers.");
+  expectRejected(call("smoothstep", {x, v2, v3}),
+                 "smoothstep: a vec2 and a vec3 do not fit together; use vectors of the same size, "
+                 "or numbers.");
   expectRejected(
       call("add", {m2, m3}),
-      "add: a mat2 and a mat3 do not fit together; use matrices and vectors of one size.");
+      "add: a mat2 and a mat3 do not fit together; use matrices and vectors of the same size.");
   expectRejected(
       call("add", {m2, v2}),
-      "add: a mat2 and a vec2 do not fit together; use matrices and vectors of one size.");
+      "add: a mat2 and a vec2 do not fit together; use matrices and vectors of the same size.");
   expectRejected(
       call("mult", {m2, v3}),
-      "mult: a mat2 and a vec3 do not fit together; use matrices and vectors of one size.");
+      "mult: a mat2 and a vec3 do not fit together; use matrices and vectors of the same size.");
   expectRejected(
       call("mult", {v2, m23}),
       "mult: a vec2 and a matrix of 2 columns and 3 rows do not fit together; use matrices and "
-      "vectors of one size.");
+      "vectors of the same size.");
   expectRejected(
       call("mult", {m2, x, m3}),
-      "mult: a mat2 and a mat3 do not fit together; use matrices and vectors of one size.");
+      "mult: a mat2 and a mat3 do not fit together; use matrices and vectors of the same size.");
 }
 
 TEST_F(BuilderErrors, RejectsMatricesInScalarAndVectorOperations) {
@@ -105,7 +105,7 @@ TEST_F(BuilderErrors, RejectsDerivativesWithRespectToNonInputs) {
       "gradient: expected a vector of inputs (such as position) as argument 2, got a single "
       "number.");
   expectRejected(call("jacobian", {v2, call("vec2", {x, x})}),
-                 "jacobian: argument 2 must have different components.");
+                 "jacobian: argument 2 must not repeat a component.");
   expectRejected(
       call("jacobian", {v2, call("vec2", {x, number(1)})}),
       "jacobian: argument 2 must be an input such as millis or position.x(), not something "
@@ -151,7 +151,7 @@ TEST_F(BuilderErrors, RejectsComponentsThatDoNotExist) {
 
 TEST_F(BuilderErrors, RejectsConstantsWhoseResultNoShaderCanHold) {
   const std::string message = "the result of these constants is not a finite float32 number.";
-  const std::string divides = "it divides by zero, or by a number too close to zero for float32.";
+  const std::string divides = "a divisor is zero, or too close to zero for float32.";
   expectRejected(call("log", {number(0)}), "log: " + message);
   expectRejected(call("sqrt", {number(-1)}), "sqrt: " + message);
   expectRejected(call("log2", {number(0)}), "log2: " + message);
@@ -175,8 +175,8 @@ TEST_F(BuilderErrors, RejectsConstantsWhoseResultNoShaderCanHold) {
                  "rotate: the axis is zero, so that it has no direction.");
 }
 
-// Equal nodes are interned, so a rejected node can occur again as an operand of an existing node.
-// Searching all operands for it at each call would take long.
+// A rejected node stays in the graph, so that an equal call returns it without an error: rejecting
+// it again would require a search at each call. finish() reports it.
 TEST_F(BuilderErrors, FinishReportsARejectedNodeThatOccursAgain) {
   const auto make = [&] { return call("smoothstep", {number(1), number(1), x}); };
   ASSERT_EQ(make(), Builder::failed);
@@ -184,8 +184,7 @@ TEST_F(BuilderErrors, FinishReportsARejectedNodeThatOccursAgain) {
   ASSERT_GE(again, 0);
   builder.output("gen", "y", again);
   EXPECT_FALSE(builder.finish());
-  EXPECT_EQ(builder.problem(),
-            "A result: it divides by zero, or by a number too close to zero for float32.");
+  EXPECT_EQ(builder.problem(), "A result: a divisor is zero, or too close to zero for float32.");
 }
 
 TEST_F(BuilderErrors, RejectedOperationsLeaveNoTraceInTheCode) {
@@ -204,8 +203,8 @@ TEST_F(BuilderErrors, RejectsMoreThanFourMillionOperations) {
   EXPECT_EQ(value, Builder::failed);
   EXPECT_GT(calls, Graph::maxNodes / 4 - 100);
   EXPECT_EQ(builder.problem(),
-            "sin: these are more than four million operations; does a loop never end, or is a "
-            "derivative of a very high order?");
+            "sin: more than four million operations; check for an endless loop or a derivative of "
+            "very high order.");
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST_F(BuilderErrors, RejectsHostFunctionCallsWithWrongArguments) {
   expectRejected(callFunction(noise, {x}), "noise: expected 2 arguments, got 1.");
   expectRejected(
       callFunction(noise, {v2, v3}),
-      "noise: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+      "noise: a vec2 and a vec3 do not fit together; use vectors of the same size, or numbers.");
   expectRejected(callFunction(noise, {m2, x}),
                  "noise: expected a number or a vector as argument 1, got a mat2.");
   EXPECT_EQ(text(callFunction(noise, {x, x})), "noise(x, x)");
@@ -162,7 +162,8 @@ TEST_F(BuilderErrors, RejectsAVariableNamedLikeAFunction) {
   expectCodeRejected(*this, "\"noise\" is both a variable and a function; rename one.");
 }
 
-// While the function ran, both were separate inputs; now one is the other, or a component of it.
+// When the offset function was recorded, x and v2 were separate inputs. The host's new names make x
+// the same as v2, or a component of it.
 TEST_F(BuilderErrors, RejectsNamesThatMergeTwoInputs) {
   builder.output("gen", "y", call("mult", {x, v2}));
   for (const char* name : {"v2", "v2.x", "( v2 ) [1]"}) {

@@ -20,8 +20,8 @@ TEST(ComputeTables, TopologyListsCornersSidesAndEdges) {
   const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0}}},
                       {{0, 1, 2}, {3, 4, 5}});
   const Words words = topologyOf(base);
-  // Sides 0 to 5 in the order of the triangles. Side 2 goes back to corner 0; side 5, from corner 5
-  // to corner 3, starts at the place of vertex 0, which is the first one.
+  // Sides 0 to 5 in the order of the triangles. Side 2 goes back to corner 0. Side 5 goes from
+  // corner 5, whose place is that of vertex 0, to corner 3.
   const Words triangles{0, 1, 2, 1, 3, 4, 3, 4, 5, 7, 8, 11};
   const Words sides{0, 1, 0, 1, 2, 1, 0, 2, 2, 3, 4, 3, 5, 4, 4, 5, 3, 2};
   Words expected = triangles;

@@ -117,7 +117,7 @@ TEST_F(HostFunctions, PartialsMustBeOneNumberPerArgument) {
   EXPECT_FALSE(givePartials(pending, {x, v2}));
   EXPECT_EQ(builder.problem(), "noise: expected a single number as derivative 2, got a vec2.");
   EXPECT_FALSE(givePartials(pending, {x}));
-  EXPECT_EQ(builder.problem(), "noise: expected 2 derivatives, one per argument.");
+  EXPECT_EQ(builder.problem(), "noise: expected 2 derivatives, one per argument, got 1.");
   EXPECT_EQ(pendingFor(called), pendingCalls) << "rejected partials are not stored";
   EXPECT_TRUE(givePartials(pending, {x, number(1)}));
   EXPECT_EQ(text(call("derivative", {called, x})), "x + 1.0");

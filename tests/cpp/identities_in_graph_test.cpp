@@ -201,7 +201,7 @@ TEST_F(Simplification, FoldsConstantsAndSignsOfSums) {
   EXPECT_EQ(simplified(x - 500.0 + 500.0), "x");
   EXPECT_EQ(simplified(x - 3.0 - 4.0), "sub(x, 7)");
   EXPECT_EQ(simplified(x + x), "mult(x, 2)");
-  // These look similar, but are not simplified so.
+  // These look similar, but are not simplified in this way.
   EXPECT_EQ(simplified(x + y), "add(x, y)");
   EXPECT_EQ(simplified(x + y + 2.0), "add(add(x, y), 2)");
   EXPECT_EQ(simplified(x + 1e-39 + 1e-39), "add(add(x, 1e-39), 1e-39)");
@@ -217,7 +217,7 @@ TEST_F(Simplification, FoldsFactorsOfProducts) {
   EXPECT_EQ(simplified(x * 2.0 * 4.0), "mult(x, 8)");
   EXPECT_EQ(simplified(x * (1.0 / y)), "div(x, y)");
   EXPECT_EQ(simplified(x / sqrt(x)), "sqrt(x)");
-  // These look similar, but are not simplified so.
+  // These look similar, but are not simplified in this way.
   EXPECT_EQ(simplified(x * ifElse(positive, 1.0, 2.0)), "mult(x, ifElse(gt(x, 0), 1, 2))");
   EXPECT_EQ(simplified(x * 1e-30 * 1e-30), "mult(mult(x, 1e-30), 1e-30)");
   EXPECT_EQ(simplified(x * (2.0 / y)), "mult(x, div(2, y))");
@@ -243,7 +243,7 @@ TEST_F(Simplification, MergesSumsOfChoicesOnOneCondition) {
   EXPECT_EQ(simplified(ifElse(positive, x, 0.0) + ifElse(positive, y, 0.0)),
             "ifElse(gt(x, 0), add(x, y), 0)");
   EXPECT_EQ(simplified(ifElse(positive, x, x)), "x");
-  // These look similar, but are not simplified so.
+  // These look similar, but are not simplified in this way.
   EXPECT_EQ(simplified(ifElse(positive, x, 0.0) + ifElse(gt(y, 0.0), 0.0, y)),
             "add(ifElse(gt(x, 0), x, 0), ifElse(gt(y, 0), 0, y))");
   EXPECT_EQ(simplified(ifElse(positive, x, 1.0) + ifElse(positive, 0.0, y)),
@@ -257,7 +257,7 @@ TEST_F(Simplification, CancelsRotations) {
   EXPECT_EQ(simplified((x * s + y * c) * c - (x * c - y * s) * s), "y");
   EXPECT_EQ(simplified((-(x * s) - y * c) * s - (x * c - y * s) * c), "neg(x)");
   EXPECT_EQ(simplified((x * c * y) * c + s * (y * (s * x))), "mult(x, y)");
-  // These look similar, but are not simplified so.
+  // These look similar, but are not simplified in this way.
   EXPECT_EQ(simplified(c * c - s * s), "sub(mult(cos(u), cos(u)), mult(sin(u), sin(u)))");
   EXPECT_EQ(simplified(c * c + sin(x) * sin(x)), "add(mult(cos(u), cos(u)), mult(sin(x), sin(x)))");
   EXPECT_EQ(simplified((x * c) * c + (y * s) * s),

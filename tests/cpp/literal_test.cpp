@@ -36,7 +36,7 @@ std::size_t digitsOf(const std::string& text) {
   return digits.size();
 }
 
-// Compares with the shortest digits, from the standard library. At ties, one more is allowed.
+// Compares with the shortest digits, from the standard library. At ties, one more digit is allowed.
 TEST(Literal, WritesTheFewestDigitsThatReadBackAsTheSameFloat) {
   std::mt19937 random(1);
   int longer = 0, count = 0;

@@ -149,14 +149,16 @@ TEST(Obj, IgnoresInvalidNumbersThatNoFaceUses) {
   }
 }
 
-TEST(Obj, ComputesOnlyTheInvalidNormals) {
+TEST(Obj, ReplacesOnlyTheInvalidNormals) {
   const Loaded loaded =
       load(square + "vn nan 0 nan\nvn 1 0 0\nvt 0.5 nan\nvt 0.5 1\nf 1/2/2 2/1/1 3/2/2\n");
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
   EXPECT_EQ(loaded.mesh->normals, (Floats{1, 0, 0, 0, 0, 1, 1, 0, 0}));
   EXPECT_EQ(loaded.mesh->uvs, (Floats{0.5f, 0, 0, 0, 0.5f, 0}));
-  EXPECT_EQ(loaded.warnings, (std::vector<std::string>{"Invalid normals of the .obj are computed.",
-                                                       "Invalid uvs of the .obj are set to 0."}));
+  EXPECT_EQ(loaded.warnings,
+            (std::vector<std::string>{
+                "The .obj has invalid normals, which were replaced by computed ones.",
+                "Invalid uvs of the .obj are set to 0."}));
 }
 
 TEST(Obj, SkipsFacesWithInvalidPositions) {

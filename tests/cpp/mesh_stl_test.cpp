@@ -105,8 +105,9 @@ TEST(Stl, ReadsBinaryFilesWhoseHeaderLooksLikeText) {
   EXPECT_EQ(meshOf(longer).positions, corners);
 }
 
-TEST(Stl, ComputesMissingAndInvalidNormals) {
-  const std::vector<std::string> warning{"Invalid normals of the .stl are computed."};
+TEST(Stl, ReplacesMissingAndInvalidNormals) {
+  const std::vector<std::string> warning{
+      "The .stl has invalid normals, which were replaced by normals of the triangles."};
   for (const float bad : {NAN, INFINITY}) {
     const Loaded loaded = load(binary({facetWith({bad, 0, 0})}));
     EXPECT_EQ(loaded.mesh->normals, upThrice);
@@ -142,8 +143,7 @@ TEST(Stl, ReportsBrokenFiles) {
   const auto problemOfText = [&](const std::string& text) { return problem(bytesOf(text)); };
   const std::string again = "; export the model again.";
   EXPECT_EQ(problemOfText("solid a\nendsolid a\n"),
-            "loadMesh: there is nothing to draw: the .stl has no triangles; export it with its "
-            "triangles.");
+            "loadMesh: there is nothing to draw: the .stl has no triangles" + again);
   EXPECT_EQ(problemOfText("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
             "loadMesh: the .stl ends in the middle of a facet; export or download it again.");
   EXPECT_EQ(problemOfText("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 x 0\n"),

@@ -93,10 +93,10 @@ TEST_F(MirrorTest, TheRangeDeterminesASign) {
   }
 }
 
-// The orientation of these is the constant 1, so it takes no code.
+// The orientation of these warps is the constant 1, so it takes no code.
 TEST_F(MirrorTest, WarpsThatDoNotMirrorUseTheEquationOfThePaper) {
   const Expression x = p[0], y = p[1], z = p[2];
-  const Value others[] = {
+  const Value unmirrored[] = {
       p,
       twist(p),
       screw(p, u),
@@ -110,10 +110,10 @@ TEST_F(MirrorTest, WarpsThatDoNotMirrorUseTheEquationOfThePaper) {
       vec3(-x * uv[0], y, z),            // mirrored where u is positive
       vec3(x * (y + 2e4) * -1.0, y, z),  // mirrored except at distant places
   };
-  for (const Value& target : others) {
+  for (const Value& target : unmirrored) {
     const Warp warp = warpTo(target);
-    EXPECT_TRUE(isKnown(warp)) << "warp " << &target - others;
-    EXPECT_EQ(signOf(warp), 1) << "warp " << &target - others;
+    EXPECT_TRUE(isKnown(warp)) << "warp " << &target - unmirrored;
+    EXPECT_EQ(signOf(warp), 1) << "warp " << &target - unmirrored;
   }
 }
 

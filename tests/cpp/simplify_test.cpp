@@ -35,7 +35,8 @@ void expectValues(double folded, double unfolded, Formula formula, double x, dou
   EXPECT_TRUE(same(values.unfolded, unfolded)) << "unfolded: " << values.unfolded;
 }
 
-// Otherwise x + 0 and 0 - x could not be simplified; and shaders don't guarantee the sign of zero.
+// Without this exception, x + 0 and 0 - x could not be simplified; and shaders don't guarantee the
+// sign of zero.
 TEST(SimplifyExceptions, TheSignOfZeroMayChange) {
   expectValues(
       -0.0, 0.0, [](auto x, auto) { return x + 0.0; }, -0.0);
@@ -49,7 +50,7 @@ TEST(SimplifyExceptions, TheSignOfZeroMayChange) {
       0.0, -0.0, [](auto x, auto) { return x * ifElse(gt(x, 0.0), 1.0, 0.0); }, -2);
 }
 
-// Otherwise every structural zero of a Jacobian would remain.
+// Without this exception, every structural zero of a Jacobian would remain.
 TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return x * 0.0; }, infinity);
@@ -61,7 +62,7 @@ TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
   expectValues(0, NAN, ifNotPositive, infinity);
 }
 
-// Otherwise the derivative of moved - position could not be simplified.
+// Without this exception, the derivative of moved - position could not be simplified.
 TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return x - x; }, infinity);
@@ -84,7 +85,8 @@ TEST(SimplifyExceptions, SquaresOfSineAndCosineAddUpToOne) {
   expectValues(1, std::nan(""), formula, infinity);
 }
 
-// Otherwise the derivative of a quotient with a constant numerator could not be simplified.
+// Without this exception, the derivative of a quotient with a constant numerator could not be
+// simplified.
 TEST(SimplifyExceptions, ZeroDividedByAnythingIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return 0.0 / x; }, 0);

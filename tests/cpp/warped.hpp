@@ -71,8 +71,8 @@ inline Point genie(const Point& p) {
   return (1 - t) * (1 - t) * p + 2 * t * (1 - t) * above + t * t * spout;
 }
 
-// Returns the normal of the warped surface by central differences along two tangents of the
-// normal's plane.
+// Returns the normal of the warped surface, by central differences along two directions
+// perpendicular to the normal n.
 inline Point warpedNormal(const PointWarp& warp, const Point& p, const Point& n) {
   if (length(n) == 0) return {};
   const Point helper = std::abs(n[0]) < 0.6 * length(n) ? Point{1, 0, 0} : Point{0, 1, 0};

@@ -10,7 +10,7 @@ describe('bounds', () => {
 
   const cells = 10
 
-  /** Returns the bounds of a warped box at a grid of points. */
+  /** Returns the bounds of the warped positions of a grid of points in a box. */
   function sampleBox(offset, size, inputs) {
     const truth = { min: Array(3).fill(Infinity), max: Array(3).fill(-Infinity) }
     for (let i = 0; i <= cells; i++)
@@ -50,7 +50,7 @@ describe('bounds', () => {
   }
 
   // A grid of 25 × 25 × 25 has the same result.
-  test('that are 5% too small would fail this test for nearly every warp', () => {
+  test('that are 5% too small would fail the previous test for nearly every warp', () => {
     const moment = moments[1]
     const detected = warps.filter(({ compile, offset, size, params }) => {
       const inputs = { ...moment, ...params }

@@ -115,7 +115,7 @@ function assertBothSame(warp, mesh, uniforms, counts, message) {
       expected,
       `${message}, ${count}`,
     )
-  assert.equal(moduleCount, before + 1, `${message}: machine code is made once`)
+  assert.equal(moduleCount, before + 1, `${message}: expected one module`)
 }
 
 const counts = [1, 3, 5, 17, 1000]
@@ -252,7 +252,7 @@ test('code of unreachable warps is freed', async () => {
   }
   const alive = instances.filter((instance) => instance.deref()).length
   assert.ok(alive >= 1 && alive < 20, `${alive} of ${count} are still in memory`)
-  assert.ok(last.evaluate(mesh), 'the last warp still works')
+  assert.ok(last.evaluate(mesh), 'the last warp does not work')
 })
 
 // Must be the last test: no code is compiled after it.
@@ -268,5 +268,5 @@ test('if compiling is forbidden, the interpreter takes over', () => {
   for (let i = 0; i < 3; i++) assertSame(forbidden.evaluate(ordinary), expected, 'forbidden')
   const other = compileWarp(makeOffset(1))
   for (let i = 0; i < 3; i++) assertSame(other.evaluate(ordinary), expected, 'another')
-  assert.equal(tried, 1, 'it is not tried again')
+  assert.equal(tried, 1, 'expected only one attempt')
 })

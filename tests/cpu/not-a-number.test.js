@@ -86,9 +86,9 @@ const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
 const lift = ({ glsl, position }) => glsl.vec3(0, 0, position.x.sin().mult(0.2))
 const spaces = ['local', 'rest', 'world']
 
-/** Sets the first number of an attribute, which belongs to a vertex in a corner, far from the ray. */
-function breakVertex(geometry, number, attribute = 'position') {
-  geometry.attributes[attribute].array[0] = number
+/** Sets the first component of an attribute to `value`. The component belongs to a vertex in a corner, far from the ray. */
+function breakVertex(geometry, value, attribute = 'position') {
+  geometry.attributes[attribute].array[0] = value
   return geometry
 }
 
@@ -138,19 +138,19 @@ describe('three.js', () => {
   for (const [kind, make] of Object.entries(objects))
     test(`a vertex of ${kind} without a finite position neither throws nor hides the others`, () => {
       for (const space of spaces)
-        for (const number of [NaN, Infinity, -Infinity, 1e39]) {
-          const object = make(breakVertex(plane(), number))
+        for (const value of [NaN, Infinity, -Infinity, 1e39]) {
+          const object = make(breakVertex(plane(), value))
           const warped = warp(object, lift, { space })
-          assert.equal(isSeen(object), true, `${number} ${space}`)
+          assert.equal(isSeen(object), true, `${value} ${space}`)
           const hits = downwardRay().intersectObject(object)
-          if (object.isMesh) assert.equal(hits.length, 1, `${number} ${space}`)
+          if (object.isMesh) assert.equal(hits.length, 1, `${value} ${space}`)
           const { min, max } = warped.bounds()
           assert.ok(min.x === -Infinity && max.x === Infinity)
           warped.dispose()
         }
     })
 
-  test('a texture coordinate that is not finite, or such a vertex in a batch, neither throws nor hides the others', () => {
+  test('a vertex with a texture coordinate that is not finite, or in a batch without a finite position, neither throws nor hides the others', () => {
     const along = ({ glsl, position, uv }) => glsl.vec3(0, 0, uv.x.mult(0.1).add(position.x))
     const mesh = new THREE.Mesh(breakVertex(plane(), NaN, 'uv'), material)
     warp(mesh, along)
@@ -224,10 +224,10 @@ describe('Babylon.js', () => {
   })
 
   test('a vertex without a finite position neither throws nor hides the others', () => {
-    for (const number of [NaN, Infinity]) {
+    for (const value of [NaN, Infinity]) {
       const view = sceneWith(({ glsl }) => glsl.vec3(0, 0.5, 0), {})
       const positions = view.mesh.getVerticesData('position')
-      positions[0] = number
+      positions[0] = value
       view.mesh.setVerticesData('position', positions, true)
       view.babylonWarp.refresh(view.mesh)
       assert.equal(isDrawn(view), true)

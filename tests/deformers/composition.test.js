@@ -1,4 +1,5 @@
-// Tests chain, add, blend and mask: positions and normals equal those of the same composition of plain functions.
+// Tests chain, add, blend and mask: positions and normals equal those of the same composition of plain functions. `twisted`, `bent` and
+// `waved` are pairs of a warp and the same offset as a plain function.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { add, blend, chain, inSpace, inflate, mask, wave } from '../../dist/deformers.js'

@@ -87,7 +87,7 @@ const cases = {
 /** The step of the finite differences. */
 const step = 0.02
 
-/** Returns the option of a deformer with which, if it is 0, the deformer moves nothing. */
+/** Returns the option of a deformer that disables it: if the option is 0, no point moves. */
 const amountOf = (name) => (name === 'twist' || name === 'bend' ? 'angle' : 'amount')
 
 function assertClose(actual, expected, tolerance, message) {

@@ -32,7 +32,7 @@ void append(FileBytes& file, std::size_t word) {
     file.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// Parses a GLB up to the end of the file, if its lengths are too large.
+// Parses a GLB. If its lengths exceed the file, parses up to the end of the file.
 std::optional<Glb> parseGlb(const FileBytes& file) {
   constexpr std::size_t start = headerSize + chunkHeaderSize;
   if (file.size() < start || !std::equal(file.begin(), file.begin() + 4, "glTF")) return {};
@@ -77,7 +77,7 @@ void collect(json& tree, std::vector<json*>& values) {
   }
 }
 
-// Returns a value of those that are known to break readers of files.
+// Returns one of the values that are known to break readers of files.
 json oddValue(Random& random) {
   static const std::array<json, 24> values = {nullptr,
                                               true,

@@ -15,7 +15,7 @@ using MutateBytes = std::function<void(FileBytes&, std::size_t maxSize)>;
 
 // Returns a changed file of at most `maxSize` bytes. In a GLB, changes either the JSON or the
 // binary chunk, and updates the lengths in the headers; in a .gltf, changes the JSON. Changes JSON
-// as a tree, or as text. Changes some files, and all other formats, byte by byte.
+// as a tree, or as text. Changes single bytes in some files, and in all files of other formats.
 FileBytes mutateFile(FileBytes file, std::size_t maxSize, unsigned seed, const MutateBytes& mutate);
 
 }  // namespace warpjet

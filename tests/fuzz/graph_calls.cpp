@@ -107,7 +107,7 @@ int GraphCalls::pickValue() {
   return values_[values_.size() - 1 - distance % values_.size()];
 }
 
-// Returns a recorded value with the shape of another one, which it returns if there is no other.
+// Returns a recorded value with the shape of `handle`; `handle` itself if it finds no other.
 int GraphCalls::pickValueLike(int handle) {
   const int picked = pickValue();
   if (builder_.shape(picked) == builder_.shape(handle)) return picked;
@@ -222,8 +222,8 @@ void GraphCalls::closeRepeat() {
   if (repeats_.empty()) return;
   const auto [first, count] = repeats_.back();
   repeats_.pop_back();
-  // A sketch may return anything from the body. We pass states of the right shapes unless the byte
-  // is above 240.
+  // A sketch may return anything from the body. We pass values of any shape if the next byte is
+  // above 240, and otherwise states of the right shapes.
   const bool isOdd = reader_.byte() > 240;
   for (int i = 0; i < count; ++i) builder_.push(isOdd ? pickValue() : pickValueLike(first + i));
   const int outcome = builder_.closeRepeat();

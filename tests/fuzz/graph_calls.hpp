@@ -19,7 +19,7 @@ enum class Step : std::uint8_t {
   OddConstant,
   Input,
   Call,
-  SameShape,  // a call on values of one shape, so that more of them succeed
+  SameShape,  // a call on values of one shape, so that more calls succeed
   Swizzle,
   Derivative,  // or a whole warp
   Function,
@@ -73,7 +73,7 @@ class GraphCalls {
   Builder& builder_;
   Reader& reader_;
   std::vector<int> values_;
-  std::map<int, int> arities_;       // of user functions, by number
+  std::map<int, int> arities_;       // handle of a user function → the number of its arguments
   std::vector<OpenRepeat> repeats_;  // the innermost last
   bool hasForeignText_ = false;
 };

@@ -1,5 +1,5 @@
 // Fuzz target of the graph, the emitter and the evaluators: interprets bytes as calls on a builder,
-// then queries everything. The first byte chooses the language, the second the inputs' values; see
+// then queries everything. The first byte is not used, the second chooses the inputs' values; see
 // graph_calls.hpp for the others.
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,8 @@ void checkText(const std::string& text) {
   checkNumbers(text);
 }
 
-// Returns options that number the results: under their own names, they may hide each other.
+// Returns options that name the results by their indices: under their own names, results may hide
+// each other.
 ShaderTextOptions numberResults(const Module& module) {
   ShaderTextOptions options;
   for (std::uint32_t i = 0; i < module.outputs.size(); ++i)
@@ -81,7 +82,7 @@ void checkTexts(const Module& module, bool hasForeignText) {
 // The values of all inputs at each vertex, each within its range; uniforms have one value.
 struct InputValues {
   std::vector<Range> ranges;
-  std::vector<bool> isUniform;             // by number
+  std::vector<bool> isUniform;             // by input
   std::vector<std::vector<float>> values;  // by input
   std::vector<Stream> streams;
 
@@ -125,7 +126,8 @@ InputValues makeInputs(const Graph& graph, unsigned style) {
   return inputs;
 }
 
-// The indices of the last results, and the total number of their components.
+// The indices of the last results whose components are together at most `maxResults`, and the
+// number of these components.
 struct Latest {
   std::vector<std::uint32_t> results;
   std::size_t size = 0;
@@ -142,6 +144,7 @@ Latest latestOf(const Module& module) {
   return latest;
 }
 
+// Returns whether an instruction is a leaf, or an operation whose result is a float.
 bool isNumber(const Words& words, std::uint32_t instruction) {
   const Op op = words.op(instruction);
   return index(op) >= ops::count || ops::declaration(op).signature.result == ops::Type::Float;
@@ -173,12 +176,12 @@ void requireWithin(const Range& range, double value, const std::string& name) {
 }
 
 void checkEvaluation(const Module& module, unsigned style) {
-  const auto [latest, results] = latestOf(module);
-  const auto program = warpjet::program(module, latest).program;
+  const auto [latestResults, componentCount] = latestOf(module);
+  const auto program = warpjet::program(module, latestResults).program;
   if (!program || program->instructions > maxInstructions) return;
   const Words words(program->words, program->instructions);
   std::vector<std::uint32_t> checked;
-  for (std::uint32_t i = 0; i < results; ++i) {
+  for (std::uint32_t i = 0; i < componentCount; ++i) {
     if (isNumber(words, words.result(i))) checked.push_back(i);
   }
   if (checked.empty()) return;

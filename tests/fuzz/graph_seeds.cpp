@@ -15,7 +15,8 @@ std::size_t numberOf(std::string_view operation) {
   return i;
 }
 
-// Writes the bytes of calls. Operands are given by the number of values after them, 7 at most.
+// Writes the bytes of calls. An operand is written as the number of values recorded after it, at
+// most 7.
 class Calls {
  public:
   Calls(std::size_t dialect, std::size_t style) : bytes_{byte(dialect), byte(style)} {}
@@ -128,8 +129,8 @@ Calls everyNoise(std::size_t dialect) {
   return calls.add(Step::Build, {7});
 }
 
-// s = sin(s * s), three times, and within it a number that is doubled; with the derivatives of the
-// result.
+// A repeat of three steps s = sin(s * s), within it a repeat that doubles a number, and derivatives
+// of the results.
 Calls repeats(std::size_t dialect) {
   Calls calls(dialect, 2);
   calls.position().component(0, 0).add(Step::OpenRepeat, {3, 1, 16, 0});

@@ -57,7 +57,8 @@ void checkExport(const Mesh& mesh) {
   require(exportGlb(*loaded.mesh) == bytes, "a loaded mesh is exported as the same bytes");
 }
 
-// Moves vertices by one of four warps: smooth, identity, one with holes, one that overflows floats.
+// Moves vertices by one of four warps: a smooth one, the identity, a root, which is NaN at negative
+// coordinates, and one that overflows floats.
 Moved moveVertices(const Mesh& vertices, unsigned which) {
   Moved moved{vertices.positions, which & 1 ? vertices.normals : std::vector<float>{}};
   for (float& x : moved.positions) {

@@ -29,15 +29,16 @@ class ListingCheck {
   explicit ListingCheck(const Listing& listing)
       : words_(listing.words), constants_(listing.constants) {
     while (at_ < words_.size()) readOperation(static_cast<Code>(next()));
-    require(folds_.empty() && !isInRoutine_, "loops and functions end");
+    require(openLoops_.empty() && !isInRoutine_, "loops and functions end");
     for (const std::uint32_t result : listing.results) requireDefined(result);
     for (const double value : constants_)
       require(value >= -3.5e38 && value <= 3.5e38, "a constant is a float", printExactly(value));
   }
 
  private:
-  // A loop whose body is being read: the first of its own numbers, and the number of its states.
-  struct Fold {
+  // A loop whose body is being read: the index of the first value in it, and the number of its
+  // states.
+  struct OpenLoop {
     std::size_t first;
     std::uint32_t states;
   };
@@ -74,13 +75,13 @@ class ListingCheck {
         require(next() > 0, "a loop has steps");
         const std::uint32_t states = next();
         readOperands(states);
-        folds_.push_back({isDefined_.size(), states});
+        openLoops_.push_back({isDefined_.size(), states});
         return define(states + 1);
       }
       case Code::Next: {
-        require(!folds_.empty(), "a loop has begun");
-        const auto [first, states] = folds_.back();
-        folds_.pop_back();
+        require(!openLoops_.empty(), "a loop has begun");
+        const auto [first, states] = openLoops_.back();
+        openLoops_.pop_back();
         readOperands(states);
         std::fill(isDefined_.begin() + static_cast<std::ptrdiff_t>(first), isDefined_.end(), false);
         return define(states);
@@ -94,7 +95,7 @@ class ListingCheck {
         return;
       }
       case Code::End:
-        require(isInRoutine_ && folds_.empty(), "a function has begun");
+        require(isInRoutine_ && openLoops_.empty(), "a function has begun");
         isInRoutine_ = false;
         readOperands(routines_.back().results = next());
         isDefined_.clear();
@@ -132,7 +133,7 @@ class ListingCheck {
   std::span<const double> constants_;
   std::size_t at_ = 0;
   std::vector<bool> isDefined_;
-  std::vector<Fold> folds_;
+  std::vector<OpenLoop> openLoops_;
   bool isInRoutine_ = false;
   std::vector<Routine> routines_;
 };

@@ -12,7 +12,7 @@ import { derivative } from '../random/differences.js'
 const points = pointsOfCube(12)
 
 /** Functions that compute with integers: their derivative is zero, but they have steps finer than any finite difference. */
-const isStairs = new Set([
+const stairs = new Set([
   'a hash of bits',
   'bits of floats',
   'half floats',
@@ -50,7 +50,7 @@ for (const { name, text } of corpus)
         const by = [{ name: 'p', index: k }]
         derivative((point) => f(point.p), { p }, by, expected).forEach(({ value, error }, i) => {
           const ours = jacobian[3 * k + i]
-          if (isStairs.has(name)) return assert.equal(ours, 0)
+          if (stairs.has(name)) return assert.equal(ours, 0)
           const size = Math.max(1, Math.abs(value))
           if (!(error <= maxError * size)) return kinks++
           slopes++
@@ -59,12 +59,12 @@ for (const { name, text } of corpus)
         })
       }
     }
-    assert.ok(isStairs.has(name) || kinks <= slopes / 5, `${slopes} slopes, ${kinks} kinks`)
+    assert.ok(stairs.has(name) || kinks <= slopes / 5, `${slopes} slopes, ${kinks} kinks`)
     compared.slopes += slopes
     compared.kinks += kinks
   })
 
 test('enough derivatives are compared, since few points are at a kink', () => {
-  assert.ok(compared.slopes > 100 * (corpus.length - isStairs.size), `${compared.slopes} slopes`)
+  assert.ok(compared.slopes > 100 * (corpus.length - stairs.size), `${compared.slopes} slopes`)
   assert.ok(compared.kinks < compared.slopes / 100, `${compared.kinks} kinks`)
 })

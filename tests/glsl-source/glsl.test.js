@@ -6,10 +6,10 @@ import { chain } from 'warpjet/deformers'
 import { differentiate, glslOffset } from 'warpjet/glsl'
 
 /** Returns the warped position and normal of a vertex. */
-const evaluateAt = (source, position, options = {}, others = {}) =>
-  compileWarp(glslOffset(source, options), { surfaceVariation: false, ...others }).evaluateAt(
+const evaluateAt = (source, position, options = {}, warpOptions = {}) =>
+  compileWarp(glslOffset(source, options), { surfaceVariation: false, ...warpOptions }).evaluateAt(
     position,
-    { normal: [0, 1, 0], ...others.given },
+    { normal: [0, 1, 0] },
   )
 
 const assertNear = (actual, expected, tolerance = 1e-5) =>

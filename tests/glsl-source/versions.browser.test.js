@@ -18,8 +18,8 @@ after(async () => {
 })
 
 /**
- * Compares our messages about shaders with the browser's. Returns descriptions of the shaders that only one of us rejects, and how many it
- * rejects.
+ * Compares our messages about shaders with the browser's. Returns descriptions of the shaders that only we or only the browser rejects,
+ * and how many the browser rejects.
  */
 async function disagreements(head, context, texts) {
   const names = Object.keys(texts)

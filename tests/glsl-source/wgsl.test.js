@@ -135,7 +135,7 @@ test('differentiate writes WGSL, or GLSL if the option target says so', () => {
   )
 })
 
-test('a continuing block reads the variables of the body, after each continue, too', () => {
+test('a continuing block reads the variables of the body, also after a continue', () => {
   // The steps are 1, 2, 3 and 4.
   const text = `fn offset(p: vec3f) -> vec3f {
     var i = 0; var sum = 0.0;

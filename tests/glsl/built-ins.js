@@ -35,8 +35,10 @@ function toHalfFloat(x) {
   if (size < 2 ** -14) return (x < 0 ? 0x8000 : 0) | roundHalfToEven(size * 2 ** 24)
   const power = Math.floor(Math.log2(size))
   const value = roundHalfToEven(size / 2 ** (power - 10)) * 2 ** (power - 10)
-  const grown = Math.floor(Math.log2(value))
-  return (x < 0 ? 0x8000 : 0) | ((grown + 15) << 10) | (value / 2 ** (grown - 10) - 1024)
+  const powerOfValue = Math.floor(Math.log2(value))
+  return (
+    (x < 0 ? 0x8000 : 0) | ((powerOfValue + 15) << 10) | (value / 2 ** (powerOfValue - 10) - 1024)
+  )
 }
 /** Returns the value of a half float. */
 function fromHalfFloat(h) {

@@ -67,8 +67,8 @@ const undefinedPowers =
   /^glsl-easings.(?:cubic-in-out|quartic-out|quintic-in-out|quintic-out)\.glsl$/
 
 /**
- * Returns an argument for a parameter, from a vec3 `p`: floats are at least 0, as easings require; no two are equal or mirrored. The
- * period of a noise is an integer: between integers its hash differs at every point.
+ * Returns an argument for a parameter, from a vec3 `p`. Floats are at least 0, as easings require. No two arguments are equal or differ
+ * only in their sign. The period `rep` of a noise is an integer: with a fraction, the hash differs at every point.
  */
 const makeArgument = ({ type, name }, i) =>
   name === 'rep'

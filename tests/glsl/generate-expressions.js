@@ -36,7 +36,7 @@ export const library = {
 }
 
 const sizes = { float: 1, vec2: 2, vec3: 3 }
-const number = (value) => (Number.isInteger(value) ? `${value}.0` : `${value}`)
+const floatLiteral = (value) => (Number.isInteger(value) ? `${value}.0` : `${value}`)
 
 export class ExpressionGenerator {
   constructor(seed) {
@@ -77,8 +77,8 @@ export class ExpressionGenerator {
       const literal = this.literal()
       const list = `[${Array(sizes[type]).fill(literal)}]`
       return type === 'float'
-        ? { glsl: `(${number(literal)})`, js: `(${literal})` }
-        : { glsl: `${type}(${number(literal)})`, js: list }
+        ? { glsl: `(${floatLiteral(literal)})`, js: `(${literal})` }
+        : { glsl: `${type}(${floatLiteral(literal)})`, js: list }
     }
     const x = () => this.expression(type, depth - 1)
     const scalar = () => this.expression('float', depth - 1)

@@ -89,17 +89,18 @@ class LoopGenerator {
 
   loop(scope, depth, steps = 6 + this.int(18)) {
     const i = this.name('i')
-    const floatCounter = this.random() < 0.2
+    const hasFloatCounter = this.random() < 0.2
     const inner = {
       ...scope,
-      floats: floatCounter ? [...scope.floats, `(${i} * 0.0625)`] : scope.floats,
-      counters: floatCounter ? scope.counters : [...scope.counters, i],
+      floats: hasFloatCounter ? [...scope.floats, `(${i} * 0.0625)`] : scope.floats,
+      counters: hasFloatCounter ? scope.counters : [...scope.counters, i],
     }
 
     const body = Array.from({ length: 2 + this.int(3) }, () =>
       this.statement(this.withoutCounters(inner), depth),
     ).join('\n')
-    if (floatCounter) return `for (float ${i} = 0.0; ${i} < ${steps}.5; ${i} += 1.0) {\n${body}\n}`
+    if (hasFloatCounter)
+      return `for (float ${i} = 0.0; ${i} < ${steps}.5; ${i} += 1.0) {\n${body}\n}`
     const [start, step] = [this.int(9) - 4, 1 + this.int(3)]
     return this.pick([
       `for (int ${i} = 0; ${i} < ${steps}; ${i}++) {\n${body}\n}`,

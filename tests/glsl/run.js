@@ -5,7 +5,7 @@ import { fail, layoutOf, newValue, numbersOf } from './walk/values.js'
 
 const { parser } = createRequire(import.meta.url)('@shaderfrog/glsl-parser')
 
-/** Maps functions → whether GLSL defines no result for some operands. The result is NaN here. */
+/** Maps a function → predicate of its operands: whether GLSL leaves the result undefined. The interpreter then returns NaN. */
 const isUndefined = {
   pow: (x, y) => x < 0 || (x === 0 && y <= 0),
   smoothstep: (low, high) => low >= high,

@@ -4,7 +4,7 @@ const withBody = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${
 const withResult = (expression, above) => withBody(`return vec3(${expression});`, above)
 const fillArray = 'float a[3]; for (int i = 0; i < 3; i++) a[i] = p.x;'
 
-/** Words that one of the languages, or both, reserve, and some that neither does. */
+/** Words that are reserved in one version or in both, and some that are reserved in neither. */
 export const words = `
   const uniform attribute varying layout centroid flat smooth break continue do for while switch case default if else in out inout
   true false invariant discard return lowp mediump highp precision struct goto class union enum typedef template this inline

@@ -41,7 +41,7 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('with detail, uniforms that are functions have one value, and warnings are those of subdivide', () => {
+  test('with detail, calls the function of a uniform only once, and returns the warnings of subdivide', () => {
     let calls = 0
     const warp = compileWarp(
       ({ glsl, position, uniforms }) => glsl.vec3(0, position.x().sin().mult(uniforms.height), 0),
@@ -73,7 +73,7 @@ describe('bakeWarp', () => {
     const mesh = { ...sphere(), material }
     const before = structuredClone(mesh)
     const baked = bakeWarp(mesh, twist)
-    assert.deepEqual(mesh, before, 'the input is unchanged')
+    assert.deepEqual(mesh, before, 'the input was changed')
     for (const name of ['uvs', 'colors', 'indices', 'material'])
       assert.deepEqual(baked[name], mesh[name], name)
     assert.notEqual(baked.uvs, mesh.uvs)
@@ -94,7 +94,7 @@ describe('bakeWarp', () => {
       [0, 0, 1],
     ]) {
       const dot = tangent.reduce((sum, x, i) => sum + x * normal[i], 0)
-      assert.ok(Math.abs(dot) < 1e-5, `${normal} is at right angles to ${tangent}`)
+      assert.ok(Math.abs(dot) < 1e-5, `${normal} is not at right angles to ${tangent}`)
     }
     assert.equal(baked.tangents.length, mesh.tangents.length)
   })

@@ -115,7 +115,7 @@ test('a zero normal is replaced by that of the surrounding triangles; other leng
   assertNormal(0, [0, 0, 1])
   assertNormal(1, [0, 1, 0])
   assertNormal(2, [Math.SQRT1_2, Math.SQRT1_2, 0])
-  assert.equal(mesh.normals[2], 8, 'the input is unchanged')
+  assert.equal(mesh.normals[2], 8, 'the input was changed')
 })
 
 test('a surface that is collapsed to a point is exported as a valid file', async () => {

@@ -236,7 +236,7 @@ function morphingSphere(relative, withNormals) {
   return geometry
 }
 
-test('other functions accept geometries too', () => {
+test('exportGLB and surfaceVariation accept geometries, too', () => {
   const geometry = new THREE.BoxGeometry()
   assert.ok(exportGLB(geometry).length > 500)
   assert.equal(

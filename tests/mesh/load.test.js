@@ -102,7 +102,7 @@ describe('loadMesh', () => {
     const oddFolder = join(folder, 'odd')
     mkdirSync(oddFolder)
     const names = ['a#1.glb', 'q?.glb', 'a%20b.glb', '100%.glb', 'C:m.glb', 'c:\\m\\a.glb']
-    // If the string were read as a URL, it would be another file.
+    // Read as a URL, the string would name another file.
     for (const name of ['a', 'q', 'a b.glb', 'm.glb']) writeFileSync(join(oddFolder, name), 'wrong')
     for (const name of names) writeFileSync(join(oddFolder, name), exportGLB(mesh))
     const previousFolder = process.cwd()
@@ -264,7 +264,7 @@ describe('loadMesh', () => {
   })
 })
 
-test('the module exports exactly the public functions', () => {
+test('the module exports exactly the public functions and those for the p5 addon', () => {
   assert.deepEqual(Object.keys(meshModule).sort(), [
     'WarpError',
     'bakeNormalMap',

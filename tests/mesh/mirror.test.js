@@ -42,7 +42,7 @@ describe('bakeWarp with a mirror', () => {
 
   test('bakes a mesh that is subdivided for the warp', () => {
     const finer = subdivide(round, { warp, tolerance: 0.002 })
-    assert.ok(volumeOf(finer) > 0, 'the mesh before the warp')
+    assert.ok(volumeOf(finer) > 0, 'the subdivided mesh is inside out')
     assertOutside(bakeWarp(finer, warp), 'subdivided')
   })
 

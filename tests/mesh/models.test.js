@@ -45,6 +45,7 @@ function bounds({ positions }) {
 const assertNear = (actual, expected, tolerance = 0.01) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`)
 
+/** Maps a model → the min and max number of its vertices. */
 const VERTICES = {
   airplane: [13000, 15500],
   spoon: [6000, 10000],
@@ -110,13 +111,13 @@ for (const [name, mesh] of Object.entries(meshes)) {
       ['v', 'vt', 'vn', 'f'].map((word) => linesOf(word).length),
       [count, count, count, countFaces(mesh)],
     )
-    const number = /^-?\d+(\.\d{1,4})?$/
+    const numberPattern = /^-?\d+(\.\d{1,4})?$/
     for (const line of [...linesOf('v'), ...linesOf('vt'), ...linesOf('vn')]) {
       assert.ok(
         line
           .split(' ')
           .slice(1)
-          .every((x) => number.test(x)),
+          .every((x) => numberPattern.test(x)),
         line,
       )
     }
@@ -152,13 +153,16 @@ test('the models are upright when y points down', () => {
     return point(positions, best)
   }
   const [fin] = highest(meshes.airplane)
-  assert.ok(fin < -70, 'the tail fin is the highest part of the airplane, at its back')
+  assert.ok(fin < -70, 'expected the tail fin as the highest part of the airplane')
   const [middleFinger] = highest(meshes.hand)
-  assert.ok(Math.abs(middleFinger) < 10, 'the middle finger is the highest part of the hand')
+  assert.ok(Math.abs(middleFinger) < 10, 'expected the middle finger as the highest part')
   const [lid, , deep] = highest(meshes.teapot)
-  assert.ok(Math.hypot(lid, deep) < 25, 'the knob of the lid is the highest part of the teapot')
+  assert.ok(Math.hypot(lid, deep) < 25, 'expected the knob of the lid as the highest part')
   const feet = [...meshes.bunny.positions].filter((_, i, all) => i % 3 === 0 && all[i + 1] > 85)
-  assert.ok(Math.max(...feet) - Math.min(...feet) > 80, 'the bunny sits on its feet, not its ears')
+  assert.ok(
+    Math.max(...feet) - Math.min(...feet) > 80,
+    'expected the feet of the bunny at the bottom',
+  )
 })
 
 test('the airplane and the spoon are dense enough to twist and bend', () => {

@@ -156,7 +156,7 @@ test('the map is flat where the warp collapses the surface', () => {
   assert.deepEqual(image.pixel(4, 4), [128, 128, 255])
 })
 
-test('triangles without area get any tangents, and the file stays valid', async () => {
+test('triangles without area get arbitrary tangents, and the file stays valid', async () => {
   const flat = square()
   const meshes = {
     'two equal corners': { ...flat, indices: [...flat.indices, 0, 0, 1, 24, 24, 24] },

@@ -53,7 +53,10 @@ for (const [name, make] of Object.entries(models))
       await assertValid(exportGLB(baked))
       const radius = (mesh, i) => Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 2])
       for (let i = 0; i < positions.length / 3; i++) {
-        assert.ok(Math.abs(radius(baked, i) - radius(model, i)) < 1e-4, 'a twist keeps the radius')
+        assert.ok(
+          Math.abs(radius(baked, i) - radius(model, i)) < 1e-4,
+          'the twist changes the radius',
+        )
         assert.equal(baked.positions[3 * i + 1], Math.fround(positions[3 * i + 1]))
       }
       const fine = subdivide(model, { warp: twist, uniforms, tolerance: 0.5 })

@@ -40,7 +40,7 @@ describe('subdivide', () => {
     )
     const plane = grid(2, 2)
     const maxDeviation = (mesh) => {
-      // Along x the surface is z = x² / 2: between two vertices it deviates from the chord by the square of their distance / 8.
+      // Along x the surface is z = x² / 2: between two vertices it deviates from the chord by (the difference of their x)² / 8.
       let max = 0
       for (let i = 0; i < mesh.indices.length; i += 3) {
         const xs = [...mesh.indices.subarray(i, i + 3)].map((v) => mesh.positions[3 * v])
@@ -72,46 +72,46 @@ describe('subdivide', () => {
   })
 
   test('rejects wrong options', () => {
-    const rejectsChange = (options, pattern) =>
+    const rejectsOptions = (options, pattern) =>
       throwsWarpError(() => subdivide(triangle(), options), pattern)
-    rejectsChange(undefined, /^subdivide: expected options such as .*, got undefined/)
-    rejectsChange(
+    rejectsOptions(undefined, /^subdivide: expected options such as .*, got undefined/)
+    rejectsOptions(
       {},
       /^subdivide: expected a result of compileWarp for the option "warp", got undefined/,
     )
-    rejectsChange(
+    rejectsOptions(
       { warp: twist },
       /^subdivide: expected a number above 0 for the option "tolerance", got undefined/,
     )
-    rejectsChange(
+    rejectsOptions(
       { warp: twist, tolerance: 0 },
       /expected a number above 0 for the option "tolerance", got the number 0/,
     )
-    rejectsChange(
+    rejectsOptions(
       { warp: twist, tolerance: 1, angle: -1 },
       /expected a number above 0 for the option "angle", got the number -1/,
     )
-    rejectsChange(
+    rejectsOptions(
       { levels: 1.5 },
       /expected a whole number from 0 to 15 for the option "levels", got the number 1\.5/,
     )
-    rejectsChange(
+    rejectsOptions(
       { levels: 1, maxTriangles: 0 },
       /expected a whole number from 1 to 2\^28 for the option "maxTriangles", got the number 0/,
     )
-    rejectsChange(
+    rejectsOptions(
       { levels: 1, maxTriangles: 2 ** 28 + 1 },
       /from 1 to 2\^28 for the option "maxTriangles", got /,
     )
-    rejectsChange(
+    rejectsOptions(
       { levels: 1, maxTriangle: 1 },
       /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? The options are/,
     )
-    rejectsChange(
+    rejectsOptions(
       { warp: twist, tolerance: 1, angel: 1 },
       /^subdivide: there is no option "angel"; did you mean angle\? The options are/,
     )
-    rejectsChange({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
+    rejectsOptions({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })
 
   test('checks the results of objects with their own evaluate', () => {
@@ -140,9 +140,10 @@ describe('subdivide', () => {
       /expected the warp's evaluate to return a number as positions\[0\], got the text "0"/,
     )
     let calls = 0
-    const once = ({ positions, normals }) => (calls++ ? { positions } : { positions, normals })
+    const normalsOnlyOnce = ({ positions, normals }) =>
+      calls++ ? { positions } : { positions, normals }
     throwsWarpError(
-      () => subdivide(sphere(), { warp: { evaluate: once }, tolerance: 0.01 }),
+      () => subdivide(sphere(), { warp: { evaluate: normalsOnlyOnce }, tolerance: 0.01 }),
       /^subdivide: expected the warp's evaluate to return normals either always or never/,
     )
   })

@@ -99,7 +99,7 @@ for (const [name, surface] of Object.entries(surfaces))
         // An inflated sphere is a sphere, so its normals stay the same, and so do those of every parallel surface.
         if (title !== 'inflated') assert.ok(without > 1.5, `${without}° off without gradients`)
         const baked = errors(bakeWarp(mesh, compiled).normals, expected)
-        assert.ok(Math.max(...baked) === computed, 'bakeWarp computes the gradients itself')
+        assert.ok(Math.max(...baked) === computed, 'bakeWarp computes other gradients')
       })
     }
   })
@@ -132,9 +132,9 @@ test('tangents are transformed too', () => {
   })
 })
 
-// The Stanford bunny from npm, smoothed by Loop subdivision: the meshes of 7,350 and 29,394 vertices use the first vertices of
-// one of 117,570, which represents the smooth bunny. Its warped vertices are the reference, with the normals of the surrounding
-// triangles. Where these fold over, as in the creases of the neck, the warped surface has no useful normal.
+// The Stanford bunny from npm, smoothed by Loop subdivision. A mesh of 117,570 vertices represents the smooth bunny; the tested meshes use
+// its first 7,350 and 29,394 vertices. The reference is the warped large mesh, with the normals of the triangles around each vertex. Where
+// these triangles fold over, as in the creases of the neck, the warped surface has no useful normal.
 describe('the bunny', () => {
   const { positions, indices } = models.bunny()
   let model = interpolatePoints({ points: triples(positions), triangles: triples(indices) })
@@ -314,7 +314,8 @@ describe('on the CPU', () => {
     const bent = compileWarp(({ normal, position }) => normal.mult(position.y()), {
       surfaceVariation: true,
     })
-    // M = I + n (0, 1, 0) + 0.5 W transforms (1, 0, 0) to (1.5 * 2.25, -2.25, 0), for y = 0.5.
+    // For y = 0.5, the Jacobian matrix is I + n (0, 1, 0)ᵀ + 0.5 W, where the rows of W are the gradients of the normal n. Its cofactor
+    // matrix transforms n = (1, 0, 0) to (1.5 * 2.25, -2.25, 0).
     const { normal } = bent.evaluateAt([0, 0.5, 0], { normal: [1, 0, 0], ...variation })
     const length = Math.hypot(1.5, 1)
     ;[1.5 / length, -1 / length, 0].forEach((x, i) => assert.ok(Math.abs(normal[i] - x) < 1e-6))

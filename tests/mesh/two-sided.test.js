@@ -99,7 +99,7 @@ for (const [name, fileOf] of Object.entries(files))
       assert.ok(lit.slice(indices.length).every((light) => light === 0))
     })
 
-    test('an adjacent part with one side continues the side that it faces with', async () => {
+    test('an adjacent one-sided part continues the side that faces the same way', async () => {
       const { positions, indices } = saddle()
       const half = indices.slice(0, indices.length / 2)
       const oneSided = await loadMesh(fileOf({ positions, indices }))
@@ -123,8 +123,8 @@ for (const [name, fileOf] of Object.entries(files))
       for (const options of [{ levels: 2 }, { warp: wave, tolerance: 0.001, angle: Infinity }]) {
         const [fine, fineOfOne] = [twoSided, oneSided].map((mesh) => subdivide(mesh, options))
         assert.equal(fine.indices.length, 2 * fineOfOne.indices.length)
-        const inside = new Set(edgesNotUsed(2, fine))
-        const cracks = edgesNotUsed(4, fine).filter((edge) => inside.has(edge))
+        const notUsedTwice = new Set(edgesNotUsed(2, fine))
+        const cracks = edgesNotUsed(4, fine).filter((edge) => notUsedTwice.has(edge))
         assert.deepEqual(cracks, [], 'an edge belongs to neither two nor four triangles')
         for (let i = 0; i < fine.normals.length; i += 3)
           assert.ok(Math.abs(Math.hypot(...fine.normals.subarray(i, i + 3)) - 1) < 1e-6)

@@ -10,7 +10,7 @@ const sufficientError = 1e-10
 /** A slope with a larger error than this has a kink or a jump within the shortest step. */
 const maxError = 1e-7
 
-/** A kink changes the slope by more than this. Both are relative to slopes above 1. */
+/** A kink changes the slope by more than this. Like `maxError`, the bound is relative to slopes above 1. */
 const minKink = 1e-5
 
 /** Returns `point` moved by `step` along `direction`. */

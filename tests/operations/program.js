@@ -25,7 +25,7 @@ export function components(input, shape) {
     : letters.flatMap((_, i) => letterOf(input.column(i)))
 }
 
-/** Returns the shape of a derivative. That of a condition is the number 0. */
+/** Returns the shape of a derivative. Derivatives of conditions are zeros: 1 for a bool, as many as components for a vector of bools. */
 const slopeShape = (shape) => (/^b/.test(shape) ? Number(`${shape}`.at(-1)) || 1 : shape)
 
 /** The ways to call the operation: as a method of its first operand, and as a function of the builder. */

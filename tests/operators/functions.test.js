@@ -208,7 +208,7 @@ describe('helper functions:', () => {
     )
   })
 
-  test('a class constructed without expressions stays itself, also from an object with a method', () => {
+  test('a class that is constructed without expressions is not replaced, also if its argument is an object with a method', () => {
     ;(0, eval)('globalThis.Sized = class { constructor({ size }) { this.half = size / 2 } }')
     const offset = (0, eval)(`({ position }) => {
       const sized = new Sized({ size: 4, grow() {} })

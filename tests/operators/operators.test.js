@@ -222,7 +222,11 @@ describe('with operators as with methods:', () => {
       const [, text, last] = /^createWarp\(warpjetWithOperators\((.*)\)\)(\nimport .*\n)$/s.exec(
         module,
       )
-      assert.equal(text.split('\n').length, `${offsetWithOperators}`.split('\n').length, 'lines')
+      assert.equal(
+        text.split('\n').length,
+        `${offsetWithOperators}`.split('\n').length,
+        'the number of lines differs',
+      )
       assert.equal(last.split('\n').length, 3)
       const make = new Function(`return ${text}`)()
       assert.equal(compileWarp(withOperators(make)).code, expected)
@@ -246,7 +250,7 @@ test('operators on numbers give numbers, and on strings they give strings', () =
   assert.deepEqual(seen, [6, 'many', '3x', false, -3, 1, 5, 'number', 2])
 })
 
-test('variables around a function are read from the scope; without it there is a message', () => {
+test('variables around a function are read from the argument `scope`; without it there is a message', () => {
   const amount = 3
   const offset = ({ position }) => position * amount
   const expected = compileWarp(({ position }) => position.mult(3)).code

@@ -8,8 +8,8 @@ const size = 120
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 // Tests warps whose domain ends at the border of their mesh, on antialiased canvases: the centers of some pixels at the border are outside
-// of
-// the mesh, where the offset is undefined. Not on WEBGPU: SwiftShader showed no defects there, even before we reflected points at borders.
+// of the mesh, where the offset is undefined. Not on WEBGPU: SwiftShader showed no defects there, even before we reflected points at
+// borders.
 /**
  * At the right edge of the plane, where x is 0.5, slopes are infinite or, if the domain ends 0.004 beyond the edge, steep: the normal is
  * nearly the x axis there. It is nearly the z axis on the left and, if undefined values are not handled, outside.

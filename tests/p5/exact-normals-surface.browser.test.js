@@ -1,6 +1,5 @@
 // exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with that of the
-// same
-// warp by createWarp. Also tests messages about unsupported hooks.
+// same warp by createWarp. Also tests messages about unsupported hooks.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -54,7 +53,7 @@ const inStrands = {
   ],
 }
 
-/** Such warps in hooks that read an image. */
+/** Maps a name to such a pair, whose hook reads an image. */
 const inImages = {
   'with an image': [
     strands(`const heights = uniformTexture(() => warps.image)
@@ -98,7 +97,7 @@ const byDifferences = `
     let byY = (heightAt(x, y + 0.05) - heightAt(x, y - 0.05)) * 10
     inputs.normal = normalize(inputs.normal - [byX, byY, 0] * inputs.normal.z)`
 
-/** Such warps in hooks of p5 1.11. */
+/** Maps a name to such a pair, whose shader is modified by a hook of p5 1.11. */
 const inOldHooks = {
   'along the normal': [
     `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {
@@ -148,7 +147,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       for (const [name] of entries)
         assert.ok(
           differingPixels(images[`${name}, plain`], images[`${name}, by hand`], 8) > 1000,
-          `${name}: wrong light would be detected`,
+          `${name}: wrong light would not be detected`,
         )
     })
 
@@ -178,7 +177,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           const differing = differingPixels(images[`${name}, own`], expected, 4)
           assert.ok(differing < 100, `${name}: ${differing} pixels differ`)
           const wrong = differingPixels(images[`${name}, plain`], expected, 8)
-          assert.ok(wrong > 3000, `${name}: wrong light would be detected in ${wrong} pixels`)
+          assert.ok(wrong > 3000, `${name}: wrong light would only be detected in ${wrong} pixels`)
         }
       })
 

@@ -30,7 +30,7 @@ const moves = (offset, uniforms, more = '') =>
 
 const hosts = await openP5Hosts()
 
-/** The hosts, on WebGL once for each version of WebGL; `choose` is code for setup() that selects and checks it. */
+/** The hosts, on WebGL once for each version of WebGL; `choose` is code for setup() that selects the version and checks it. */
 const variants = hosts.flatMap((host) =>
   host.isWebGPU
     ? [{ ...host, choose: '' }]

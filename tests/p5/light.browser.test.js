@@ -1,6 +1,5 @@
 // Offsets that read normal and uv, on p5's own shapes, in sketches that do not call for gradients: compares the light at each vertex with
-// the
-// normal of the warped surface, which is computed by finite differences, in double, from p5's documented shapes.
+// the normal of the warped surface, which is computed by finite differences, in double, from p5's documented shapes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -26,8 +25,8 @@ const webglHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 const { PI, sin } = Math
 
 /**
- * Offsets as code, and as functions of numbers. Their `grain` divides positions by `length`, and multiplies heights by `height` and normals
- * by `normals`.
+ * Offsets as code, and as functions of numbers (`at`). Both take the `grain` of a shape, { height, length, normals }, to adapt to its
+ * size: they divide positions by `length`, multiply heights by `height`, and multiply normals by `normals`.
  */
 const offsets = {
   'a blob along the normal': {
@@ -47,7 +46,7 @@ const offsets = {
   },
 }
 
-/** A text as a shape. */
+/** A word, as a model that p5 makes of its letters. */
 const word = {
   setup: `textSize(180)
     warps.word = (await loadFont('${font}')).textToModel('We', -130, 50, { extrude: 60, sampleFactor: 0.5 })
@@ -203,7 +202,7 @@ for (const host of webglHosts)
             assert.ok(error < 5e-3, `${name}, vertex ${vertex}, ${k}: ${error}`)
             assert.ok(
               Math.abs(m.dot(gradient, m.normalize(n))) < 1e-4,
-              `${name}: the gradient is tangent to the surface`,
+              `${name}: the gradient is not tangent to the surface`,
             )
           })
         }

@@ -1,6 +1,5 @@
 // Mistakes in sketches: checks each message and, for common mistakes in first sketches, the line that it names. The mistakes are in tables
-// in
-// the folder mistakes.
+// in the folder mistakes.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'

@@ -57,7 +57,7 @@ for (const [version, p5] of p5InThisRun) {
 
 describe('loadWarpModel in preload, on p5 1.11', () => {
   for (const mode of isRun('p5 1.11') ? ['global', 'instance'] : ['global'])
-    test(`is loaded before setup in ${mode} mode`, async () => {
+    test(`loads models before setup in ${mode} mode`, async () => {
       const [p5Object, start] = mode === 'global' ? ['window', ''] : ['p', 'new p5((p) => {']
       const { page, messages } = await runSketch(
         browser,
@@ -117,7 +117,7 @@ describe('loadWarpModel from other servers', () => {
     assert.ok(fetched.includes('/dist/mesh.min.js'), fetched.join())
   })
 
-  test('logs an error about a model that cannot be loaded in preload, so that setup never starts', async () => {
+  test('logs an error about a model that cannot be loaded in preload, and setup never starts', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,

@@ -1,6 +1,5 @@
 // Normals at pixels with p5's materials, spaces and shaders. Compares the light of a coarse shape with that of a dense one; and noise that
-// is
-// finer than a pixel, which must fade, with the mean of 64 exact normals per pixel.
+// is finer than a pixel, which must fade, with the mean of 64 exact normals per pixel.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'

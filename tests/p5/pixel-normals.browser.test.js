@@ -1,8 +1,6 @@
 // Normals at pixels: compares pictures of normals with the exact normals that follow from the unwarped position, normal and uv of each
-// pixel.
-// On WebGL, pictures consist of floats. On WebGPU, p5's framebuffers of floats cannot be read, so each number is drawn as three bytes on
-// the
-// canvas.
+// pixel. On WebGL, pictures consist of floats. On WebGPU, p5's framebuffers of floats cannot be read, so each number is drawn as three
+// bytes on the canvas.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -28,7 +26,7 @@ const getPairs = ({ isV1, isWebGPU }) => (isV1 || isWebGPU ? somePairs : allPair
 const makeWarps = (make) =>
   `window.warps = { ${Object.entries(pixelWarps).map(([name, { offset }]) => `${name}: ${make(offset)}`)} }`
 
-/** The inputs of warps that shaders of the sketch pass to pixels before the warp: what the GPU interpolates. */
+/** The inputs of warps. Shaders of the sketch pass their unwarped values to pixels, interpolated by the GPU. */
 const restInputs = ['position', 'normal', 'texCoord']
 
 /** Returns hooks in GLSL that pass the variable `rest` to pixels. */

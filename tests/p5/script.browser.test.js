@@ -36,7 +36,10 @@ async function withHosts(files) {
   return { context, requests }
 }
 
-/** Loads a model in a sketch with this script. Returns the `result`, which is the number of vertices or a message, and what else happened. */
+/**
+ * Loads a model in a sketch with this script. Returns the `result`, which is the number of vertices or a message of an error; `isForeign`,
+ * whether a foreign script ran; and all console messages.
+ */
 async function loadModel(context, src) {
   const { page, messages } = await runSketch(
     context,
@@ -316,7 +319,7 @@ describe('a page whose policy is script-src self', () => {
     })
     await leavePage(page)
     assert.ok(found.before.length > 0 && found.before.every((outcome) => outcome === 'made'))
-    assert.deepEqual(found.after, ['forbidden'], 'compilation is attempted once')
+    assert.deepEqual(found.after, ['forbidden'], 'expected one attempt to compile')
     assert.deepEqual(found.same, [true, true, true, true, true, true])
     assert.deepEqual(found.points, [true, true, true])
     assert.ok(found.many > 40_000 * 6)

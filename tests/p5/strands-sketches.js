@@ -17,9 +17,9 @@ import {
 
 /**
  * Sketches in p5.strands as people write them, for WEBGPU. `hooks` is the body of the callback of `modify`. `move(p, n, uv, instance,
- * vertex)` returns the moved position of a vertex in double precision, where `vertex` is its number. It is in the space of the geometry or,
- * with `space`, of the world or the camera. After that, `later` moves it in world space. `rejected` is the message about a sketch without
- * exact normals.
+ * vertex)` returns the moved position of a vertex in double precision, where `vertex` is the index of the vertex. Positions are in the
+ * space of the geometry or, with `space`, of the world or the camera. `later`, if present, then moves the result in world space. `rejected`
+ * is the message about a sketch without exact normals.
  */
 const { abs, atan2, cos, exp, floor, hypot, sin, sqrt } = Math
 /** Return functions that move a point upwards or along the normal. */

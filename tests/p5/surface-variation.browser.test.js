@@ -124,7 +124,7 @@ describe('createWarp on p5 2.x, along the normal', () => {
       const lit = litPixels(exact).length
       assert.ok(
         differingPixels(exact, rough, 10) > 0.15 * lit,
-        `${name}: surfaceVariation: false changes the picture`,
+        `${name}: surfaceVariation: false does not change the picture`,
       )
 
       const focal = 1 / Math.tan(Math.PI / 6)

@@ -48,8 +48,7 @@ const bounds = (points) =>
   })
 
 /**
- * Returns the ranges of a draw call's vertices in each space. The camera looks along -z, so that from camera to world space is a
- * translation.
+ * Returns the ranges of a draw call's vertices in each space. The camera looks along -z, so that camera space is world space, translated.
  */
 function rangesInSpaces({ numbers, view, modelView }) {
   assert.deepEqual(view, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -eye, 1])

@@ -37,8 +37,8 @@ function unpack(bytes) {
 }
 
 /**
- * Runs npm in `folder` until it ends, or until `find(output)` returns a value. Returns { found, stop }: that value, and a function that stops npm.
- * If npm ends, its status must be 0.
+ * Runs npm in `folder` until it ends, or until `find(output)` returns a value. Returns { found, stop }: that value, and a function that
+ * stops npm. If npm ends, its status must be 0.
  */
 async function npm(args, find = () => undefined) {
   const child = spawn('npm', args, {

@@ -5,23 +5,23 @@ import { test } from 'node:test'
 import { load, project, runIn } from './support/project.js'
 
 /** Asserts that a program uses the package successfully; returns its output. */
-const works = (node, args) => {
+const assertWorks = (node, args) => {
   const { output, status } = runIn(node, args)
   assert.match(output, /moved 1,0,0 function/)
   assert.equal(status, 0)
   return output
 }
 
-/** Maps a title → a Node binary. */
-const binaries = { [`Node ${process.versions.node}, this one`]: process.execPath }
+/** Maps a title → a Node binary. The minimum versions are installed only on Linux for x64. */
+const binaries = { [`the current Node ${process.versions.node}`]: process.execPath }
 if (process.platform === 'linux' && process.arch === 'x64')
   for (const version of [20, 22])
-    binaries[`the first Node ${version}`] =
+    binaries[`the minimum version of Node ${version}`] =
       `${project}/node_modules/node-${version}-linux-x64/bin/node`
 
 for (const [name, node] of Object.entries(binaries)) {
-  test(`${name} imports every entry`, () => works(node, ['main.mjs']))
-  test(`${name} requires every entry`, () => works(node, ['main.cjs']))
+  test(`${name} imports every entry`, () => assertWorks(node, ['main.mjs']))
+  test(`${name} requires every entry`, () => assertWorks(node, ['main.cjs']))
   test(`${name} runs the command line tool`, () => {
     const { output, status } = runIn(node, [
       'node_modules/warpjet/dist/cli.js',
@@ -50,7 +50,7 @@ test('a bundle by webpack runs in Node', async () => {
   )
   const { errors, warnings } = stats.toJson({ all: false, errors: true, warnings: true })
   assert.deepEqual([...errors, ...warnings], [])
-  works(process.execPath, ['out/webpack-node/main.cjs'])
+  assertWorks(process.execPath, ['out/webpack-node/main.cjs'])
 })
 
 test('a bundle by esbuild runs in Node', async () => {
@@ -65,7 +65,7 @@ test('a bundle by esbuild runs in Node', async () => {
     logLevel: 'silent',
   })
   assert.deepEqual(warnings, [])
-  works(process.execPath, ['out/esbuild-node.mjs'])
+  assertWorks(process.execPath, ['out/esbuild-node.mjs'])
 })
 
 test('a bundle by Rollup runs in Node', async () => {
@@ -80,5 +80,5 @@ test('a bundle by Rollup runs in Node', async () => {
   await bundle.write({ dir: `${project}/out/rollup-node`, entryFileNames: '[name].mjs' })
   await bundle.close()
   assert.deepEqual(warnings, [])
-  works(process.execPath, ['out/rollup-node/main.mjs'])
+  assertWorks(process.execPath, ['out/rollup-node/main.mjs'])
 })

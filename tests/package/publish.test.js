@@ -42,8 +42,8 @@ after(() => {
 })
 
 /**
- * Runs a command of the workflow in a shell, with the local registry. Returns { output, status }. Does not block this process, which must answer
- * npm.
+ * Runs a command of the workflow in a shell, with the local registry. Returns { output, status }. Does not block this process, which must
+ * answer npm.
  */
 async function run(command, cwd, env = {}) {
   const variables = Object.entries(process.env).filter(([name]) => !/^npm_/i.test(name))

@@ -108,8 +108,8 @@ export const valueResult = ({ shape }) => ({ name: 'value', text: 'value', shape
 
 /**
  * Returns the derivatives of an expression as [{ name, text, shape, entries }]: its first derivatives with respect to all components of
- * numbers and vectors, and to one entry of each matrix. `entries` maps each number of the result to a component of the value and of an
- * input.
+ * numbers and vectors, and to one entry of each matrix. `entries` has { place, by } for each number of the result: the index of a component
+ * of the value, and the list of components of inputs by which it is differentiated.
  */
 export function derivativeResults(root, random) {
   if (root.shape === 'bool') return []

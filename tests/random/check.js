@@ -16,8 +16,9 @@ import { isFirm, roundingSpread } from './noise.js'
 
 /** The tolerance, relative to the size of a value if that is above 1. */
 const derivativeTolerance = 1e-6
-/** Rounding errors of double precision, which are added to those that `noise.js` estimates. */
+/** The tolerance for rounding errors of double precision, relative to the size of a value if that is above 1. */
 const doubleTolerance = 1e-12
+/** Rounding errors of double precision, as a share of the errors of float32 that `noise.js` estimates. */
 const doublePerFloat = 1e-8
 /** The max uncertainty of a value that is compared, relative to its size if that is above 1. */
 const maxUncertain = 1e-2
@@ -107,12 +108,12 @@ export function checkCase(test, evaluateCase, operations) {
       const kind = kindOf(result)
       const got = [resultsAt[p][result.name]].flat()
       const allExpected = expectedAt(root, result, point, operations)
-      const expected = allExpected.map((number) => (isComparable ? number : null))
-      const details = { point, result, got, expected: expected.map((number) => number?.value) }
+      const expected = allExpected.map((each) => (isComparable ? each : null))
+      const details = { point, result, got, expected: expected.map((each) => each?.value) }
       if (got.length !== expected.length) return fail('shape', details)
       counts[kind].total += expected.length
       counts[kind].compared += expected.filter(Boolean).length
-      if (!expected.every((number, i) => isNear(got[i], number))) return fail(kind, details)
+      if (!expected.every((each, i) => isNear(got[i], each))) return fail(kind, details)
     }
   }
   return { counts }

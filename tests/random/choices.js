@@ -5,6 +5,7 @@ import { evaluate } from './ast.js'
 /** Compares each pair of operands. */
 const order = (...operands) =>
   operands.flatMap((x, i) => operands.slice(i + 1).map((y) => Math.sign(x - y)))
+/** Finds the side of 0 on which a number is. */
 const side = (x) => [Math.sign(x)]
 /** Finds the two integers around a number, or the integer that it is. */
 const step = (x) => [Math.floor(x) + Math.ceil(x)]
@@ -19,8 +20,8 @@ const byComponent = {
   round: (x) => step(x + 0.5),
   mod: (x, y) => step(x / y),
 }
-const compared = `step min max clamp vecMin vecMax vecClamp smoothstep lt le gt ge eq ne`
-for (const op of compared.split(' ')) byComponent[op] = order
+const comparisons = `step min max clamp vecMin vecMax vecClamp smoothstep lt le gt ge eq ne`
+for (const op of comparisons.split(' ')) byComponent[op] = order
 
 const dot = (v, w) => v.reduce((sum, x, i) => sum + x * w[i], 0)
 

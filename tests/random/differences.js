@@ -4,6 +4,7 @@
 const firstDerivativeStep = 2 ** -12
 const secondDerivativeStep = 2 ** -8
 
+/** Returns a point with some components shifted; each shift is [component, amount]. */
 function movePoint(point, ...shifts) {
   const result = { ...point }
   for (const [{ name, index }, shift] of shifts) {

@@ -1,5 +1,5 @@
-// Generates random loops for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states. The
-// increment of each step is bounded, so that no state diverges.
+// Generates random loops ("folds") for glsl.repeat, which can be evaluated as expressions and as plain numbers, with one to three states.
+// The increment of each step is bounded, so that no state diverges.
 import { randomOf } from './generate.js'
 
 const unary = {
@@ -48,8 +48,8 @@ function expressionOf(glsl, formula, values) {
 }
 
 /**
- * Generates a loop of `steps` steps, whose body may contain an `inner` loop. Each has formulas for its
- * states; those of the inner loop may read the outer states and step, too.
+ * Generates a loop of `steps` steps, whose body may contain an `inner` loop. Each loop has formulas for its states: `starts` for the
+ * initial ones, `nexts` for those after each step. The formulas of the inner loop may read the outer states and step, too.
  */
 function randomFold(random, outside, depth) {
   const level = depth === 0 ? 'inner' : 'outer'
@@ -77,6 +77,7 @@ export function randomFoldCase(seed) {
   return { seed, inputs, fold, point: inputs.map(() => Math.fround(3 * random() - 1.5)) }
 }
 
+/** Runs a loop in plain numbers, which may read the values `outside` of it. Returns its final states. */
 function runNumbers({ steps, states, step, starts, inner, nexts }, outside) {
   let now = starts.map((formula) => numberOf(formula, outside))
   for (let i = 0; i < steps; i++) {
@@ -89,6 +90,7 @@ function runNumbers({ steps, states, step, starts, inner, nexts }, outside) {
   return now
 }
 
+/** Builds a loop as an expression, in the same way. */
 function runExpressions(glsl, { steps, states, step, starts, inner, nexts }, outside) {
   const record = (list) => Object.fromEntries(list.map((state, i) => [states[i], state]))
   const ends = glsl.repeat(

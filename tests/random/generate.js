@@ -21,7 +21,7 @@ const rootShapes = [
   'bool',
 ]
 
-/** The first numbers of Park and Miller's generator are similar for neighbouring seeds; this mixes them. */
+/** Returns a random generator. Mixes the seeds, since Park and Miller's generator starts with similar numbers for neighbouring seeds. */
 export function randomOf(seed) {
   const random = seededRandom(((seed + 1) * 7919 * 65537) % 2147483647)
   for (let i = 0; i < 5; i++) random()

@@ -14,11 +14,11 @@ import { randomOf } from './generate.js'
 import { isFirm, roundingSpread, sineSpread } from './noise.js'
 import { dimension, isMatrix, sizeOf } from './shapes.js'
 
-/**
- * Safety factors: for the errors in a few samples, for the accumulated errors of sines (slightly more than 1), and for the final rounding.
- */
+/** The factor of rounding errors, since they are estimated from a few samples. */
 const safety = 8
+/** The factor of the accumulated errors of sines, since these do not simply add up. */
 const nonlinear = 1.5
+/** The tolerance for the rounding of the result. */
 const rounding = 1e-5
 /** The max uncertainty of a number that is compared, relative to its size if above 1. */
 const maxUncertain = 0.05

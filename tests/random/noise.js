@@ -19,7 +19,7 @@ const exactOperations = new Set(
 const isExact = ({ op, value }) =>
   op === 'number' ? Math.fround(value) === value : exactOperations.has(op)
 
-/** Sums of products, whose intermediate results may be larger than the final one. */
+/** Operations that add up products, whose intermediate results may be larger than the final one. */
 const sums = new Set([...Object.keys(structural), 'mult', 'mix', 'vecMix'])
 sums.delete('dist')
 sums.delete('distance')
@@ -28,7 +28,7 @@ sums.delete('distance')
 const absoluteError = 1e-6
 const withAbsoluteError = new Set(['sinh', 'tanh', 'asinh', 'atanh', 'acosh', 'log', 'log2'])
 
-/** Returns rounding errors for one evaluation, for `evaluate`; each sample has different ones. */
+/** Returns the argument `around` for `evaluate` that adds rounding errors to each operation; different ones for each sample. */
 function roundingErrors(sample) {
   // Every second sample has the errors of the previous one with opposite sign, so that one of the two crosses a nearby jump.
   const random = randomOf(sample >> 1)
@@ -75,15 +75,16 @@ export function roundingSpread(root, exactValues, estimate, operations) {
 const errors = { sin: 2.5e-4, cos: 2.5e-4, asin: 1e-4, acos: 1e-4, atan: 1e-4 }
 
 /**
- * Returns the expression as a function of a point, with an error in call number `source` of these functions only. The error oscillates with
- * the argument, so that it affects the derivative, too; `phase` shifts it. Calls `count` with the number of calls.
+ * Returns the expression as a function of a point. Of all calls of the functions in `errors`, only the one with the index `errorCall` has
+ * an error. It oscillates with the argument, shifted by `phase`, so that it affects the derivative, too. Calls `count` with the number of
+ * calls.
  */
-function withSineError(root, source, phase, count = () => {}) {
+function withSineError(root, errorCall, phase, count = () => {}) {
   return (point) => {
     let calls = 0
     const wave = (name) => (x, other) => {
       const value = plainOperations[name](x, other)
-      return calls++ === source ? value + errors[name] * Math.sin(x + phase) : value
+      return calls++ === errorCall ? value + errors[name] * Math.sin(x + phase) : value
     }
     const [sin, cos, asin, acos, atan] = Object.keys(errors).map(wave)
     const operations = { ...plainOperations, ...rotationFrom(sin, cos), asin, acos, atan }
@@ -98,9 +99,9 @@ export function sineSpread(root, point, exactValues, estimate) {
   let calls
   withSineError(root, -1, 0, (count) => (calls = count))(point)
   const sum = exactValues.map(() => 0)
-  for (let source = 0; source < calls; source++)
+  for (let errorCall = 0; errorCall < calls; errorCall++)
     for (const phase of [0, Math.PI / 2])
-      estimate(withSineError(root, source, phase)).forEach((value, i) => {
+      estimate(withSineError(root, errorCall, phase)).forEach((value, i) => {
         sum[i] += Math.abs(value - exactValues[i])
       })
   return sum

@@ -58,6 +58,7 @@ const onVectors = {
 }
 const comparisons = ['lt', 'le', 'gt', 'ge', 'eq', 'ne']
 
+/** Makes a signature: the shapes of the arguments of an operation, and their domains. Signatures are chosen in proportion to `weight`. */
 const signature = (op, shapes, domains = '', weight = 1) => {
   const domainList = domains.split(' ')
   return {

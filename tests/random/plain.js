@@ -1,5 +1,5 @@
 // Computes each operation in double precision: written from chapter 8 of the GLSL ES 3.00 specification and from the
-// conventions in the README, independently of the compiler's table.
+// conventions of web/docs/derivatives.md, independently of the compiler's table.
 import { dimension, isMatrix } from './shapes.js'
 
 const toNumber = (condition) => (condition ? 1 : 0)

@@ -10,7 +10,7 @@ function replaceNode(root, from, to) {
   return args.every((argument, i) => argument === root.args[i]) ? root : { ...root, args }
 }
 
-/** Measures an expression by its nodes; constants count more if they have many digits, and operands less than operations. */
+/** Returns the complexity of an expression, a sum over its nodes. Inputs count less than operations, and constants by their digits. */
 function weight(root) {
   let sum = 0
   for (const { op, value, raw } of nodesOf(root)) {
@@ -26,7 +26,7 @@ const constants = [0, 1, 2, -1]
 const mayBeNumber = ({ shape }) => !isMatrix(shape) && !isCondition(shape)
 
 /** Returns possible replacements of a node. */
-function* simpler(node, isRoot) {
+function* replacementsOf(node, isRoot) {
   const isReplacement = ({ shape }) =>
     isRoot
       ? !shape.startsWith('bvec')
@@ -54,7 +54,7 @@ export async function shrink(test, failure, check) {
   for (let isSmaller = true; isSmaller;) {
     isSmaller = false
     search: for (const node of nodesOf(best.test.root))
-      for (const candidate of simpler(node, node === best.test.root)) {
+      for (const candidate of replacementsOf(node, node === best.test.root)) {
         const root = replaceNode(best.test.root, node, candidate)
         const key = JSON.stringify(root)
         if (weight(root) >= weight(best.test.root) || tried.has(key)) continue
@@ -78,8 +78,8 @@ async function attempt(check, test) {
   }
 }
 
-/** Shows numbers that are too uncertain to be compared as a question mark. */
-const numbers = (list) => `[${list.map((x) => x ?? '?').join(', ')}]`
+/** Formats a list of numbers, with a question mark for each that is too uncertain to compare. */
+const formatNumbers = (list) => `[${list.map((x) => x ?? '?').join(', ')}]`
 
 /** Formats a failure for the reader of a test's report. */
 export function describe({ test, failure }) {
@@ -88,8 +88,9 @@ export function describe({ test, failure }) {
   if (message) lines.push(message)
   if (point) {
     const readInputs = Object.entries(point).filter(([name]) => source.includes(`'${name}'`))
-    lines.push(`at ${readInputs.map(([name, value]) => `${name} = ${numbers(value)}`).join(', ')}`)
-    lines.push(`expected ${numbers(expected)}`, `but got  ${numbers(got)}`)
+    const values = readInputs.map(([name, value]) => `${name} = ${formatNumbers(value)}`)
+    lines.push(`at ${values.join(', ')}`)
+    lines.push(`expected ${formatNumbers(expected)}`, `but got  ${formatNumbers(got)}`)
   }
   return lines.join('\n')
 }

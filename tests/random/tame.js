@@ -20,6 +20,7 @@ const maxValue = 20
 const maxSlope = 12
 const step = 1e-4
 
+/** Returns a function that wraps an expression if its values are not moderate, or not in a domain. */
 export function createTamer({ points, random, make, allowed }) {
   // Evaluates at each point, and at one nearby.
   const nearbyRandom = seededRandom(Math.floor(1e9 * random()) + 1)
@@ -93,14 +94,14 @@ export function createTamer({ points, random, make, allowed }) {
     return steep.length <= points.length / 2
   }
 
-  /** Scales a value down to about 1, or applies a bounded function. */
+  /** Scales an expression down to values of about 1, or replaces it if it has no finite values. */
   function squash(node) {
     const size = Math.max(...valuesOf(node).flat().map(Math.abs))
     const factor = number(Number((1 / size).toPrecision(2)))
     if (!isFinite(size) || !(factor.value > 0)) return withoutNaN(node)
     return call('mult', node, factor)
   }
-  /** Needed only if the domains above have a gap: replaces an expression that has no value with constants. */
+  /** Replaces an expression that has no finite values by constants. This is needed only if the domains above have a gap. */
   const withoutNaN = (node) => {
     if (node.shape === 'float') return constant(-1, 1)
     const parts = Array.from({ length: node.size }, () => constant(-1, 1))

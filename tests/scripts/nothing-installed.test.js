@@ -1,4 +1,4 @@
-// The two commands of the README install the packages that they need. The modules that they load before must therefore not import packages.
+// The two commands of the README install the packages that they need. The modules that they load before that must not import packages.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { test } from 'node:test'

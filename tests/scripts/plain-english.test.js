@@ -36,11 +36,11 @@ test('reads Markdown line by line', () => {
   )
 })
 
-test('reports the line of a find', () => {
+test('reports the line of a finding', () => {
   assert.deepEqual(findWording('a.js', 'x()\n/**\n * Fine.\n */\n// Of p5.\n')[0].line, 5)
 })
 
-test('a find that only moved to another file or line is not new, but a second occurrence is', () => {
+test('a finding that only moved to another file or line is not new, but a second occurrence is', () => {
   const before = findWording('a.js', '// Of p5.\n')
   const after = findWording('b.js', 'x()\n// Of p5.\n')
   assert.deepEqual(addedWording(before, after), [])

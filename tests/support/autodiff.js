@@ -9,11 +9,11 @@ export const times = (a, b) => a * b
 export function assertClose(actual, expected, tolerance, message) {
   assert.equal([actual].flat().length, [expected].flat().length, message)
   for (const [i, value] of [actual].flat().entries()) {
-    const wanted = [expected].flat()[i]
-    const close = abs(value - wanted) <= tolerance * max(1, abs(wanted))
-    assert.ok(close, `${message}: ${value} is not ${wanted}`)
+    const expectedValue = [expected].flat()[i]
+    const isClose = abs(value - expectedValue) <= tolerance * max(1, abs(expectedValue))
+    assert.ok(isClose, `${message}: ${value} is not ${expectedValue}`)
   }
 }
 
-/** Returns the body of an arrow function, as the name of a test. */
+/** Returns the body of an arrow function, for the name of a test. */
 export const nameOf = (form) => form.toString().replace(/^.*?=> /, '')

@@ -45,7 +45,7 @@ export function warpjet(...args) {
   return new Promise((resolve) => child.on('close', (code) => resolve({ code, ...result })))
 }
 
-/** Asserts this exit code, an empty stdout, and a single message on stderr. */
+/** Runs the program, and asserts that it exits with this code, writes nothing to stdout, and a single message to stderr. */
 async function fails(code, args, pattern) {
   const result = await warpjet(...args)
   assert.equal(result.stdout, '')
@@ -58,6 +58,7 @@ async function fails(code, args, pattern) {
 export const failsWithUsage = (args, pattern) => fails(2, args, pattern)
 export const failsWithError = (args, pattern) => fails(1, args, pattern)
 
+/** Runs the program, and asserts that it succeeds. Returns its output. */
 export async function works(...args) {
   const result = await warpjet(...args)
   assert.equal(result.code, 0, result.stderr)

@@ -47,6 +47,7 @@ export function icosahedron(radius) {
   const corners = []
   for (const a of [-1, 1])
     for (const b of [-golden, golden]) corners.push([0, a, b], [a, b, 0], [b, 0, a])
+  // The edges of the icosahedron have length 2 before it is scaled.
   const areNear = (i, j) =>
     Math.abs(Math.hypot(...corners[i].map((x, k) => x - corners[j][k])) - 2) < 1e-9
   const triangles = []

@@ -1,5 +1,5 @@
-// Compares compositions of deformers with the same compositions of functions of numbers, which are evaluated one by one in double
-// precision.
+// Compares compositions of deformers with the same compositions of oracles: functions of numbers, which are evaluated one after another in
+// double precision.
 import assert from 'node:assert/strict'
 import { bend, twist, wave } from '../../dist/deformers.js'
 import { compile } from '../../dist/warpjet.js'
@@ -15,6 +15,7 @@ export const vertices = Array.from({ length: 40 }, () => ({
   normal: normalize(randomPoint(1)),
   millis: 1234,
 }))
+/** The step of finite differences. */
 export const step = 0.02
 
 /**
@@ -60,6 +61,7 @@ export function agree(warp, oracle, uniforms = {}) {
   }
 }
 
+/** Pairs: a deformer and its oracle. `bent` and `waved` are, too. */
 export const twisted = [twist({ angle: 1.3 }), oracles.twist({ angle: 1.3 })]
 export const bent = [
   bend({ axis: 'x', angle: 1, from: -150, to: 150 }),
@@ -68,7 +70,7 @@ export const bent = [
 export const waved = [wave({ amount: 5 }), oracles.wave({ amount: 5 })]
 
 export const times = (v, factor) => v.map((x) => x * factor)
-/** Returns the composition of two offsets: `b` after `a`. */
+/** Returns the composition of two offsets: first `a`, then `b`. */
 export const after = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return plus(first, b(plus(p, first), inputs))

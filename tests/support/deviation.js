@@ -1,6 +1,6 @@
 // Measures the distance between warped triangles and the warped surface at dense samples, independently of `subdivide`.
 
-/** The count of coordinates that are warped at once. */
+/** The number of coordinates that are warped in one call. */
 const batchSize = 6e5
 
 /**
@@ -29,7 +29,8 @@ export function deviation(mesh, warp, uniforms, spacing) {
     filled = 0
   }
   for (let t = 0; t < mesh.indices.length / 3; t++) {
-    const cornersIn = (array) => [0, 1, 2].map((side) => point(array, mesh.indices[3 * t + side]))
+    const cornersIn = (array) =>
+      [0, 1, 2].map((corner) => point(array, mesh.indices[3 * t + corner]))
     const before = cornersIn(mesh.positions)
     const [a, b, c] = before
     const longest = Math.max(length(sub(b, a)), length(sub(c, b)), length(sub(a, c)))

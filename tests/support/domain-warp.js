@@ -1,5 +1,5 @@
-// Domain warping with expressions and with numbers (Inigo Quilez, Domain warping, 2002): noise from 0 to 1 at a point that such noise has
-// shifted, for level 1 by q, and for level 2 by r.
+// Domain warping with expressions and with numbers (Inigo Quilez, Domain warping, 2002). Level 0 is noise from 0 to 1 at p. Level 1 is the
+// same noise at p + 4 q, where q is noise at p; level 2 at p + 4 r, where r is noise at p + 4 q.
 import { fbm } from './noise.js'
 
 export function domainWarp({ vec2, fbm }, p, level) {

@@ -10,7 +10,7 @@ const componentTypes = {
 }
 const sizes = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }
 
-/** Returns the document `json`, the `chunks`, and functions that return the bytes of a view and the numbers of an accessor. */
+/** Returns the document `json`, the `chunks`, and functions that return the bytes of a buffer view and the numbers of an accessor. */
 export function readGlb(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   const word = (at) => view.getUint32(at, true)
@@ -19,9 +19,9 @@ export function readGlb(bytes) {
   const chunks = []
   for (let at = 12; at < bytes.length; at += 8 + word(at))
     chunks.push({ type: word(at + 4), bytes: bytes.slice(at + 8, at + 8 + word(at)) })
-  const [text, binary] = chunks
-  if (text.type !== 0x4e4f534a) throw new Error('the first chunk is not JSON')
-  const json = JSON.parse(new TextDecoder().decode(text.bytes))
+  const [jsonChunk, binary] = chunks
+  if (jsonChunk.type !== 0x4e4f534a) throw new Error('the first chunk is not JSON')
+  const json = JSON.parse(new TextDecoder().decode(jsonChunk.bytes))
   const viewBytes = (i) => {
     const { byteOffset = 0, byteLength } = json.bufferViews[i]
     return binary.bytes.slice(byteOffset, byteOffset + byteLength)

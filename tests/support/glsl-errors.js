@@ -4,8 +4,8 @@ import { test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
 import { glslOffset } from 'warpjet/glsl'
 
-/** Returns an offset function in GLSL with these statements. */
-export const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
+/** Returns the source of an offset function in GLSL whose body is `statements`. */
+export const body = (statements) => `vec3 offset(vec3 p) {\n  ${statements}\n}`
 export const nest = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
 
 /** Defines a test for each row: [source, line of the mistake, part of the message]. */

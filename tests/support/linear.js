@@ -28,7 +28,7 @@ export function times(a, b) {
 export const cross = (a, b) =>
   [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
 
-/** Inverts by Gauss-Jordan elimination with pivoting, where warpjet uses minors. */
+/** Returns the determinant and the inverse. Unlike warpjet, which uses minors, this is Gauss-Jordan elimination with pivoting. */
 export function invert(m) {
   const n = m.length
   const rows = m.map((row, i) => [...row, ...identity(n)[i]])

@@ -40,7 +40,7 @@ function minCosine(mesh) {
   return min
 }
 
-/** A fine mesh with its front outside. */
+/** A fine sphere whose triangles have their fronts outside. */
 export const round = (() => {
   const mesh = sphere(48, 32)
   const indices = mesh.indices.slice()

@@ -1,6 +1,5 @@
 // A cube with a side of 180 units, and warps that move its points by up to 20 units along z by each kind of noise. A few samples do not
-// reveal
-// where such surfaces bend.
+// show where such surfaces bend.
 import { compileWarp } from 'warpjet'
 import { box } from './coarse-meshes.js'
 

@@ -29,7 +29,7 @@ const randoms = (h, count) => factors[count].map((factor) => ((h * factor) % 409
 
 const cache = new Map()
 
-/** Memoizes `make(h, n)`. All memoized functions share the cache, so there can be only one. */
+/** Memoizes `make(h, n)`. All memoized functions would share the cache, so that only one function can be memoized. */
 const memoize = (make) => (h, n) => {
   const key = prime * n + h
   if (!cache.has(key)) cache.set(key, make(h, n))
@@ -61,9 +61,9 @@ const addUp = (terms, scale = 1) => ({
 })
 
 /**
- * Interpolates values at the corners of a grid, each with the weight Π b(t) or 1 - b(t); returns { value, gradient }. `corner.value` and
- * `corner.gradient` return the value at a corner and its gradient, from the hash of the corner and the position of the point relative to
- * it.
+ * Interpolates values at the corners of a cell of a grid; returns { value, gradient }. The weight of a corner is a product with one factor
+ * per axis, fade(t) or 1 - fade(t). `corner.value` and `corner.gradient` return the value at a corner and its gradient, from the hash of
+ * the corner and the position of the point relative to it.
  */
 function lattice(p, seed, corner) {
   const cell = p.map(Math.floor)
@@ -71,7 +71,7 @@ function lattice(p, seed, corner) {
   /** The weights of the lower and of the upper corner along each axis. */
   const weights = inside.map((t) => [1 - fade(t), fade(t)])
 
-  /** Sums `term` over the corners, times one of the `weights` of each axis. Called millions of times. */
+  /** Sums `term` over the corners, times the product of the `weights` of the corner along each axis. Called millions of times. */
   function sumOver(weights, term) {
     const offset = [...p]
     let total = 0

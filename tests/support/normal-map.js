@@ -39,7 +39,7 @@ export function readNormalMap(glb) {
   }
 }
 
-/** Calls `visit` for each texel whose centre is in a triangle, with its three vertices and barycentric coordinates. */
+/** Calls `visit` for each texel whose centre is in a triangle, with the indices of the three vertices and the barycentric coordinates. */
 export function visitTexels({ TEXCOORD_0: uvs, indices, image: { width, height } }, visit) {
   for (let i = 0; i < indices.length; i += 3) {
     const vertices = [...indices.slice(i, i + 3)]
@@ -63,7 +63,7 @@ export function visitTexels({ TEXCOORD_0: uvs, indices, image: { width, height }
   }
 }
 
-/** Interpolates vectors of three numbers between vertices; `stride` is their distance in the array. */
+/** Interpolates vectors of three numbers between vertices; `stride` is the number of floats from one vector to the next. */
 export const blend = (vectors, vertices, weights, stride = 3) =>
   [0, 1, 2].map((c) =>
     vertices.reduce((sum, vertex, k) => sum + weights[k] * vectors[stride * vertex + c], 0),

@@ -1,6 +1,6 @@
 // Evaluates formulas in textbook notation, in double precision: `v · dv / |v|`, `−A⁻¹ dA A⁻¹`, `Σ aᵢ bᵢ`. A vector is an array of numbers,
-// a matrix an array of its rows. All kinds of products, including juxtaposition, have the same precedence and associate to the left. Σ
-// applies to the juxtaposed factors after it, and sums over the index ᵢ or ₖ. Written for tests of the docs, independently of warpjet.
+// a matrix an array of rows. All kinds of products, including juxtaposition, have the same precedence and associate to the left. Σ applies
+// to the juxtaposed factors after it, and sums over the index ᵢ or ₖ. Written for tests of the docs, independently of warpjet.
 
 import { add, cross, dot, invert, scale, subtract, times, transpose } from './linear.js'
 
@@ -41,6 +41,8 @@ function parse(text) {
     return tokens[at++]
   }
 
+  // Each of the following functions parses the part of a formula that it is named after, and returns a function that maps values to a
+  // result.
   function choice() {
     const left = sum()
     if (!isNext('<')) return left

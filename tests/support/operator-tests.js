@@ -5,7 +5,7 @@ import * as runtime from '../../dist/operators-runtime.js'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
-/** Functions with the names of p5's in global mode. Like these, they work only on numbers. */
+/** Functions with the names of p5's in global mode. Like those, they work only on numbers. */
 export const p5Functions = {
   sin: Math.sin,
   cos: Math.cos,
@@ -42,7 +42,10 @@ export function runTranslated(code, names = {}) {
 
 export const uniforms = { amount: 0.5 }
 
-/** Compiles the source of an offset function. Returns [code if it is translated in the page, code if the plugin translates it]. */
+/**
+ * Compiles the source of an offset function. Returns the code after a translation in the page, and after a translation by the plugin. Both
+ * are the same if the plugin translates nothing.
+ */
 export function compileBoth(source) {
   const offset = (0, eval)(`(${source})`)
   const options = source.includes('uniforms') ? { uniforms } : {}

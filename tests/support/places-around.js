@@ -15,10 +15,11 @@ export function placesAround(size) {
 }
 
 /**
- * Checks pictures of a box that is divided against pictures of a dense one. All arguments have a number for each position of the camera.
- * `covered`: the pixels that the dense box covers. The others: the pixels whose color the picture of the other box has nowhere within one
- * pixel, counted in both pictures. The box is `divided`; divided roughly, to 6 pixels (`rough`); or not divided (`coarse`).
- * At outlines, squares of the texture may be narrower than a pixel, and missing in one of the pictures.
+ * Checks pictures of a divided box against pictures of a dense box. All arguments are lists with a number of pixels for each position of
+ * the camera. `covered` are the pixels that the dense box covers. The others are the pixels in which two pictures differ: pixels of either
+ * picture whose color the other picture has nowhere within one pixel. They compare the dense box with a box that is divided to an error of
+ * 1 pixel (`divided`) or of 6 pixels (`rough`), or not divided (`coarse`). A few pixels always differ, since a square of the texture that
+ * is narrower than a pixel at an outline may be missing in one of the pictures.
  */
 export function checkPictures({ covered, divided, rough, coarse }) {
   const sum = (counts) => counts.reduce((a, b) => a + b)

@@ -8,7 +8,7 @@ export function png(width, height, pixel) {
   const rows = []
   for (let y = 0; y < height; y++)
     rows.push(0, ...Array.from({ length: width }, (_, x) => pixel(x, y)).flat())
-  return file(width, height, 2, Buffer.from(rows))
+  return encodeFile(width, height, 2, Buffer.from(rows))
 }
 
 /** Encodes an image with bytes of red, green, blue and alpha, from the top left. */
@@ -16,10 +16,10 @@ export function encodeImage({ width, height, data }) {
   const rows = Buffer.alloc(height * (1 + 4 * width))
   for (let y = 0; y < height; y++)
     rows.set(data.subarray(4 * width * y, 4 * width * (y + 1)), y * (1 + 4 * width) + 1)
-  return file(width, height, 6, rows)
+  return encodeFile(width, height, 6, rows)
 }
 
-function file(width, height, colorType, rows) {
+function encodeFile(width, height, colorType, rows) {
   const header = Buffer.alloc(13)
   header.writeUInt32BE(width, 0)
   header.writeUInt32BE(height, 4)
@@ -30,10 +30,10 @@ function file(width, height, colorType, rows) {
     ['IEND', Buffer.alloc(0)],
   ]
   const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a])
-  return new Uint8Array(Buffer.concat([signature, ...chunks.map(chunk)]))
+  return new Uint8Array(Buffer.concat([signature, ...chunks.map(encodeChunk)]))
 }
 
-function chunk([type, data]) {
+function encodeChunk([type, data]) {
   const body = Buffer.concat([Buffer.from(type, 'latin1'), data])
   const lengthAndSum = Buffer.alloc(8)
   lengthAndSum.writeUInt32BE(data.length, 0)

@@ -1,4 +1,4 @@
-// Measures how far drawn surfaces jump on the screen when a mesh is subdivided again.
+// Measures pops: how far drawn surfaces jump on the screen when a mesh is subdivided again.
 import { pixelsOf } from './screen-error.js'
 
 /** Points of a triangle: corners, quarters of the sides, and points inside, as weights of the corners. */
@@ -7,8 +7,8 @@ for (let i = 0; i <= 4; i++)
   for (let j = 0; i + j <= 4; j++) places.push([1 - (i + j) / 4, i / 4, j / 4])
 
 /**
- * Gives each triangle of a mesh vertices of its own, whose colors are its number and two weights of its corners, so that divided vertices
- * show where in the given mesh they are.
+ * Gives each triangle of a mesh vertices of its own, whose colors are the index of the triangle and the weights of its second and third
+ * corner. A division interpolates colors, so that its vertices show at which place of the original mesh they are.
  */
 export function markPlaces({ positions, normals, indices }) {
   const count = indices.length
@@ -34,7 +34,10 @@ export const copyDivision = ({ positions, normals, colors, indices }) => ({
   indices: indices.slice(),
 })
 
-/** Finds the triangle of a division at a place of the given mesh, by the triangles that overlap each cell of a grid. */
+/**
+ * Finds the triangle of a division that contains a place of the original mesh. Each triangle of the original mesh has a grid, whose cells
+ * list the triangles of the division that overlap them.
+ */
 class Locator {
   constructor({ colors, indices }) {
     this.colors = colors
@@ -42,15 +45,15 @@ class Locator {
     const count = indices.length / 3
     const counts = []
     for (let t = 0; t < count; t++) {
-      const given = this.givenOf(t)
-      counts[given] = (counts[given] ?? 0) + 1
+      const original = this.originalOf(t)
+      counts[original] = (counts[original] ?? 0) + 1
     }
     this.grids = counts.map((each) => {
       const size = Math.ceil(Math.sqrt(each))
       return { size, cells: Array.from({ length: size * size }, () => []) }
     })
     for (let t = 0; t < count; t++) {
-      const { size, cells } = this.grids[this.givenOf(t)]
+      const { size, cells } = this.grids[this.originalOf(t)]
       const [fromX, toX] = this.cellsAlong(t, 1, size)
       const [fromY, toY] = this.cellsAlong(t, 2, size)
       for (let x = fromX; x <= toX; x++)
@@ -58,7 +61,7 @@ class Locator {
     }
   }
 
-  givenOf = (t) => Math.round(this.corner(t, 0, 0))
+  originalOf = (t) => Math.round(this.corner(t, 0, 0))
   corner = (t, i, k) => this.colors[4 * this.indices[3 * t + i] + k]
 
   /** Returns the first and the last cell that a triangle overlaps. */
@@ -67,10 +70,13 @@ class Locator {
     return [cellAt(Math.min(...all), size), cellAt(Math.max(...all), size)]
   }
 
-  /** Returns the triangle and the weights of its corners. Rounding may put a place outside of all of them, then the nearest counts. */
-  find(given, x, y) {
-    const { size, cells } = this.grids[given]
-    const best = { least: -Infinity, t: -1, weights: [0, 0, 0] }
+  /**
+   * Returns the triangle at a place, and the weights of its corners. If rounding puts the place outside of all triangles, returns the
+   * nearest one.
+   */
+  find(original, x, y) {
+    const { size, cells } = this.grids[original]
+    const best = { minWeight: -Infinity, t: -1, weights: [0, 0, 0] }
     for (const t of cells[cellAt(x, size) * size + cellAt(y, size)]) {
       const [ax, ay] = [this.corner(t, 0, 1), this.corner(t, 0, 2)]
       const [ux, uy] = [this.corner(t, 1, 1) - ax, this.corner(t, 1, 2) - ay]
@@ -78,8 +84,9 @@ class Locator {
       const area = ux * vy - vx * uy
       const b = ((x - ax) * vy - vx * (y - ay)) / area
       const c = (ux * (y - ay) - (x - ax) * uy) / area
-      const least = Math.min(1 - b - c, b, c)
-      if (least > best.least) Object.assign(best, { least, t, weights: [1 - b - c, b, c] })
+      const minWeight = Math.min(1 - b - c, b, c)
+      if (minWeight > best.minWeight)
+        Object.assign(best, { minWeight, t, weights: [1 - b - c, b, c] })
     }
     return best
   }
@@ -89,16 +96,16 @@ const cellAt = (x, size) => Math.min(size - 1, Math.max(0, Math.floor(x * size))
 
 const locators = new WeakMap()
 
-/** The division after a change is that before the next one. */
+/** Caches locators, since the division after one change is the division before the next. */
 function locatorOf(division) {
   if (!locators.has(division)) locators.set(division, new Locator(division))
   return locators.get(division)
 }
 
 /**
- * Returns the distances on the screen, in pixels, between points of the surface that was drawn and of that which is drawn now, with the
- * same view and warp: the same places of the given mesh, in the triangles of both divisions. `chosen` are the triangles of each to look
- * at; places outside of the picture are left out. The other arguments are as for `screenErrors`.
+ * Returns the distances on the screen, in pixels, by which points jump when the division `before` is replaced by the division `after`, with
+ * the same view and warp: between the same place of the original mesh in the triangles of both divisions. `chosen` maps a division to its
+ * triangles to measure; places outside of the picture are left out. The other arguments are as for `screenErrors`.
  */
 export function popsBetween(before, after, warpPositions, view, chosen = allOf) {
   const [a, b] = [before, after].map((division) => ({
@@ -115,12 +122,12 @@ const allOf = ({ indices }) => Array.from({ length: indices.length / 3 }, (_, t)
 function popsAt(from, to, view, triangles) {
   const pops = []
   for (const t of triangles) {
-    const given = Math.round(from.colors[4 * from.indices[3 * t]])
+    const original = Math.round(from.colors[4 * from.indices[3 * t]])
     for (const weights of places) {
       const [x, y] = [1, 2].map((k) => blend(from.colors, 4, k, from.indices, t, weights))
-      const found = to.locator.find(given, x, y)
+      const found = to.locator.find(original, x, y)
       // A place that no triangle covers would be a defect of its own.
-      if (!(found.least > -1e-3)) throw new Error(`no triangle at ${given}, ${x}, ${y}`)
+      if (!(found.minWeight > -1e-3)) throw new Error(`no triangle at ${original}, ${x}, ${y}`)
       const [a, b] = [
         pixelsOf(pointOf(from, t, weights), 0, view),
         pixelsOf(pointOf(to, found.t, found.weights), 0, view),

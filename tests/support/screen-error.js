@@ -44,7 +44,10 @@ export function screenErrors(mesh, warpPositions, view, triangles) {
   return errors
 }
 
-/** Returns the position of a point on the screen in pixels, relative to the middle of the picture; `undefined` if it is outside. */
+/**
+ * Returns the position on the screen, in pixels from the middle of the picture, of the point whose coordinates start at `numbers[at]`;
+ * `undefined` if it is outside of the picture.
+ */
 export function pixelsOf(numbers, at, { matrix: m, width, height }) {
   const row = (i) =>
     m[i] * numbers[at] + m[i + 4] * numbers[at + 1] + m[i + 8] * numbers[at + 2] + m[i + 12]
@@ -61,30 +64,30 @@ export function quantile(numbers, share) {
 
 /** Splits every triangle of a mesh into `n` × `n`. */
 export function splitUniformly({ positions, normals, indices }, n) {
-  const found = { positions: [], normals: [], indices: [] }
+  const split = { positions: [], normals: [], indices: [] }
   for (let t = 0; t < indices.length; t += 3) {
-    const first = found.positions.length / 3
-    const number = (i, j) => first + i * (n + 1) - (i * (i - 1)) / 2 + j
+    const first = split.positions.length / 3
+    const vertexAt = (i, j) => first + i * (n + 1) - (i * (i - 1)) / 2 + j
     for (let i = 0; i <= n; i++)
       for (let j = 0; i + j <= n; j++) {
         const weights = [(n - i - j) / n, i / n, j / n]
         const mix = (from) =>
           [0, 1, 2].map((k) => weights.reduce((s, w, c) => s + w * from[3 * indices[t + c] + k], 0))
-        found.positions.push(...mix(positions))
+        split.positions.push(...mix(positions))
         const normal = mix(normals)
         const length = Math.hypot(...normal)
-        found.normals.push(...normal.map((x) => x / length))
+        split.normals.push(...normal.map((x) => x / length))
       }
     for (let i = 0; i < n; i++)
       for (let j = 0; i + j < n; j++) {
-        found.indices.push(number(i, j), number(i + 1, j), number(i, j + 1))
+        split.indices.push(vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i, j + 1))
         if (i + j < n - 1)
-          found.indices.push(number(i + 1, j), number(i + 1, j + 1), number(i, j + 1))
+          split.indices.push(vertexAt(i + 1, j), vertexAt(i + 1, j + 1), vertexAt(i, j + 1))
       }
   }
   return {
-    positions: Float32Array.from(found.positions),
-    normals: Float32Array.from(found.normals),
-    indices: Uint32Array.from(found.indices),
+    positions: Float32Array.from(split.positions),
+    normals: Float32Array.from(split.normals),
+    indices: Uint32Array.from(split.indices),
   }
 }

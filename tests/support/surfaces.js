@@ -1,6 +1,5 @@
 // Surfaces defined by formulas, and the normals that warps should produce on them: an oracle in double precision that does not use
-// derivatives
-// of the warp.
+// derivatives of the warp.
 import { cross, dot, normalize } from './browser/matrix.js'
 
 const { sin, cos, PI } = Math
@@ -19,7 +18,7 @@ export const surfaces = {
       position: normal.map((x) => radius * x),
       normal,
       shape: shapeOf([east, 1 / radius], [north, 1 / radius]),
-      // It is undefined at the poles, where zero takes its place.
+      // This gradient is undefined at the poles, where we return zero.
       uGradient: east.map((x) => (sin(b) > 1e-9 ? x / (2 * PI * radius * sin(b)) : 0)),
       vGradient: north.map((x) => x / (PI * radius)),
     }

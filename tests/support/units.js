@@ -5,7 +5,7 @@ export const eye = 800
 
 /**
  * `call` is code that draws the shape without a translation; `title`, if present, is a shorter form for the picture. `local` and `world`
- * have the ranges of x, y and z.
+ * are the ranges of x, y and z in local and in world space.
  */
 export const shapes = [
   {

@@ -52,7 +52,8 @@ export const squareAt = ([x, y]) => [x, y, 0]
 
 /**
  * Returns the max angles, in degrees, between `exact(position, normal)` and two others: the normals of the map (`map`), and interpolated
- * vertex normals (`vertices`). `restAt` and `normalAt` return the unwarped position and normal at a uv.
+ * vertex normals (`vertices`); and the number of `texels` that were compared. `restAt` and `normalAt` return the unwarped position and
+ * normal at a uv.
  */
 export function maxAngles(map, restAt, normalAt, exact, read = shownNormal) {
   const { NORMAL, TEXCOORD_0: uvs } = map

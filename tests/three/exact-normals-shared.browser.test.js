@@ -7,10 +7,10 @@ let pages
 before(async () => (pages = await threePages()))
 after(() => pages.close())
 
-/** The name of the function that a displacement is read as. */
+/** The name of the function as which exactNormals passes a displacement to the front end. */
 const functionName = 'warpjetMoved'
 
-/** Returns the result of `code`, which can draw slopes z = a x, and count how often their source went to the front end. */
+/** Returns the result of `code`, which can draw slopes z = a x, and count how often their source was passed to the front end. */
 async function run(code) {
   const { page, messages } = await pages.listing(`
     let sources = 0
@@ -76,7 +76,7 @@ test('another displacement and another option are read again', async () => {
   )
 })
 
-test('the order does not matter in which three.js writes functions', async () => {
+test('the order in which three.js writes functions does not matter', async () => {
   const { normals, counts } = await run(`
     const normals = [], counts = []
     for (const slope of [0.5, -1]) {

@@ -18,7 +18,9 @@ const atVertices = {
   'instanced grass': /attribute instanceMatrix, which pixels do not have/,
 }
 
-/** Maps a habit → its warning. (Habits that read an attribute whose values are constant in the test are exact all the same.) */
+/**
+ * Maps a habit of shader authors → its warning. (Habits that read an attribute are exact nevertheless if the attribute is constant here.)
+ */
 const warnings = {
   'gl_Position changes after the projection': /changes gl_Position after projectionMatrix/,
   'a branch without braces that changes gl_Position': /changes gl_Position after projectionMatrix/,
@@ -117,10 +119,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         assert.ok(moved > 1000 && differing <= 10, `${differing} of ${moved}`)
       }
       const { differing } = await page.evaluate(() => exact.shadow('directional', false))
-      assert.ok(
-        differing > 100,
-        'if only the material has exactNormals, the shadow does not follow',
-      )
+      assert.ok(differing > 100, 'the shadow follows although only the material has exactNormals')
     })
 
     test('a displacement map moves a shadow only once', async (t) => {

@@ -136,7 +136,7 @@ describe('warp throws a message, and changes nothing, for', () => {
       assert.equal(Object.hasOwn(mesh, 'raycast'), false)
     })
 
-  test('an unsupported object; but in a group, it warns once and warps the other objects', async (t) => {
+  test('an unsupported object, unless it is in a group: then warp() warns once, and warps the other objects', async (t) => {
     const warn = t.mock.method(console, 'warn', () => {})
     const { LineMaterial } = await import('three/addons/lines/LineMaterial.js')
     const { LineSegments2 } = await import('three/addons/lines/LineSegments2.js')

@@ -104,6 +104,21 @@ for (const backend of ['webgl', 'webgpu'])
           }
     })
 
+    test('a surface that collapses has the axes of the view as tangents', async (t) => {
+      for (const direction of [
+        [0.6, 0, 0.8],
+        [0, 0.6, 0.8],
+      ]) {
+        const { covered, worst } = await page.evaluate(
+          (args) => pixels.collapseWithMap(...args),
+          [backend, direction],
+        )
+        t.diagnostic(`${direction}: ${covered} pixels, at most ${worst} off`)
+        assert.ok(covered > 400, `${covered} pixels`)
+        assert.ok(worst < 2e-3, `${worst}`)
+      }
+    })
+
     test('maps, clearcoats, anisotropy, transmission and reflections use normals at pixels, and are finite', async (t) => {
       for (const name of await page.evaluate(() => pixels.mapNames)) {
         messages.length = 0
@@ -138,4 +153,26 @@ for (const backend of ['webgl', 'webgpu'])
       }
       assert.equal(await page.evaluate(() => pixels.stage()), 'pixel')
     })
+
+    // The warp passes 2 vectors. For three.js we expect 6, 2 more for tangents, and one for each further uv.
+    for (const [title, limit, settings] of [
+      ['no textures', 8, {}],
+      ['textures with the first uv', 8, { channels: [0, 0] }],
+      ['textures with three uvs', 10, { channels: [0, 1, 2] }],
+      ['tangents', 11, { channels: [0], hasTangents: true }],
+    ])
+      test(`${title}: normals are computed at pixels if the device passes ${limit} vectors, and at vertices if it passes fewer`, async () => {
+        for (const [possible, warnings] of [
+          [limit, 0],
+          [limit - 1, 1],
+        ]) {
+          messages.length = 0
+          await page.evaluate(
+            (args) => pixels.drawWithLimit(...args),
+            [backend, possible, settings],
+          )
+          assert.equal(messages.length, warnings, messages.join())
+          if (warnings) assert.match(messages[0], /this device has \d left/)
+        }
+      })
   })

@@ -90,7 +90,10 @@ window.show = async (name, props = {}) => {
   return { x: x / count, y: y / count, count }
 }
 
-/** Mounts and unmounts → three's counts of resources and the size of the heap. Draws every tenth time, which compiles the shaders. */
+/**
+ * Mounts and unmounts the warp repeatedly; draws every tenth time, which compiles the shaders. Returns three's counts of resources and the
+ * size of the heap.
+ */
 window.cycle = async (times) => {
   for (let i = 0; i < times; i++) {
     if (i % 10 === 0) await show('around', { amount: i / times })

@@ -33,7 +33,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       const tolerance = name.endsWith('line') ? 2 : 0
       assert.ok(differing <= tolerance, `${differing} pixels differ from the motion by three.js`)
       assert.ok(moved > minMoved, `${moved} pixels differ from no motion`)
-      assert.equal(afterwards, 0, 'pixels that differ from the original after dispose()')
+      assert.equal(afterwards, 0, `${afterwards} pixels differ after dispose()`)
     }
 
     test('shapes and materials look the same in local space', async () => {

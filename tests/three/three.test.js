@@ -105,7 +105,7 @@ describe('a renderer draws', () => {
     }
   })
 
-  test('a material that cannot be warped unchanged, and logs one error', (t) => {
+  test('an object whose material cannot be warped without the warp, and logs one error', (t) => {
     const error = t.mock.method(console, 'error', () => {})
     const mesh = plane()
     mesh.name = 'flag'

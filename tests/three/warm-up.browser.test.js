@@ -8,8 +8,8 @@ before(async () => (pages = await threePages()))
 after(() => pages.close())
 
 /**
- * Opens a page that counts wasm modules, and queues idle callbacks. Returns what `code` passes to `note()`. `code` runs after the import, and may
- * call `draw()` and `idle()`.
+ * Opens a page that counts wasm modules, and queues idle callbacks. Returns what `code` passes to `note()`. `code` runs after the import,
+ * and may call `draw()` and `idle()`.
  */
 async function run(code) {
   const { page, messages } = await pages.listing(`

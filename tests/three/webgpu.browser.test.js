@@ -44,7 +44,7 @@ for (const backend of ['webgl', 'webgpu'])
         `${name}: ${differing} pixels differ from the motion by three.js`,
       )
       assert.ok(moved > minMoved, `${name}: ${moved} pixels differ from no motion`)
-      assert.equal(afterwards, 0, `${name}: pixels that differ from the original after dispose()`)
+      assert.equal(afterwards, 0, `${name}: ${afterwards} pixels differ after dispose()`)
     }
 
     test('shapes and materials look the same in local space', async () => {

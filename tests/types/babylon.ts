@@ -15,7 +15,7 @@ warp.values.height = 0.7
 warp.values.height = () => 0.7
 warp.values.center = new Vector3(1, 2, 3)
 warp.values.center = [1, 2, 3]
-// @ts-expect-error its value is a number
+// @ts-expect-error the value of height is a number
 warp.values.height = 'high'
 // @ts-expect-error there is no such uniform
 warp.values.hieght

@@ -81,7 +81,7 @@ twist({ center: [0, 0] })
 twist({ angle: ({ position }) => position })
 // @ts-expect-error a string is not an amount
 taper({ amount: '1' })
-// @ts-expect-error it is true or false, not a function
+// @ts-expect-error keepVolume is true or false, not a function
 stretch({ keepVolume: () => true })
 // @ts-expect-error a seed is a constant
 noiseDisplace({ seed: () => 1 })

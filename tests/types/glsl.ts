@@ -60,7 +60,7 @@ glslOffset(5)
 glslOffset('', { returns: 'normal' })
 // @ts-expect-error no such option
 glslOffset('', { name: 'offset' })
-// @ts-expect-error it is a number
+// @ts-expect-error maxIterations is a number
 glslOffset('', { maxIterations: '8' })
 
 // differentiate() returns source.

@@ -97,7 +97,7 @@ const exactMaterial: MeshStandardMaterial = exactNormals(new MeshStandardMateria
   surfaceVariation: false,
 })
 const exactMesh: Mesh = exactNormals(new Mesh(undefined, exactMaterial))
-// @ts-expect-error it takes a material or a mesh
+// @ts-expect-error exactNormals takes a material or a mesh
 exactNormals(new Vector3())
 // @ts-expect-error there is no such stage
 exactNormals(exactMesh, { normals: 'face' })

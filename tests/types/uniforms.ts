@@ -46,7 +46,7 @@ import {
       uniforms.amount.x()
       // @ts-expect-error two numbers are no vec3
       uniforms.follow.z()
-      // @ts-expect-error nothing declares it
+      // @ts-expect-error nothing declares "amont"
       uniforms.amont
       void [on, any]
       return turn.mult(center).add(glsl.vec3(wind, amount.add(speed, tint.w())))
@@ -74,9 +74,9 @@ import {
   distort()
   createWarp({}, still, { uniforms: { amount: 0.5 } })({ amount: 1 })
   createWarp({}, still)({ anything: 1 })
-  // @ts-expect-error its value is a number
+  // @ts-expect-error the value of amount is a number
   distort({ amount: [1] })
-  // @ts-expect-error its value is three numbers
+  // @ts-expect-error the value of at is three numbers
   distort({ at: 1 })
   // @ts-expect-error the warp reads "amount"
   createWarp({}, twist, { uniforms: { at: 1 } })
@@ -99,6 +99,6 @@ import {
     { uniforms: { picture: image, layer: () => graphics, amount: 2 } },
   )
   distort({ picture: graphics })
-  // @ts-expect-error its value is an image
+  // @ts-expect-error the value of picture is an image
   distort({ picture: 3 })
 }

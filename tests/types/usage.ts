@@ -45,7 +45,7 @@ compileWarp(({ normal }) => normal, {
   surfaceVariation: true,
   names: { normalXGradient: 'aByX', uGradient: 'aU' },
 })
-// @ts-expect-error it is true or false
+// @ts-expect-error surfaceVariation is true or false
 compileWarp(({ normal }) => normal, { surfaceVariation: 'yes' })
 // @ts-expect-error no such target
 compileWarp(({ position }) => position, { target: 'hlsl' })

@@ -38,7 +38,7 @@ const compose = (a, b) => (p, inputs) => {
   return add(first, b(add(p, first), inputs))
 }
 
-// As wide as the bar: the errors of a GPU's sine grow with the distance from its middle.
+// Points within the bar: the errors of a GPU's sine grow with the distance from the middle of the bar.
 const bar = { size: 21 }
 
 export const deformerSketches = {

@@ -80,9 +80,9 @@ export const deformers = {
       const [s, t] = [dot(d, line), dot(d, side)]
       const clamped = max(from, min(to, s))
       const [turn, radius] = [k * clamped, 1 / k]
-      const moved = (radius - t) * sin(turn) + (s - clamped) * cos(turn)
-      const aside = radius - (radius - t) * cos(turn) + (s - clamped) * sin(turn)
-      return add(times(line, moved - s), times(side, aside - t))
+      const alongLine = (radius - t) * sin(turn) + (s - clamped) * cos(turn)
+      const alongSide = radius - (radius - t) * cos(turn) + (s - clamped) * sin(turn)
+      return add(times(line, alongLine - s), times(side, alongSide - t))
     }
   },
 

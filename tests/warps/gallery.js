@@ -20,7 +20,7 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
-/** Both warps of this sketch: they differ only in whether they use the gradients of the normal. */
+/** Both warps of the sketch "along-the-normal": they differ only in whether they use the gradients of the normal. */
 const bumpsAlongTheNormal = {
   size: 100,
   offset: ([x, y, z], { normal, millis }) => {
@@ -32,8 +32,8 @@ const bumpsAlongTheNormal = {
 const add = (p, shift) => p.map((x, i) => x + shift[i])
 
 /**
- * The relief of domain-warping-3d. Its slope changes so fast that differences need small steps, and that at the third level
- * rounding the shifted points to float32, whose spacing is 1e-6 from 8 to 16, alone rotates the normal by up to 0.02°.
+ * The relief of domain-warping-3d. Its slope changes so fast that finite differences need small steps. At the third level, the shifted
+ * points are between 8 and 16, where the spacing of float32 is 1e-6: rounding them already rotates the normal by up to 0.02°.
  */
 const relief = (level) => ({
   deep: level > 0,

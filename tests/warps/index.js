@@ -47,7 +47,7 @@ const sketches = (await sketchWarps())
   .map((sketch) => ({ name: sketch.name, isGolden: true, ...addOracle(sketch) }))
 
 /**
- * All warps, [{ name, compile, offset, size, step, degrees, every, reach, params, collapses, isGolden }].
+ * All warps, [{ name, compile, offset, size, step, degrees, every, reach, mirrors, params, collapses, isGolden, deep }].
  * - `compile(target)` returns the compiled warp;
  * - `offset([x, y, z], inputs)` is the same offset in plain numbers;
  * - `size` is the distance of the mesh's faces from its middle;

@@ -34,9 +34,9 @@ export const inputs = onSmallMesh({
 
   'a mirror that a parameter controls': {
     warp({ glsl, position }) {
-      const width = glsl.param('flip')
-      const wave = position.x().mult(3).sin().mult(0.2).mult(width)
-      return glsl.vec3(position.x().mult(width.sub(1)), wave, 0)
+      const flip = glsl.param('flip')
+      const wave = position.x().mult(3).sin().mult(0.2).mult(flip)
+      return glsl.vec3(position.x().mult(flip.sub(1)), wave, 0)
     },
     offset: ([x], { flip }) => [(flip - 1) * x, 0.2 * flip * sin(3 * x), 0],
     params: { flip: -0.7 },
@@ -45,16 +45,16 @@ export const inputs = onSmallMesh({
 
   'a twisted mirror that the mouse controls': {
     warp({ glsl, position, mouse }) {
-      const width = mouse.x().div(-100)
-      const [x, y, z] = [position.x().mult(width), position.y(), position.z()]
+      const factor = mouse.x().div(-100)
+      const [x, y, z] = [position.x().mult(factor), position.y(), position.z()]
       return glsl
         .rotateY(y)
         .mult(glsl.vec3(x, y, z))
         .sub(position)
     },
     offset([x, y, z], { mouse }) {
-      const wide = (x * mouse[0]) / -100
-      return [wide * cos(y) + z * sin(y) - x, 0, z * cos(y) - wide * sin(y) - z]
+      const scaled = (x * mouse[0]) / -100
+      return [scaled * cos(y) + z * sin(y) - x, 0, z * cos(y) - scaled * sin(y) - z]
     },
     mirrors: ({ mouse }) => mouse[0] > 0,
   },

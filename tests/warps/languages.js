@@ -1,4 +1,4 @@
-// A warp and a set of named expressions with everything that the languages write differently, for the golden files.
+// A warp and three sets of named expressions with everything that the languages write differently, for the golden files.
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 
 const turnOffset = ({ glsl, position, normal, millis }) => {
@@ -51,7 +51,7 @@ const loops = (glsl) => {
   return { sum, slope: glsl.gradient(sum, v), octaves: v.fbm({ octaves: 3 }) }
 }
 
-/** Generates the code of both in each language; returns it by file name. */
+/** Generates the code of the warp and of the expressions in each language. Maps the name of a golden file → its code. */
 export const languageTexts = () =>
   Object.fromEntries(
     targets.flatMap((target) => {

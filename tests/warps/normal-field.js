@@ -1,5 +1,5 @@
-// Defines how the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. Each vertex
-// thus represents a separate surface, near which the normal is a linear function.
+// Defines how normals vary around the vertices of the tests: as if each vertex were on a sphere of its own, as large as the mesh. Around a
+// vertex, the normal is a linear function of the position.
 import { add, dot, normalize, subtract } from '../support/browser/matrix.js'
 
 const axes = [

@@ -89,8 +89,8 @@ const wobble = {
     const strength = glsl.mix(0.004, 0.008, t.sin().mult(0.5).add(0.5))
     const wavy = position.add(waves)
     const once = rotateInSketch(glsl, wavy, wavy.x().mult(strength).clamp(-0.5, 0.6))
-    const second = y.mult(0.001).add(t.mult(0.7).sin().mult(0.3)).clamp(-0.3, 0.35)
-    return rotateInSketch(glsl, once, second).sub(position)
+    const secondAngle = y.mult(0.001).add(t.mult(0.7).sin().mult(0.3)).clamp(-0.3, 0.35)
+    return rotateInSketch(glsl, once, secondAngle).sub(position)
   },
   offset(p, { millis }) {
     const t = millis / 1000
@@ -131,7 +131,7 @@ const genie = {
   },
 }
 
-/** Projects onto the plane x = 0, where surfaces perpendicular to it are collapsed. */
+/** Projects onto the plane x = 0, which collapses surfaces perpendicular to this plane. */
 const flatten = {
   name: 'flatten',
   size: 100,

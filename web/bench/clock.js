@@ -46,7 +46,8 @@ export async function openClock(scene, draw) {
   const fence = { kind: 'readback fence', time: async (frame) => timeByFence(scene, frame) }
   if (!extension) return fence
 
-  // The timers of some drivers return at once, zero or the time to submit the work, so compare them with the readback.
+  // The timers of some drivers do not wait for the GPU: they report zero, or the time to submit the work. So compare the timer with the
+  // readback.
   const work = repeatFrames(scene, draw)
   const ratios = []
   for (let i = 0; i < 5; i++) {

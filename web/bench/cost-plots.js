@@ -44,7 +44,7 @@ function labelEnds(points, x, y, [top, bottom]) {
 }
 
 /** Lists the names below the plot, ordered by the ends of their lines from top to bottom. */
-const legend = (points) =>
+const makeLegend = (points) =>
   make(
     'ul',
     { className: 'legend' },
@@ -60,7 +60,7 @@ const legend = (points) =>
  * @param y `{ type, domain, ticks, write }`
  * @param about formats a point's x for its tooltip
  */
-function costPlot(points, { width, x, y, about }) {
+function makeCostPlot(points, { width, x, y, about }) {
   const isNarrow = width < NARROW
   const widest = Math.max(...points.map(({ method }) => widthOf(method)))
   const labelSpace = isNarrow ? 20 : LEADER + 12 + widest
@@ -120,7 +120,7 @@ function costPlot(points, { width, x, y, about }) {
       ),
     ],
   })
-  return isNarrow ? make('div', {}, plot, legend(points)) : plot
+  return isNarrow ? make('div', {}, plot, makeLegend(points)) : plot
 }
 
 /** Returns multiples of 1, 2 or 5 times a power of ten: four to nine ticks up to `high`. */
@@ -133,7 +133,7 @@ function linearTicks(high) {
 /** @param points of `costAgainstNodes` */
 export function plotAgainstNodes(points, width) {
   const high = 1.05 * maxOf(points, 'y')
-  return costPlot(points, {
+  return makeCostPlot(points, {
     width,
     x: { type: 'linear', label: 'nodes of the warp →', write: formatInteger },
     y: { type: 'linear', domain: [0, high], ticks: linearTicks(high), write: formatExact },
@@ -141,15 +141,15 @@ export function plotAgainstNodes(points, width) {
   })
 }
 
-const thousands = (value) =>
+const formatThousands = (value) =>
   value < 1e6 ? `${Math.round(value / 1000)}k` : `${+(value / 1e6).toFixed(1)}M`
 
 /** @param points of `costAgainstVertices` */
 export function plotAgainstVertices(points, width) {
   const domain = [minOf(points, 'y') / 1.3, maxOf(points, 'y') * 1.3]
-  return costPlot(points, {
+  return makeCostPlot(points, {
     width,
-    x: { type: 'log', label: 'vertices, logarithmic →', write: thousands },
+    x: { type: 'log', label: 'vertices, logarithmic →', write: formatThousands },
     y: { type: 'log', domain, ticks: decimalTicks(domain), write: formatExact },
     about: ({ x }) => `${formatInteger(x)} vertices`,
   })

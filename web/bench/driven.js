@@ -9,7 +9,7 @@ import { workloads } from './workloads.js'
 const canvas = document.body.appendChild(document.createElement('canvas'))
 let scene
 
-const byName = (name) => workloads.find((workload) => workload.name === name)
+const findWorkload = (name) => workloads.find((workload) => workload.name === name)
 
 window.bench = {
   rows: workloads.map(({ name, nodes }) => ({ name, nodes })),
@@ -23,13 +23,13 @@ window.bench = {
   measure(name, settings) {
     // Hidden, because compositing a visible canvas after each frame takes time from the next one.
     canvas.hidden = true
-    return measureRow(scene, byName(name), settings)
+    return measureRow(scene, findWorkload(name), settings)
   },
 
   /** The browser decides whether vsync caps the rate. @param steps the best h by method @returns frames per second by method */
   async frameRates(name, steps, duration) {
     canvas.hidden = false
-    const workload = byName(name)
+    const workload = findWorkload(name)
     scene.load(workload.mesh())
     const rates = {}
     for (const [method, h] of Object.entries(steps)) {

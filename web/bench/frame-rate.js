@@ -17,7 +17,7 @@ const WARM_UP = 0.3
  */
 export async function framesPerSecond(draw, duration) {
   let frame = 0
-  // Measured from the start of the first frame to the start of the one after the last.
+  // Measures from the start of the first frame to the start of the frame after the last.
   async function drawFor(milliseconds, minFrames) {
     const start = await nextFrame()
     for (let count = 1; ; count++) {

@@ -1,10 +1,11 @@
-/** Finds the camera position that keeps a whole warped mesh in the picture, with the row's offset as a plain function. */
+/** Finds the camera position that keeps a whole warped mesh in the picture. Evaluates the row's offset as a plain function of numbers. */
 import { sampleVertices } from './probe.js'
 
+/** The max number of vertices that are evaluated. */
 const VERTICES = 100
 /** The times at which the mesh is sampled, in milliseconds. */
 const times = Array.from({ length: 60 }, (_, i) => 400 * i)
-/** In radii of the mesh, for the field of view of Scene's camera. */
+/** The distance of the camera, in radii of the warped mesh, for the field of view of Scene's camera. */
 const DISTANCE = 2.9
 
 /** Returns the bounding box of the warped vertices. */

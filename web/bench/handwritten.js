@@ -29,8 +29,8 @@ export const airplaneTwist = `
   vec3 dy = vec3(0.0, c - 1.0, s), dz = vec3(0.0, -s, c - 1.0);`
 
 /**
- * Rotates about the axis through (0, 0, -500) along x. The derivative of a rotated point is the rotated derivative of the point plus
- * a term from the derivative of the angle.
+ * Rotates about the axis through (0, 0, -500) along x. The derivative of a rotated point is the rotated derivative of the point, plus a
+ * term from the derivative of the angle.
  */
 export const wobble = `
   float t = millis / 1000.0, x = position.x, y = position.y, z = position.z;

@@ -25,7 +25,7 @@ export function spread(wanted, gap, [low, high]) {
   return places
 }
 
-const overlap = (a, b) =>
+const doOverlap = (a, b) =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
 
 const boxAround = (x, y, width, height) => ({
@@ -74,7 +74,7 @@ export function placeBeside(labels, frame) {
         box.right <= frame.right &&
         box.top >= frame.top &&
         box.bottom <= frame.bottom
-      return isInside && !taken.some((other) => overlap(box, other))
+      return isInside && !taken.some((other) => doOverlap(box, other))
     }
     const place = candidates.find(isFree) ?? candidates[0]
     taken.push(boxAround(place.x, place.y, width, height))

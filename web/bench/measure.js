@@ -39,16 +39,15 @@ function timeGeneration(workload, options, runs) {
 const yieldToPage = () => new Promise((later) => setTimeout(later))
 
 /**
- * @param settings { rounds, frames, turn?, runs, samples, millis }: the number of rounds; max frames per method and round; max
- * milliseconds per method and round (default: no limit); runs of the generator; max number of compared vertices; the time at
- * which the warp is compared and drawn
+ * @param settings { rounds, frames, turn?, runs, samples, millis }: the number of rounds; max frames per method and round; max milliseconds
+ * per method and round (default: no limit); runs of the generator; max number of compared vertices; the time at which the warp is compared
+ * and drawn
  * @param progress called with a short message
- * @returns { clock, vertices, triangles, memory: { heap, wasm }, results }. `results` has per method
- * { method, frame, toPositions, toWarpjet, first, firstToPositions, firstToByHand, characters, charactersToByHand, generation,
- * error: { largest, median, h } }. `characters` counts the method's own source. `frame` and `first` are times
- * in milliseconds, { median, low, high }, with half of the values between low and high; `first` is the time from source to the first
- * finished frame; ratios are taken within a round; errors are degrees; `generation`, in
- * milliseconds, is null if nothing is generated.
+ * @returns { clock, vertices, triangles, memory: { heap, wasm }, results }. `results` has per method { method, frame, toPositions,
+ * toWarpjet, first, firstToPositions, firstToByHand, characters, charactersToByHand, generation, error: { largest, median, h } }.
+ * `characters` counts the method's own source. `frame` and `first` are times in milliseconds, { median, low, high }, where half of the
+ * values are between `low` and `high`; `first` is the time from source to the first finished frame; ratios are taken within a round; errors
+ * are degrees; `generation`, in milliseconds, is null if nothing is generated.
  */
 export async function measureRow(scene, workload, settings, progress = () => {}) {
   const memory = watchMemory()

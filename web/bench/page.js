@@ -55,7 +55,7 @@ let isLost = false
 const nextFrame = () => new Promise(requestAnimationFrame)
 
 /** Shows a message over the picture and waits until it is visible. */
-async function say(text) {
+async function showStatus(text) {
   status.textContent = text
   await nextFrame()
   await nextFrame()
@@ -67,7 +67,7 @@ const uniforms = () => ({ millis, h: 10 ** settings.exponent })
 
 async function loadRow(picture) {
   showError()
-  await say('Making the mesh…')
+  await showStatus('Making the mesh…')
   shown.row = settings.row
   // Prevents compiling if loading fails.
   shown.method = settings.method
@@ -84,7 +84,7 @@ async function loadRow(picture) {
 
 async function compile(picture) {
   showError()
-  await say('Compiling…')
+  await showStatus('Compiling…')
   shown.method = settings.method
   find('figcaption').replaceChildren(
     make('b', { textContent: shown.method, style: `--color: ${notes[shown.method].color}` }),
@@ -105,7 +105,7 @@ async function compile(picture) {
 
 async function findStep(picture) {
   if (!picture.method.steps) return
-  await say('Looking for the best h…')
+  await showStatus('Looking for the best h…')
   settings.exponent = Math.log10(picture.bestStep(millis))
   panel.refresh()
   status.textContent = ''
@@ -116,7 +116,7 @@ async function measure(picture) {
   mustStop = false
   button.textContent = 'Stop measuring'
   try {
-    await say('Measuring…')
+    await showStatus('Measuring…')
     picture.scene.lookFrom(defaultEye)
     const { mesh, workload } = picture
     const measured = await measureRow(

@@ -3,7 +3,8 @@
  * `frameMs`). A figure that does not exist is undefined.
  */
 
-const texts = ['date', 'commit', 'chromium', 'renderer', 'clock', 'row', 'method']
+/** The columns that contain text. The others contain numbers. */
+const textColumns = ['date', 'commit', 'chromium', 'renderer', 'clock', 'row', 'method']
 
 /** Parses CSV (RFC 4180) into arrays of fields. */
 function parseFields(text) {
@@ -24,7 +25,7 @@ export const camelCase = (name) => name.replace(/_(\w)/g, (_, letter) => letter.
 
 const valueOf = (name, field) => {
   if (field === undefined || field === '') return undefined
-  return texts.includes(name) ? field : Number(field)
+  return textColumns.includes(name) ? field : Number(field)
 }
 
 /** @param csv the content of results.csv, with its header line */

@@ -2,18 +2,18 @@
 import { MIN_ERROR } from './figures.js'
 import { methodNames } from './method-notes.js'
 
-const number = (text) => Number(text.replaceAll(',', ''))
+const parseCount = (text) => Number(text.replaceAll(',', ''))
 
 /** Parses the name of a row such as '14,000 × 150'. Returns { vertices, nodes }; undefined for other rows. */
 function gridOf(row) {
   const [, vertices, nodes] = /^([\d,]+) × ([\d,]+)$/.exec(row) ?? []
-  return vertices && { vertices: number(vertices), nodes: number(nodes) }
+  return vertices && { vertices: parseCount(vertices), nodes: parseCount(nodes) }
 }
 
 const isDrawable = ({ x, y }) => Number.isFinite(x) && Number.isFinite(y)
 
 /** Leaves out p5's own records, which the plots do not show. */
-const byMethod = (records, point) =>
+const groupByMethod = (records, point) =>
   methodNames.flatMap((method) =>
     records
       .filter((record) => record.method === method)
@@ -22,8 +22,8 @@ const byMethod = (records, point) =>
       .sort((a, b) => a.x - b.x),
   )
 
-const cost = (records, x) =>
-  byMethod(records, (record) => ({
+const costPoints = (records, x) =>
+  groupByMethod(records, (record) => ({
     x: record[x],
     y: record.frameMs,
     low: record.frameLowMs,
@@ -32,14 +32,14 @@ const cost = (records, x) =>
 
 /** The rows of 14,000 vertices → [{ method, x: nodes, y: milliseconds, low, high }], grouped by method. */
 export const costAgainstNodes = (records) =>
-  cost(
+  costPoints(
     records.filter(({ row }) => gridOf(row)?.vertices === 14_000),
     'nodes',
   )
 
 /** The rows of 150 nodes → [{ method, x: vertices, y: milliseconds, low, high }], grouped by method. */
 export const costAgainstVertices = (records) =>
-  cost(
+  costPoints(
     records.filter(({ row }) => gridOf(row)?.nodes === 150),
     'vertices',
   )
@@ -49,7 +49,7 @@ export const costAgainstVertices = (records) =>
  * and `y` that error clamped to the start of the logarithmic scale.
  */
 export const errorAgainstCost = (records, row) =>
-  byMethod(
+  groupByMethod(
     records.filter((record) => record.row === row),
     ({ toPositions, errorDegrees }) => ({
       x: toPositions,

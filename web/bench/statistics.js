@@ -16,9 +16,9 @@ export const summarize = (values) => ({
   high: quantile(values, 0.75),
 })
 
-/** Returns the median of the ratios within each round, so that whatever slowed a round cancels. */
-export const medianRatio = (values, others = []) =>
-  quantile(others.map((other, round) => values[round] / other))
+/** Returns the median of the ratios of values to references, each within one round, so that whatever slowed a round cancels. */
+export const medianRatio = (values, references = []) =>
+  quantile(references.map((reference, round) => values[round] / reference))
 
 /** Returns a copy in random order (Fisher-Yates). */
 export const shuffle = (list) => {

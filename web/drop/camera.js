@@ -16,7 +16,7 @@ export function makeCamera(canvas, onChange) {
   const orbit = { ...defaultView }
   const pointers = new Map()
 
-  function turn(dx, dy) {
+  function rotate(dx, dy) {
     orbit.longitude -= dx
     orbit.latitude = clamp(orbit.latitude + dy, -MAX_LATITUDE, MAX_LATITUDE)
     onChange()
@@ -48,7 +48,7 @@ export function makeCamera(canvas, onChange) {
     pointers.set(pointerId, { x, y })
     if (distanceBefore) zoom(distanceBefore / Math.max(pointerDistance(), 1))
     else if (pointers.size === 1)
-      turn(RADIANS_PER_PIXEL * (x - before.x), RADIANS_PER_PIXEL * (y - before.y))
+      rotate(RADIANS_PER_PIXEL * (x - before.x), RADIANS_PER_PIXEL * (y - before.y))
   })
   for (const end of ['pointerup', 'pointercancel'])
     canvas.addEventListener(end, ({ pointerId }) => pointers.delete(pointerId))
@@ -66,10 +66,10 @@ export function makeCamera(canvas, onChange) {
   )
 
   const keys = {
-    ArrowLeft: () => turn(-RADIANS_PER_KEY, 0),
-    ArrowRight: () => turn(RADIANS_PER_KEY, 0),
-    ArrowUp: () => turn(0, RADIANS_PER_KEY),
-    ArrowDown: () => turn(0, -RADIANS_PER_KEY),
+    ArrowLeft: () => rotate(-RADIANS_PER_KEY, 0),
+    ArrowRight: () => rotate(RADIANS_PER_KEY, 0),
+    ArrowUp: () => rotate(0, RADIANS_PER_KEY),
+    ArrowDown: () => rotate(0, -RADIANS_PER_KEY),
     '+': () => zoom(0.9),
     '=': () => zoom(0.9),
     '-': () => zoom(1.1),

@@ -25,7 +25,7 @@ function flipUpright(mesh, baseColor) {
 }
 
 /** A box of twelve triangles, too coarse for any warp without subdivision. */
-function box() {
+function makeBox() {
   const positions = []
   const normals = []
   const indices = []
@@ -62,7 +62,7 @@ function box() {
 export const samples = {
   bunny: () => flipUpright(bunny(), [0.85, 0.23, 0.1, 1]),
   airplane: () => flipUpright(airplane(), [0.09, 0.55, 0.44, 1]),
-  box,
+  box: makeBox,
 }
 
 /** Decodes a URI; returns it unchanged if it is a plain file name such as `100%.png`. */

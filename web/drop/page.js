@@ -18,7 +18,7 @@ const MAX_TRIANGLES = 400_000
 const find = (selector) => document.querySelector(selector)
 const status = find('.picture output')
 const [amount, time, tolerance] = ['#amount', '#time', '#tolerance'].map(find)
-const toggle = (name) => find(`[name=${name}]`)
+const findCheckbox = (name) => find(`[name=${name}]`)
 
 /** The visible model, { name, mesh, picture, center, unit, low, high }; `drawnMesh` is its mesh, subdivided or not. */
 let model
@@ -31,18 +31,19 @@ let needsFrame = true
 
 const nextFrame = () => new Promise(requestAnimationFrame)
 const alert = find('[role=alert]')
-/** Shows an error without the function name that begins it, since visitors of this page write no code. */
+/** Shows an error without the name of the function at the start of its message, since visitors of this page write no code. */
 const showError = (error) =>
   (alert.textContent = (error?.message ?? '').replace(/^\w+: (.)/, (_, first) =>
     first.toUpperCase(),
   ))
 const redraw = () => (needsFrame = true)
+// Formats of numbers.
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 const rough = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
 const trianglesOf = ({ indices, positions }) => (indices?.length ?? positions.length / 3) / 3
 
-/** Tasks run one after the other. Each shows a status message. If it throws, the error is shown and the next task runs. */
+/** Tasks run one after the other. Each shows a status message. If a task throws, its error is shown, and the next task runs. */
 let tasks = Promise.resolve()
 let pending = 0
 function enqueue(message, task) {
@@ -100,13 +101,13 @@ function showModel({ name, mesh, picture }) {
   )
   if (!warp) return
   showReadOuts()
-  if (toggle('subdivide').checked) refine()
+  if (findCheckbox('subdivide').checked) refine()
 }
 
 /** Updates the drawn mesh: subdivided where the warp needs it, or as it was loaded. */
 function refine() {
   let next = model.mesh
-  if (toggle('subdivide').checked)
+  if (findCheckbox('subdivide').checked)
     next = subdivide(model.mesh, {
       warp: warp.compiled,
       uniforms: uniforms(),
@@ -122,7 +123,7 @@ function refine() {
 }
 
 const refineAgain = () =>
-  toggle('subdivide').checked || drawnMesh !== model?.mesh
+  findCheckbox('subdivide').checked || drawnMesh !== model?.mesh
     ? enqueue('Subdividing…', () => model && refine())
     : undefined
 
@@ -177,7 +178,7 @@ function chooseWarp() {
     view.use(compiled)
     warp = { name: chosen.name, compiled }
     if (!model) return
-    if (toggle('subdivide').checked) refine()
+    if (findCheckbox('subdivide').checked) refine()
     else showReadOuts()
   })
 }
@@ -201,11 +202,11 @@ const download = () =>
   })
 
 function draw() {
-  const box = toggle('box').checked && computeBounds()
+  const box = findCheckbox('box').checked && computeBounds()
   const isFinite = box && [...box.min, ...box.max].every(Number.isFinite)
   view.draw(uniforms(), camera.view(model, view.canvas.clientWidth / view.canvas.clientHeight), {
-    normals: toggle('normals').checked,
-    wires: toggle('wires').checked,
+    normals: findCheckbox('normals').checked,
+    wires: findCheckbox('wires').checked,
     box: isFinite && box,
   })
 }
@@ -278,12 +279,14 @@ function listen() {
       void refineAgain()
     })
   }
-  for (const name of ['normals', 'wires', 'box']) toggle(name).addEventListener('change', redraw)
-  toggle('subdivide').addEventListener('change', refineAgain)
+  for (const name of ['normals', 'wires', 'box'])
+    findCheckbox(name).addEventListener('change', redraw)
+  findCheckbox('subdivide').addEventListener('change', refineAgain)
   tolerance.addEventListener('input', showTolerance)
   tolerance.addEventListener('change', refineAgain)
   showTolerance()
 
+  // The number of elements that the dragged files have entered and not left: the events also occur for elements of the page.
   let depth = 0
   const drag = (change) => (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return

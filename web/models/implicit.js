@@ -63,7 +63,10 @@ function sample(field, { low, size, cell }) {
   return values
 }
 
-/** Returns the mean of the points where the surface crosses the cell's twelve edges, in cells, or null. */
+/**
+ * Returns the mean of the points where the surface crosses the cell's twelve edges, relative to the corner of the cell and in units of its
+ * side; null if the surface crosses no edge.
+ */
 function cellVertex(values, corner, offsets) {
   let inner = 0
   for (let a = 0; a < 8; a++) if (values[corner + offsets[a]] < 0) inner++

@@ -28,10 +28,10 @@ export function weld(points, triangles) {
     })
   }
   const roots = points.map((_, i) => i).filter((i) => same[i] === i)
-  const numbers = new Map(roots.map((i, number) => [i, number]))
+  const newIndices = new Map(roots.map((i, newIndex) => [i, newIndex]))
   return {
     points: roots.map((i) => points[i]),
-    triangles: triangles.map((triangle) => triangle.map((i) => numbers.get(root(i)))),
+    triangles: triangles.map((triangle) => triangle.map((i) => newIndices.get(root(i)))),
   }
 }
 

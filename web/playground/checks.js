@@ -82,9 +82,9 @@ async function check({ index, maker, reads, surfaceVariation, declared = [] }, p
 }
 
 function showErrors(errors, folded) {
-  const known = [...errors].filter((error) => !Number.isNaN(error)).sort((a, b) => a - b)
+  const sorted = [...errors].filter((error) => !Number.isNaN(error)).sort((a, b) => a - b)
   const quantile = (fraction) =>
-    `${degrees.format((180 / Math.PI) * (known[Math.floor(fraction * (known.length - 1))] ?? 0))}°`
+    `${degrees.format((180 / Math.PI) * (sorted[Math.floor(fraction * (sorted.length - 1))] ?? 0))}°`
   const count = folded.reduce((sum, each) => sum + each, 0)
   const figures = {
     'Max error of a normal': quantile(1),

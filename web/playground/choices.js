@@ -8,7 +8,7 @@ import { builtIn, completeSketch, starter } from './offset.js'
 const firstSketch = { text: starters.p5, host: 'p5', chosen: [] }
 const isOffset = (host) => host === 'offset'
 
-const options = (entries) =>
+const makeOptions = (entries) =>
   entries.map(([value, textContent]) => make('option', { value, textContent }))
 
 /** @param onError called with an error if an example cannot be loaded @returns { show, begin(name), addModel(name) } */
@@ -17,16 +17,16 @@ export function makeChoices(editor, onError) {
     document.querySelector(id),
   )
   example.append(
-    ...options([['', 'A wave']]),
+    ...makeOptions([['', 'A wave']]),
     ...sections.map(({ title: label, examples }) =>
-      make('optgroup', { label }, ...options(examples.map(({ name, title }) => [name, title]))),
+      make('optgroup', { label }, ...makeOptions(examples.map(({ name, title }) => [name, title]))),
     ),
   )
-  host.append(...options(Object.entries(hosts).map(([name, { title }]) => [name, title])))
+  host.append(...makeOptions(Object.entries(hosts).map(([name, { title }]) => [name, title])))
 
   function listModels(names) {
     const missing = names.filter((name) => ![...model.options].some(({ value }) => value === name))
-    model.append(...options(missing.map((name) => [name, name.replace(/\.obj$/, '')])))
+    model.append(...makeOptions(missing.map((name) => [name, name.replace(/\.obj$/, '')])))
   }
   listModels(builtIn)
   model.addEventListener('change', () => editor.set({ model: model.value }))

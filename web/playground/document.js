@@ -10,7 +10,7 @@ const dangerousText = /<(?=\/script|!--|script)/gi
 
 /**
  * Escapes JavaScript for a script tag, so that nothing in it can end the tag, without a change of its meaning. Outside of strings,
- * `<script` is not escaped, as in `a<scripts.length`: it is dangerous only after `<!--`, which is.
+ * `<script` is not escaped, as in `a<scripts.length`: it is dangerous only after `<!--`, which is escaped.
  */
 export function escapeForScript(text, { isModule = false } = {}) {
   const matches = [...text.matchAll(dangerousText)]

@@ -2,6 +2,7 @@
 
 /** @param take called with each file */
 export function takeFiles(take) {
+  // The number of elements that the dragged files have entered and not left: the events also occur for elements of the page.
   let depth = 0
   const drag = (change) => (event) => {
     // The editor handles dragged text.

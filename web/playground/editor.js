@@ -68,7 +68,7 @@ export function makeEditor(parent, { onChange, onMove, extensions = [] }) {
         userEvent: 'input.set',
       })
     },
-    /** Marks the line of a mistake; without one, clears the mark. */
+    /** Marks the line of a mistake; without an argument, clears the mark. */
     mark(mistake) {
       const { doc } = view.state
       const marks = []
@@ -85,9 +85,9 @@ export function makeEditor(parent, { onChange, onMove, extensions = [] }) {
       view.dispatch(setDiagnostics(view.state, marks))
     },
     /** Highlights the lines with these numbers, and no others. */
-    highlight: (numbers) => highlightLines(view, numbers),
-    goTo(number) {
-      const { from } = view.state.doc.line(Math.min(number, view.state.doc.lines))
+    highlight: (lineNumbers) => highlightLines(view, lineNumbers),
+    goTo(lineNumber) {
+      const { from } = view.state.doc.line(Math.min(lineNumber, view.state.doc.lines))
       view.dispatch({ selection: { anchor: from }, scrollIntoView: true })
       view.focus()
     },

@@ -30,7 +30,7 @@ export function guardLoops({ text, chosen = [] }) {
       else inserts.push([body.from, `{${guardCall}`], [body.to, '}'])
     },
   })
-  // From the end, so that positions stay valid. Insertions at the same position keep their order.
+  // Inserts from the end, so that positions stay valid. Insertions at the same position keep their order.
   return inserts
     .sort(([a], [b]) => b - a)
     .reduce((text, [at, insert]) => text.slice(0, at) + insert + text.slice(at), text)

@@ -7,7 +7,8 @@ import { setting } from './editor.js'
 import { isThree } from './hosts.js'
 import { deformers, hostEntries, libraryFunctions, meaningOf, operations } from './reference.js'
 
-const option =
+/** Returns a function that makes a completion from an entry [name, { forms, meanings }]. */
+const makeCompletion =
   (type) =>
   ([label, { forms, meanings }]) => ({
     label,
@@ -15,14 +16,17 @@ const option =
     detail: (forms.at(-1).match(/\(.*\)/) ?? [''])[0],
     info: () => describe({ forms, meanings }),
   })
-const optionsOf = (map, type) => [...map].map(option(type))
+const completionsOf = (map, type) => [...map].map(makeCompletion(type))
 
-const methods = optionsOf(operations, 'method')
-const members = [...optionsOf(deformers, 'function'), ...optionsOf(libraryFunctions, 'function')]
+const methods = completionsOf(operations, 'method')
+const members = [
+  ...completionsOf(deformers, 'function'),
+  ...completionsOf(libraryFunctions, 'function'),
+]
 const words = Object.fromEntries(
   Object.entries(hostEntries).map(([host, { inputs, functions }]) => [
     host,
-    [...optionsOf(inputs, 'variable'), ...optionsOf(functions, 'function')],
+    [...completionsOf(inputs, 'variable'), ...completionsOf(functions, 'function')],
   ]),
 )
 const hostOf = (state) => (isThree(state.field(setting).host) ? 'three' : 'p5')
@@ -45,8 +49,8 @@ function optionsAround(state, from) {
 }
 
 /**
- * Completes methods after a point, options in the braces of an argument, and inputs and functions elsewhere. Components of vectors need no
- * completion.
+ * Completes methods after a dot, options in an object that is passed to a function, and inputs and functions elsewhere. Components of
+ * vectors need no completion.
  */
 function complete(context) {
   const { state, pos } = context
@@ -62,7 +66,7 @@ function complete(context) {
   const functionOptions = optionsAround(state, from)
   // Rank options above JavaScript's keywords.
   const options = functionOptions
-    ? optionsOf(functionOptions, 'property').map((each) => ({ ...each, boost: 50 }))
+    ? completionsOf(functionOptions, 'property').map((each) => ({ ...each, boost: 50 }))
     : words[hostOf(state)]
   return { from, options, validFor: /^\w*$/ }
 }

@@ -13,9 +13,9 @@ export const highlightedLines = StateField.define({
         effect.is(setLines)
           ? Decoration.set(
               effect.value
-                .filter((number) => number <= state.doc.lines)
+                .filter((lineNumber) => lineNumber <= state.doc.lines)
                 .sort((a, b) => a - b)
-                .map((number) => line.range(state.doc.line(number).from)),
+                .map((lineNumber) => line.range(state.doc.line(lineNumber).from)),
             )
           : before,
       marks.map(changes),
@@ -23,4 +23,5 @@ export const highlightedLines = StateField.define({
   provide: (field) => EditorView.decorations.from(field),
 })
 
-export const highlightLines = (view, numbers) => view.dispatch({ effects: setLines.of(numbers) })
+export const highlightLines = (view, lineNumbers) =>
+  view.dispatch({ effects: setLines.of(lineNumbers) })

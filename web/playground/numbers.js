@@ -1,4 +1,4 @@
-/** Lets numbers in the text be changed by dragging sideways, or with Alt and an arrow key. */
+/** Lets the user change a number in the sketch by dragging it sideways, or with Alt and an arrow key. */
 import { syntaxTree } from '@codemirror/language'
 import { Prec } from '@codemirror/state'
 import { Decoration, EditorView, ViewPlugin, keymap } from '@codemirror/view'

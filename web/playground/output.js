@@ -23,7 +23,7 @@ export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
     ...Object.fromEntries(
       Object.entries(targets).map(([target, title]) => [
         target,
-        { title, fill: () => panel.replaceChildren(textIn(target, sketch.warps)) },
+        { title, fill: () => panel.replaceChildren(makeCode(target, sketch.warps)) },
       ]),
     ),
     costs: { title: 'Costs', fill: () => panel.replaceChildren(makeCosts(sketch)) },
@@ -139,7 +139,7 @@ export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
 
 const makeNote = (text) => make('p', { className: 'none', textContent: text })
 
-function textIn(target, warps) {
+function makeCode(target, warps) {
   const texts = warps.map(({ maker, texts }) => `// ${maker}\n${joinCode(texts[target])}`)
   if (!texts.length) return makeNote('The sketch has made no shader code.')
   const code = make('code')
@@ -170,7 +170,7 @@ function makeCosts({ warps, first, rate }) {
     ])
   const list = make('dl', { className: 'read-outs' })
   list.append(
-    make('div', {}, make('dt', { textContent: 'First picture' }), figure(first, 'ms')),
+    make('div', {}, make('dt', { textContent: 'First picture' }), makeFigure(first, 'ms')),
     make(
       'div',
       {},
@@ -189,7 +189,7 @@ function makeCosts({ warps, first, rate }) {
   return make('div', {}, list, table)
 }
 
-const figure = (value, unit) =>
+const makeFigure = (value, unit) =>
   make('dd', { textContent: value === undefined ? '–' : `${integer.format(value)} ${unit}` })
 
 const makeRow = (kind, cells) =>

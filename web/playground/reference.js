@@ -51,7 +51,7 @@ for (const row of rowsOf(noisePage)) {
   add(name, forms, `Noise of ${points}: ${range}. Without jumps: ${smooth}.`)
 }
 
-/* The formula of each operation. */
+/* The formula of each noise that is a sum, and of each operation. */
 for (const row of rowsOf(noisePage)) {
   const [name, formula] = cellsOf(row)
   if (formula.startsWith('Σ')) add(name, [], `Value: ${formula}.`)

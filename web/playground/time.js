@@ -1,7 +1,7 @@
 /** The time bar, which plays, pauses and sets the sketch's time. */
 import { make } from '../bench/dom.js'
 
-/** The initial range of the bar in milliseconds. The range grows by as much each time the sketch reaches its end. */
+/** The initial range of the bar in milliseconds. Each time the sketch reaches the end of the range, the range grows by as much. */
 const SPAN = 20_000
 const UPDATE_EVERY = 100
 const seconds = new Intl.NumberFormat('en', { minimumFractionDigits: 1, maximumFractionDigits: 1 })

@@ -38,7 +38,7 @@ const filesOf = (sketch) => [
   ...new Set([...sketch.matchAll(/'([\w-]+\.(?:obj|woff))'/g)].map(([, file]) => file)),
 ]
 
-const control = ({ label, from, to, value }, index) =>
+const renderControl = ({ label, from, to, value }, index) =>
   `<label for="slider-${index}">${escapeHtml(label)}</label>
 <input type="range" id="slider-${index}" min="${from}" max="${to}" step="any" value="${value}" /><output>${value}</output>`
 
@@ -70,7 +70,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
         <div class="show">
           <div class="stage"><img src="../../posters/${name}.webp" width="480" height="360" alt="${escapeHtml(title)}" /></div>
           <div class="under"><output class="rate"></output><button type="button" class="pause" aria-pressed="false">Pause</button></div>
-          <div class="sliders">${findSliders(name, sketch).map(control).join('\n')}</div>
+          <div class="sliders">${findSliders(name, sketch).map(renderControl).join('\n')}</div>
           <p class="ways">
             <a class="button" href="../../playground/#example=${name}">Open in the playground</a>
             <a class="button quiet" href="full.html">Full page</a>

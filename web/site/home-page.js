@@ -6,7 +6,7 @@ import { renderPage } from './layout.js'
 export const scriptTag =
   '<script src="https://cdn.jsdelivr.net/npm/warpjet@0.1/dist/p5.warpjet.min.js"></script>'
 
-const tile = (section) => (example) => {
+const renderTile = (section) => (example) => {
   const { name, title, figure, text } = example
   const words = `${title} ${figure} ${section.title} ${text}`.toLowerCase()
   return `<li data-section="${escapeHtml(section.title)}" data-words="${escapeHtml(words)}"><a href="gallery/${name}/">
@@ -54,7 +54,7 @@ export const homePage = () =>
           <output aria-live="polite"></output>
         </form>
         <ul class="tiles">
-${sections.flatMap((section) => section.examples.map(tile(section))).join('\n')}
+${sections.flatMap((section) => section.examples.map(renderTile(section))).join('\n')}
         </ul>
       </section>
     </main>

@@ -22,7 +22,7 @@ function findJump(evaluate, a, b) {
     else left = middle
     if (!(maxDifference(left.results, right.results) > minJump)) return undefined
   }
-  // Rounded, because bisection only approaches 0.
+  // Rounds the place, because bisection only approaches a jump at 0.
   return Number(right.x.toFixed(9))
 }
 

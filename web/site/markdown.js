@@ -29,7 +29,7 @@ function highlightCode(text, language) {
     : escapeHtml(text)
 }
 
-/** Returns the directive in the comments right before a block, which says how to run it if the block alone does not. */
+/** Returns the directive in the comments right before a block. It says how to run a block that does not run by itself. */
 const findDirective = (tokens, index) =>
   [tokens[index - 1], tokens[index - 2]]
     .map(

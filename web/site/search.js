@@ -14,7 +14,7 @@ const processTerm = (term) => {
   return stopWords.has(word) ? null : stem(word)
 }
 
-/** Strips suffixes, so that "melting" finds "melt" and "spaces" finds "space". The rest is a prefix of every form. */
+/** Strips suffixes, so that "melting" finds "melt" and "spaces" finds "space". What remains is a prefix of every form of the word. */
 const stem = (word) => (word.length > 4 ? word.replace(/(?:ing|s)$/, '') : word)
 
 /** Ranks pages of the docs above their sections, and both above examples. */

@@ -1,5 +1,5 @@
 // Runs the README's sketch and the blocks of the docs with a “Run” link in the playground, as a reader does: they draw or print without
-// errors. The code below the plots is all alike: of it, one example per group runs here, and web/tests/plots.test.js checks what each
+// errors. The blocks below the plots are much alike: only one per group runs here, and web/tests/plots.test.js checks what each of them
 // computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

@@ -32,7 +32,7 @@ const anything = new Proxy(function () {}, {
   set: () => true,
 })
 
-/** Returns the globals of a sketch, and an object in which these count its warps and prints. */
+/** Returns the globals of a sketch, and an object in which the globals count the warps and prints of the sketch. */
 function globalsFor({ chosen }) {
   const counts = { warps: 0, printed: 0 }
   const createWarp = (offset, { uniforms, space, returns } = {}) => {
@@ -64,7 +64,7 @@ function globalsFor({ chosen }) {
     ...(chosen.includes('deformers') && deformers),
     ...(chosen.includes('glsl') && glsl),
   }
-  const known = {
+  const defined = {
     ...{ console, createWarp, warpjet, Math, Float32Array, Infinity, undefined, Object, Array },
     AutoDiff: { gen: library.gen },
     print: (...values) => {
@@ -78,7 +78,7 @@ function globalsFor({ chosen }) {
     mouseY: 10,
     millis: () => 500,
   }
-  const globals = new Proxy(known, {
+  const globals = new Proxy(defined, {
     has: (_, key) => typeof key === 'string',
     get: (target, key) => {
       if (typeof key === 'symbol') return undefined

@@ -15,7 +15,7 @@ const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 const paused = { ...desktop, deviceScaleFactor: 0.5, reducedMotion: 'reduce' }
 const screenshots = path('.build/screenshots')
 
-// A model far from the origin and small, as in some files; all green.
+// A green model that is small and far from the origin, as in some files.
 const sphere = sphereMesh(32, 16)
 const ball = {
   positions: sphere.vertices.flatMap(([x, y, z]) => [5 + 0.01 * x, 0.02 * y, 0.01 * z - 3]),
@@ -29,7 +29,7 @@ const ball = {
 const glb = Buffer.from(exportGLB(ball))
 
 /** Returns the same model as .gltf, with its vertices in a separate file. */
-function gltfAndBin() {
+function makeGltfAndBin() {
   const length = glb.readUInt32LE(12)
   const json = JSON.parse(glb.subarray(20, 20 + length).toString())
   const binary = glb.subarray(28 + length)
@@ -90,10 +90,12 @@ async function takePicture(page) {
   return pixels(page)
 }
 
-const text = (page, selector) => page.locator(selector).first().textContent()
-const readProblem = (page) => text(page, '[role=alert]')
+const readText = (page, selector) => page.locator(selector).first().textContent()
+const readProblem = (page) => readText(page, '[role=alert]')
 const readNumbers = async (page, selector) =>
-  (await text(page, selector)).match(/[\d,]+/g).map((number) => Number(number.replaceAll(',', '')))
+  (await readText(page, selector))
+    .match(/[\d,]+/g)
+    .map((number) => Number(number.replaceAll(',', '')))
 
 /** Returns the fraction of greenish pixels. */
 function greenShare(image) {
@@ -118,7 +120,7 @@ describe('the page for your own model', () => {
 
   test('starts with a model of the gallery', async () => {
     const image = await takePicture(page)
-    assert.equal(await text(page, '.name'), 'bunny')
+    assert.equal(await readText(page, '.name'), 'bunny')
     assert.ok(greenShare(image) < 0.001)
     await page.screenshot({ path: `${screenshots}/drop.png`, fullPage: true })
   })
@@ -126,7 +128,7 @@ describe('the page for your own model', () => {
   test('draws a model that is dropped on it', async () => {
     await drop(page, { 'ball.glb': glb })
     assert.equal(await readProblem(page), '')
-    assert.equal(await text(page, '.name'), 'ball')
+    assert.equal(await readText(page, '.name'), 'ball')
     assert.deepEqual(await readNumbers(page, '.triangles'), [1024])
     const share = greenShare(await takePicture(page))
     assert.ok(share > 0.03 && share < 0.5, `${(100 * share).toFixed(1)}% are green`)
@@ -227,13 +229,13 @@ describe('the page for your own model', () => {
       'broken.glb': glb.subarray(0, 300),
       'words.obj': Buffer.from('no model at all'),
       'cat.png': Buffer.from('picture'),
-      'alone.gltf': gltfAndBin()['ball.gltf'],
+      'alone.gltf': makeGltfAndBin()['ball.gltf'],
     }
     for (const [name, bytes] of Object.entries(wrong)) {
       await drop(page, { [name]: bytes })
       const message = await readProblem(page)
       assert.match(message, /^[A-Z“][^\n]{15,300}\.$/, name)
-      assert.equal(await text(page, '.name'), 'ball')
+      assert.equal(await readText(page, '.name'), 'ball')
       assert.equal(difference(before, await takePicture(page)), 0, name)
     }
     await page.screenshot({ path: `${screenshots}/drop-problem.png` })
@@ -243,7 +245,7 @@ describe('the page for your own model', () => {
     await page.getByRole('button', { name: 'box', exact: true }).click()
     await waitUntilIdle(page)
     assert.deepEqual(await readNumbers(page, '.triangles'), [12])
-    const files = Object.entries(gltfAndBin())
+    const files = Object.entries(makeGltfAndBin())
     await page
       .locator('[type=file]')
       .setInputFiles(
@@ -257,12 +259,12 @@ describe('the page for your own model', () => {
   })
 
   test('shows what was left out of a file', async () => {
-    const { 'ball.gltf': json, ...binary } = gltfAndBin()
+    const { 'ball.gltf': json, ...binary } = makeGltfAndBin()
     const animated = { ...JSON.parse(json), animations: [{ channels: [], samplers: [] }] }
     await drop(page, { 'ball.gltf': Buffer.from(JSON.stringify(animated)), ...binary })
-    assert.match(await text(page, '.warnings'), /animation/i)
+    assert.match(await readText(page, '.warnings'), /animation/i)
     await drop(page, { 'ball.glb': glb })
-    assert.equal(await text(page, '.warnings'), '')
+    assert.equal(await readText(page, '.warnings'), '')
   })
 
   test('shows the base-color texture of a material', async () => {

@@ -23,7 +23,7 @@ const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name
 /** Examples tested on their page in every run: a model, a shader from a file, and one with a second script. */
 const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
 const testedOnPage = isRun('every example in the gallery') ? names : everyday
-/** The example that is drawn with all its pixels. In the everyday run not the model, whose edges take p5 seconds to compute. */
+/** The example that is drawn with all its pixels. In the everyday run, this is not the model, whose edges take p5 seconds to compute. */
 const fullExample = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
 
 // Without a GPU, a frame can take seconds on a busy machine.

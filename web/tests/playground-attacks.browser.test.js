@@ -88,7 +88,7 @@ for (const [name, launch] of Object.entries(browsers))
       browser = await launch()
       evil = await startEvilServer()
       page = await browser.newPage()
-      // A small window, since without a GPU a large picture takes all of the machine's time.
+      // This sketch has a small picture: without a GPU, a large picture takes all of the machine's time.
       await page.goto(await linkTo(still), patience)
       await settle(page)
       await page.waitForFunction(() => navigator.serviceWorker.controller, patience)

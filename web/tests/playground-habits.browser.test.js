@@ -76,7 +76,7 @@ test('rotates the shape with the pointer if the sketch allows that', async () =>
   assert.ok(await isTurned())
 })
 
-test('keeps the sketch and its slider across a reload', async () => {
+test('keeps the sketch and its sliders across a reload', async () => {
   const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
   const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
   const sketch = stillSketch('#80ff00', offset, `, { uniforms: ${uniforms} }`)
@@ -107,7 +107,7 @@ test('keeps the sketch and its slider across a reload', async () => {
   assert.equal(difference(before, await canvasPixels(page)), 0)
 })
 
-test('keeps a slider’s value while the sketch is edited, until its number changes', async () => {
+test('keeps a slider’s value while the sketch is edited, until the number in the sketch changes', async () => {
   const sketchWith = (number, color) =>
     stillSketch(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
   await write(page, sketchWith(0.25, '#80ff00'))
@@ -264,4 +264,4 @@ test('reports that there is no picture to save if nothing was drawn', async () =
   await other.page.close()
 })
 
-test('the playground logs nothing itself', () => assert.deepEqual(messages, []))
+test('the playground logs no messages of its own', () => assert.deepEqual(messages, []))

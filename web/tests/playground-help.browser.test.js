@@ -16,7 +16,7 @@ before(async () => ({ page, messages, close } = await openPlayground(5251, await
 after(() => close())
 
 const list = () => page.locator('.cm-tooltip-autocomplete')
-const options = () => list().locator('.cm-completionLabel').allTextContents()
+const completionLabels = () => list().locator('.cm-completionLabel').allTextContents()
 
 /** Writes a sketch with an expression, and types text after the expression. */
 async function typeAfter(expression, typed) {
@@ -51,9 +51,9 @@ async function meaningOf(word) {
   return texts
 }
 
-test('offers the operations after a point, with their signatures and meanings', async () => {
+test('offers the operations after a dot, with their signatures and meanings', async () => {
   await typeAfter('position', '.fb')
-  assert.equal((await options())[0], 'fbm')
+  assert.equal((await completionLabels())[0], 'fbm')
   await page.locator('.cm-completionInfo').waitFor()
   assert.match(await page.locator('.cm-completionInfo').textContent(), /p\.fbm\(.*Noise of/)
   // CodeMirror ignores a choice made right after the list opens.
@@ -61,26 +61,26 @@ test('offers the operations after a point, with their signatures and meanings', 
   await page.keyboard.press('Enter')
   assert.match(await editorText(page), /\(position\.fbm, 0, 0\)/)
   await typeAfter('position', '.')
-  const all = await options()
+  const all = await completionLabels()
   for (const name of ['sin', 'mult', 'length', 'rotate', 'mix'])
     assert.ok(all.includes(name), `${name} of ${all.length}`)
 })
 
 test('offers the inputs and the deformers', async () => {
   await typeAfter('0', ' + mil')
-  assert.deepEqual((await options()).slice(0, 1), ['millis'])
+  assert.deepEqual((await completionLabels()).slice(0, 1), ['millis'])
   await typeAfter('warpjet', '.tw')
-  assert.equal((await options())[0], 'twist')
+  assert.equal((await completionLabels())[0], 'twist')
 })
 
-/** Returns the completions of our own source at `§` in the text, with the meaning of each. */
+/** Returns the completions that the playground itself offers at `§` in the sketch, with the meaning of each. */
 async function completionsOf(text) {
   await page.keyboard.press('Escape')
   await write(page, text.replace('§', ''))
   return page.evaluate(async (pos) => {
     const { state } = document.querySelector('.cm-content').cmTile.view
     const context = { state, pos, explicit: true, matchBefore: () => null }
-    // JavaScript's own sources need more of the context than ours, and have no meanings.
+    // CodeMirror's completion sources for JavaScript fail with this incomplete context, and their completions have no `info`.
     const all = await Promise.allSettled(
       state.languageDataAt('autocomplete', pos).map(async (source) => source(context).options),
     )
@@ -91,7 +91,7 @@ async function completionsOf(text) {
   }, text.indexOf('§'))
 }
 
-/** Returns the inputs as the compiler lists them in its error for an unknown one. */
+/** Returns the inputs that the compiler lists in its error for an unknown input. */
 function listInputs() {
   try {
     compileWarp(({ nothing }) => nothing)
@@ -100,7 +100,7 @@ function listInputs() {
   }
 }
 
-test('offers every input and, in a function’s braces, every option, each with its meaning', async () => {
+test('offers every input in the offset function, and every option in the options of createWarp, each with its meaning', async () => {
   const words = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(§, 0, 0)'))
   for (const name of [...listInputs(), 'uniforms', 'createWarp'])
     assert.match(words[name] ?? '', /\w+ \w+/, name)

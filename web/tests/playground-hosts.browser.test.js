@@ -155,14 +155,14 @@ const middleColor = async () => {
 }
 
 /** Waits until the middle of the picture has a colour, since the picture follows its slider with a delay. */
-async function waitForColor(wanted, tolerance = 0) {
+async function waitForColor(expected, tolerance = 0) {
   let color
   for (let i = 0; i < 100; i++) {
     color = await middleColor()
-    if (color.every((part, k) => Math.abs(part - wanted[k]) <= tolerance)) return
+    if (color.every((part, k) => Math.abs(part - expected[k]) <= tolerance)) return
     await page.waitForTimeout(100)
   }
-  assert.deepEqual(color, wanted)
+  assert.deepEqual(color, expected)
 }
 
 /** A coloured ball whose size, position and colour depend on uniforms. */

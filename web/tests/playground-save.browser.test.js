@@ -128,5 +128,5 @@ ${stillSketch('#40ff40')
     assert.ok(Math.abs(max[1] - 30) < 1e-3 && max[0] > 40)
   })
 
-  test('logs nothing itself', () => assert.deepEqual(messages, []))
+  test('logs no messages of its own', () => assert.deepEqual(messages, []))
 })

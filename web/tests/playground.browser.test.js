@@ -1,4 +1,4 @@
-// Tests the playground: the picture follows the sketch, mistakes lose nothing, and a link restores a sketch.
+// Tests the playground: the picture follows the sketch, an error in the sketch keeps the last picture, and a link restores a sketch.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -85,12 +85,14 @@ describe('the playground', () => {
         /./,
       ],
     ]
-    for (const [sketch, number, message, other = number] of mistakes) {
+    // [sketch, line, message, another line that a browser may name instead]. For a syntax error this is the next line, where the parser
+    // stops.
+    for (const [sketch, expectedLine, message, otherLine = expectedLine] of mistakes) {
       await write(page, sketch)
       const mistake = await page.locator('.mistake').textContent()
       assert.match(mistake.replace(/^Line \d+ /, ''), message)
       const line = Number(/^Line (\d+) /.exec(mistake)?.[1])
-      assert.ok(line === number || line === other, `${mistake}, not line ${number}`)
+      assert.ok(line === expectedLine || line === otherLine, `${mistake}, not line ${expectedLine}`)
       assert.equal(await page.locator('.cm-lint-marker-error').count(), 1, mistake)
       assert.equal(difference(before, await canvasPixels(page)), 0)
       assert.doesNotMatch(mistake, /blob:|warps\.js/)
@@ -101,7 +103,7 @@ describe('the playground', () => {
     await write(page, stillSketch('#00ff00'))
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await page.locator('.cm-lint-marker-error').count(), 0)
-    // p5 reported the missing model. It was not requested, since the page knows the site's files.
+    // The one message is p5's, about the missing model. There is no failed request, since the page requests only files of site-files.js.
     assert.equal(messages.splice(0).length, 1)
   })
 
@@ -244,7 +246,7 @@ describe('the playground', () => {
     assert.equal(difference(before, await canvasPixels(page)), 0)
   })
 
-  test('marks the statements that come from the line with the cursor, and the line from which a statement comes', async () => {
+  test('marks the statements generated from the line of the cursor, and the line from which the statement under the pointer was generated', async () => {
     const lines = 'const a = position.y().mult(3).sin()\n  return glsl.vec3(a, a.mult(0.3), 0)'
     await write(page, stillSketch('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
     const markedStatements = () => page.locator('.panel .lit').allTextContents()
@@ -270,7 +272,7 @@ describe('the playground', () => {
     await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
   })
 
-  test('applies a single offset function to a model, and restores function and model from the link', async () => {
+  test('applies an offset function without a sketch to a model, and restores function and model from the link', async () => {
     await page.getByLabel('Runs in').selectOption('offset')
     await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
@@ -336,7 +338,7 @@ describe('the playground', () => {
     assert.equal(await editorText(page), before)
   })
 
-  test('logs nothing itself', () => assert.deepEqual(messages, []))
+  test('logs no messages of its own', () => assert.deepEqual(messages, []))
 })
 
 test('fits a phone, and opens an example of the gallery', async () => {

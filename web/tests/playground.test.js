@@ -317,7 +317,7 @@ test('origins give each line its source line, and removing them restores the cod
   assert.equal(removeOrigins(code), 'vec3 a;\n  a = b;\n}')
 })
 
-test('debug names the line of the offset in each statement, of derivatives too', () => {
+test('debug names the line of the offset in each statement, also of derivatives', () => {
   const offset = ({ glsl, position }) => {
     const a = position.y().mult(3).sin()
     return glsl.vec3(a, 0, 0)

@@ -156,7 +156,7 @@ test('each example has a slider for a number of its sketch, which starts within 
   for (const name of names) {
     const sketch = read(`examples/${name}/sketch.js`)
     const sliders = findSliders(name, sketch)
-    assert.ok(sliders.length, `${name} has none`)
+    assert.ok(sliders.length, `${name} has no slider`)
     for (const { label, value, from, to, at, length } of sliders) {
       assert.equal(Number(sketch.slice(at, at + length)), value, `${name}: ${label}`)
       assert.ok(from <= value && value <= to, `${name}: ${label} is ${value}`)

@@ -9,7 +9,7 @@ import type { Session } from './session.js'
 
 const families = [...new Set(Object.values(languages))]
 
-/** Returns the source in each language that has one. A plain string is source of `language`. */
+/** Returns the sources that were passed, each with its language. A plain string is source of `language`. */
 function sourcesOf(source: unknown, language: string): [language: string, source: string][] {
   const all = source && typeof source === 'object' ? source : { [language]: source }
   return families

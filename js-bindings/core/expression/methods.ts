@@ -17,7 +17,7 @@ import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
  */
 const methods = Object.create(null) as object
 
-/** Returns the session of an expression. It is a `Session`, since nothing else makes expressions. */
+/** Returns the session of an expression. The session is a `Session`, since nothing else makes expressions. */
 const sessionOf = (expression: Expression) => expression.session as Session
 
 export function installMethods() {
@@ -42,7 +42,7 @@ export function installMethods() {
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
-/** Returns the message about an unknown method. It suggests no swizzles, since any two letters are similar to one. */
+/** Returns the message about an unknown method. It suggests no swizzles, since any two letters are similar to a swizzle. */
 function unknownMethod(name: string) {
   const names = Object.getOwnPropertyNames(methods).filter((each) => !indicesOf(each))
   return `${name}: an expression has no such method; ${didYouMean(name, [...names, 'x', 'y', 'z', 'w'], operationLists, meantByMethods)}`
@@ -153,20 +153,20 @@ export function rejectMore(name: string, others: readonly unknown[]) {
 }
 
 /**
- * Makes an expression callable: the call returns the expression. A console prints the source of the function, so its name describes it.
- * That name is the name of a property, which minifiers do not change.
+ * Makes an expression callable: the call returns the expression. A console prints the source of the function, so the function's name
+ * describes the expression. It is the name of a property, since minifiers do not change these.
  */
 export function callable(name: string, expression: Expression): Expression {
-  const [component] = Object.values({
+  const [callableExpression] = Object.values({
     'an expression of warpjet'(...others: unknown[]) {
       rejectMore(name, others)
       return expression
     },
   })
   // `length` and `name` would hide methods of expressions.
-  Reflect.deleteProperty(component!, 'length')
-  Reflect.deleteProperty(component!, 'name')
-  // Assigned before the prototype is set: its chain ends with a proxy, which would handle each new property.
-  Object.assign(component!, expression)
-  return Object.setPrototypeOf(component, Expression.prototype) as Expression
+  Reflect.deleteProperty(callableExpression!, 'length')
+  Reflect.deleteProperty(callableExpression!, 'name')
+  // Assigned before the prototype is set: the prototype chain ends with a proxy, which would handle each new property.
+  Object.assign(callableExpression!, expression)
+  return Object.setPrototypeOf(callableExpression, Expression.prototype) as Expression
 }

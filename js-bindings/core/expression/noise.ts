@@ -20,7 +20,7 @@ const bases = noiseKinds.filter((name): name is BaseNoise => noises[name] === 'b
 const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
 
 const factorName = 'a number above 0, or an expression of one number,'
-/** Returns the kind of an option by which each octave is multiplied. */
+/** Returns the kind of an option that is a ratio between an octave and the octave before. */
 const factor = (defaultValue: number) =>
   kind<Expression | number, Operand>(
     factorName,
@@ -28,7 +28,7 @@ const factor = (defaultValue: number) =>
     { default: defaultValue },
   )
 
-/** The options of the four sorts of noises; `made` noises are composed of a base noise. */
+/** The kinds of the options. `base` and `plain` noises have only a seed; `made` and `fractal` noises are composed of a base noise. */
 const seedKinds = {
   seed: wholeNumber({ min: -maxSeed, max: maxSeed, default: 0 }),
 } satisfies KindsOf<NoiseOptions>

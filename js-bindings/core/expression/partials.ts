@@ -18,7 +18,7 @@ const maxNesting = 100
 /** The declared functions of a session, by number. */
 export class HostFunctions {
   private readonly functions: HostFunction[] = []
-  /** The number of derivatives that are being computed, each of which needs the next. */
+  /** The depth of recursion: the number of derivatives that are being computed, each of which needs the next. */
   private nesting = 0
 
   constructor(private readonly origin: Origin) {}

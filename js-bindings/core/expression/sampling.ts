@@ -6,7 +6,9 @@ export interface HostSampling {
   hasTransform: boolean
 }
 
-/** Returns the names of the uniforms for the sampling. `settings` is a vec3: the wrap numbers in u and in v, and 1 for the filter 'nearest'. */
+/**
+ * Returns the names of the uniforms for the sampling. `settings` is a vec3: the wrap numbers in u and in v, and 1 for the filter 'nearest'.
+ */
 export const samplingUniforms = (image: string) => ({
   settings: `${image}Sampling`,
   transform: `${image}Transform`,

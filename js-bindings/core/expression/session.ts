@@ -15,8 +15,9 @@ import { WasmSession, type Recording } from './wasm-session.js'
 /** A function of GLSL source, recorded in its own session, from numbers to numbers. */
 export interface RecordedFunction {
   name: string
-  /** The number of its first arguments with respect to which it is differentiated. */
+  /** The function is differentiated with respect to its first arguments; this is their number. */
   variables: number
+  /** The number of floats that it returns. */
   results: number
   module: SerializedModule
 }
@@ -150,7 +151,7 @@ export class Session extends WasmSession {
     return this.expression(this.core._callNoise(address, kind, base, octaves, +isMethod))
   }
 
-  /** Adds a loop, and returns the final states. `body` returns the next states from those of one step. */
+  /** Adds a loop, and returns the final states. `body` gets the states of a step, and returns the states of the next step. */
   repeat(
     count: number,
     starts: readonly Expression[],
@@ -173,7 +174,7 @@ export class Session extends WasmSession {
     }
   }
 
-  /** Reads an image of the host at a vec2. `settings` is a vec3 for a filter or wrap of 'host'. */
+  /** Reads an image of the host at a vec2. `settings`, the vec3 of `samplingUniforms`, is required if `filter` or `wrap` is 'host'. */
   callTexture(
     image: string,
     uv: Expression,
@@ -217,7 +218,10 @@ export class Session extends WasmSession {
     this.requireOpen(place.method).output(place.method, label, value.handle)
   }
 
-  /** Adds all results of a warp. The operands are its offset and the `warpOperands` of wasm/tables.ts. */
+  /**
+   * Adds all results of a warp. The operands are the warp's offset and the `warpOperands` of wasm/tables.ts. If `isFlat`, also computes
+   * the normals that treat normal and uv as constant; see warp.hpp.
+   */
   warp(place: Place, operands: readonly Expression[], hasNormals: boolean, isFlat: boolean) {
     const session = this.requireOpen(place.method)
     for (;;) {

@@ -21,7 +21,7 @@ function rejectOtherCount(place: Place, given: readonly unknown[], counts: reado
     throw place.expected(`${count} argument${count === 1 ? '' : 's'}`, `${given.length}`)
 }
 
-/** Returns the number of components of a vector. Throws if it is not one of `sizes`. */
+/** Returns the number of components of a vector. Throws if this number is not one of `sizes`. */
 function rowsOf(x: Expression, place: Place, sizes: readonly number[]) {
   const [columns, rows] = shapeOf(x)
   if (columns === 1 && sizes.includes(rows)) return rows

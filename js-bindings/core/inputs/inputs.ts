@@ -1,8 +1,8 @@
 // The inputs of an offset function, with their counts of numbers.
 
 /**
- * The gradients over the surface of the normal's x, y and z and of u and v, in this order. The warped normal of an offset that
- * depends on normal or uv depends on them.
+ * The gradients over the surface of the normal's x, y and z and of u and v, in this order. If an offset depends on normal or uv, the
+ * warped normal depends on these gradients.
  */
 export const variationInputs = {
   normalXGradient: 3,
@@ -15,7 +15,7 @@ export const variationInputs = {
 export type VariationInput = keyof typeof variationInputs
 export const variationNames = Object.keys(variationInputs) as VariationInput[]
 
-/** Returns the name of the attribute that carries a gradient in p5's shapes. */
+/** Returns the name of the attribute that carries a gradient in the meshes of hosts. */
 export const variationAttribute = (name: string) => `aWarpjet_${name}`
 
 /** The key of a method of `uniforms`: it takes the name of a uniform and marks it as one that GLSL source reads as whole numbers. */

@@ -59,13 +59,16 @@ const sizes = Object.entries(arrayNames).map(([input, name]) => ({
   size: vertexInputs[input as VertexInput],
 }))
 
-/** Arrays that held finite numbers when they were checked, or that a warp wrote. Only a Float32Array cannot grow afterwards. */
+/** Arrays that need no further check. They are Float32Arrays, since these cannot grow afterwards. */
 const checked = new WeakSet<Float32Array>()
 
 /** Marks an array as checked: results of a warp need no check when they are passed to another warp. */
 export const markChecked = (numbers: Float32Array) => void checked.add(numbers)
 
-/** Returns a mesh that `evaluate` accepts although numbers are not finite, for hosts that draw such vertices anyway. Arrays with such numbers are copied. */
+/**
+ * Returns a mesh that `evaluate` accepts although numbers are not finite, for hosts that draw such vertices anyway. Arrays with such
+ * numbers are copied.
+ */
 export function allowNonFinite(mesh: Vertices): Vertices {
   const arrays = Object.entries(mesh).map(([name, numbers]: [string, ArrayLike<number>]) => {
     const isFinite = numbers instanceof Float32Array && checked.has(numbers)

@@ -39,7 +39,10 @@ export interface Names {
   isFrameConstant?: IsFrameConstant | undefined
   /** If true, noise that is finer than a pixel fades, which only a fragment shader can do. */
   fadesNoise?: boolean | undefined
-  /** If true, numbers that are less than a pixel outside of the domain of an operation are reflected, for fragment shaders; see src/emit/borders.hpp. */
+  /**
+   * If true, numbers that are less than a pixel outside of the domain of an operation are reflected, for fragment shaders; see
+   * src/emit/borders.hpp.
+   */
   reflectsAtBorders?: boolean | undefined
 }
 
@@ -129,7 +132,10 @@ export const inputsReadBy = (
 export const resultsOf = (serialized: SerializedModule): Variable[] =>
   withModule(serialized, (module) => module.results())
 
-/** Estimates the work of computing results, given by number: operations on single floats, and whether there is noise among them. */
+/**
+ * Estimates the work of computing results, given by number: operations on single floats, whether there is noise, and whether only a GPU can
+ * do it.
+ */
 export const costOf = (
   serialized: SerializedModule,
   results: readonly number[],

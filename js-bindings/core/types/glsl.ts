@@ -73,8 +73,8 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
   /**
    * The color of an image at `uv`: red, green, blue and alpha. `uv` is (0, 0) at the top left and (1, 1) at the bottom right.
    * `sampler` is the image among `uniforms`, or the name of an image that your shader declares: a `uniform sampler2D`, or in WGSL a
-   * `texture_2d<f32>` variable. `glsl100`, WebGL 1's language, cannot query its size: for a `heightMap`, declare
-   * `uniform vec2 heightMapSize` too, in texels. Works in vertex and fragment shaders, and only on the GPU.
+   * `texture_2d<f32>` variable. `glsl100`, WebGL 1's language, cannot query the size of an image: for a `heightMap`, also
+   * declare `uniform vec2 heightMapSize`, in texels. Works in vertex and fragment shaders, and only on the GPU.
    *
    * It reads texels and filters them itself, so that its derivatives are exactly those of its values, whatever filter is set for
    * the image. It does not read mipmaps.
@@ -90,8 +90,8 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
    * that are alike: the code stays short, and the shader compiles faster. `count` is a number, not an expression. It is at most
    * 10,000, as is the product of the counts of nested repeats; 0 returns the start.
    *
-   * Throws a `WarpError` for another `count`, if `body` returns no state or one of another shape, and if an expression of its state
-   * is used outside of it.
+   * Throws a `WarpError` for another `count`, if `body` returns no state or one of another shape, and if an expression of the state
+   * that `body` gets is used outside of `body`.
    */
   repeat<State extends RepeatState>(
     count: number,
@@ -182,8 +182,8 @@ export type FunctionArity = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 10 | 11 | 12 | 1
 export interface FunctionOptions<Arity extends FunctionArity> {
   /** The name of the function in the source. */
   name: string
-  /** The source of the function, from floats to a float, and of all functions that it calls. Use an object if the same code is
-   * compiled for both languages. */
+  /** The source of the function, from floats to a float, and of all functions that it calls. To compile an offset for both languages,
+   * pass an object with both sources. */
   source: string | { glsl?: string; wgsl?: string }
   /** The number of arguments. */
   arity: Arity

@@ -41,7 +41,9 @@ export type UniformOptions<Values extends UniformValues = UniformValues> = {
   [Name in keyof Values]: Values[Name] | (() => Values[Name])
 }
 
-/** The expression of a uniform with a type of value. An array whose length TypeScript does not know may be of any size. */
+/**
+ * The type of the expression of a uniform with values of type `Value`. An array whose length TypeScript does not know may be of any size.
+ */
 export type UniformExpression<Value> = Value extends number | boolean
   ? Scalar
   : Value extends ImageLike

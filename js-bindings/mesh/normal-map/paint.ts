@@ -105,7 +105,7 @@ const limitExtrapolation = (weight: number) => Math.min(Math.max(weight, -0.5), 
 
 type Inputs = Vertices & Record<'positions' | 'normals', Float32Array>
 
-/** Interpolates all inputs of the warp between vertices, three for each point. Scales normals to length 1. */
+/** Interpolates all inputs of the warp between the three vertices of each point. Scales normals to length 1. */
 function interpolate(rest: Surface['rest'], vertices: Uint32Array, weights: Float64Array): Inputs {
   const inputs: Partial<Record<keyof Vertices, Float32Array>> = {}
   for (const name of Object.values(arrayNames)) {

@@ -90,7 +90,7 @@ function mergeCorners(corners: Uint32Array, tangents: Float32Array) {
   return { firstCorners: Uint32Array.from(firstCorners), indices }
 }
 
-/** The number of components per vertex, of arrays that have not 3. */
+/** The number of components per vertex, for arrays that do not have 3. */
 const sizes: Record<string, number> = { uvs: 2, colors: 4, tangents: 4 }
 
 /** Returns the mesh with these vertices in this order, and without indices. */

@@ -1,4 +1,4 @@
-/** Replaces a sketch's hook that moves positions by one that calls it and transforms the normal by its exact derivative. */
+/** Wraps a sketch's hook that moves positions in a new hook, which also transforms the normal by the exact derivative of the movement. */
 import { compileWarp } from '#text-compiler'
 import { drawInputs, type OffsetFunction, type Target } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
@@ -35,7 +35,7 @@ export interface HookTemplate {
   moveCode: (original: string) => string
   /**
    * Returns the new hook. `text` is the sketch's hook as source of a function named `original`. `code` is the code of `warp`, which stores
-   * the transformed normal in the variable named `normal`.
+   * the transformed normal in the variable whose name is `normal`.
    */
   hook: (parts: {
     code: string
@@ -132,7 +132,7 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
       maxIterations: 256,
     }),
   )
-  // Withholds the other inputs, since millis, size and instance are names of the sketch here.
+  // Passes only these inputs: in a hook, millis, size and instance may be variables of the sketch.
   const offset: OffsetFunction = markLibraryFunction(
     ({ glsl, position, normal, uv, color, uniforms }) =>
       readOffset({ glsl, position, normal, uv, color, uniforms } as never),
@@ -188,11 +188,12 @@ function declarationsAboveHooks({ hooks, _vertSrc }: ModifiedShader, isLocal: bo
     /^[ \t]*(?:(?:IN|OUT|uniform|in|out)\s[^;()]+;|struct Vertex\s*\{[^}]*\};)/gm,
   )
   const readable = attributesFor(isLocal)
-  const isReadable = (line: string) =>
+  const declaresAttribute = (line: string) =>
     readable.some(({ name }) => new RegExp(`\\b${name}\\b`).test(line))
   return [
     '#define IN in\n#define OUT out',
-    ...(declared ?? []).filter((line) => !isReadable(line)),
+    // These are declared as globals instead, below.
+    ...(declared ?? []).filter((line) => !declaresAttribute(line)),
     ...readable.map(({ type, name }) => `${type} ${name};`),
     getTexture,
     ...Object.keys(hooks.uniforms).map((uniform) => `uniform ${uniform};`),

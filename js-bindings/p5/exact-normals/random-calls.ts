@@ -1,7 +1,7 @@
 /**
- * Calls of p5's `random()` in the hooks of a sketch on WEBGPU. Its result is a hash of the vertex's number and of the number of calls
- * before, so it does not change with the vertex's position. Each call becomes a uniform in the source that is differentiated, and a
- * variable in the hook, which calls `random()` with the same count as the sketch's code does later.
+ * Calls of p5's `random()` in the hooks of a sketch on WEBGPU. The result of `random()` is a hash of the vertex's number and of the number
+ * of earlier calls, so it does not change with the vertex's position. Each call becomes a uniform in the source that is differentiated, and
+ * a variable in the hook, which calls `random()` with the same count as the sketch's code does later.
  */
 export interface RandomCalls {
   /** Returns source in which the calls are uniforms. */

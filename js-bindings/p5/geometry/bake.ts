@@ -30,7 +30,10 @@ interface Baking {
 /** Maps each builder → the warps called since it was started, by the warp's shader. */
 const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
 
-/** Applies the warp to the geometry being built, if one is being built. Called whenever a warp is applied. Throws a `WarpError`. */
+/**
+ * Applies the warp to the geometry being built, if one is being built. Called whenever a warp is applied. Throws a `WarpError` for a warp
+ * that cannot be baked.
+ */
 export function bakeIntoGeometry(
   made: MadeWarp,
   shader: Shader,
@@ -81,7 +84,7 @@ function addMoved(
   shape: BuiltShape,
   bake: Bake,
 ) {
-  const before = {
+  const countsBefore = {
     vertices: geometry.vertices.length,
     vertexNormals: geometry.vertexNormals.length,
     uvs: geometry.uvs.length,
@@ -91,20 +94,23 @@ function addMoved(
   add(shape)
   const { vertices, vertexNormals } = bake(
     {
-      vertices: geometry.vertices.slice(before.vertices),
-      vertexNormals: geometry.vertexNormals.slice(before.vertexNormals),
-      uvs: geometry.uvs.slice(before.uvs) as number[],
+      vertices: geometry.vertices.slice(countsBefore.vertices),
+      vertexNormals: geometry.vertexNormals.slice(countsBefore.vertexNormals),
+      uvs: geometry.uvs.slice(countsBefore.uvs) as number[],
       faces: geometry.faces
-        .slice(before.faces)
-        .map((face) => face.map((corner) => corner - before.vertices)),
-      vertexColors: geometry.vertexColors.slice(before.vertexColors),
+        .slice(countsBefore.faces)
+        .map((face) => face.map((corner) => corner - countsBefore.vertices)),
+      vertexColors: geometry.vertexColors.slice(countsBefore.vertexColors),
     },
     '',
   )
-  vertices.forEach((vertex, i) => (geometry.vertices[before.vertices + i] = vertex))
-  vertexNormals.forEach((normal, i) => (geometry.vertexNormals[before.vertexNormals + i] = normal))
+  vertices.forEach((vertex, i) => (geometry.vertices[countsBefore.vertices + i] = vertex))
+  vertexNormals.forEach(
+    (normal, i) => (geometry.vertexNormals[countsBefore.vertexNormals + i] = normal),
+  )
 }
 
+/** Returns a copy of a vector, with other components. */
 const vectorLike = (vector: Vector, x: number, y: number, z: number) =>
   Object.assign(vector.copy!(), { x, y, z })
 

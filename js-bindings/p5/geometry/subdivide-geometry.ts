@@ -10,7 +10,7 @@ const warpOption = warpKind('createWarp or compileWarp')
 
 /**
  * Fills the model `dense` with a subdivision of `shape`: a number n splits each triangle into four, n times; other options are those of
- * `subdivide`. For the p5 addon's `subdivide`, not for users. Throws a `WarpError`.
+ * `subdivide`. For the p5 addon's `subdivide`, not for users. Throws a `WarpError` for a shape without triangles, and for wrong options.
  * @internal
  */
 export function subdivideP5Model(

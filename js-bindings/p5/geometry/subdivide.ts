@@ -28,7 +28,7 @@ function withWarpOnCpu(options: AdaptiveOptions): AdaptiveOptions {
 
 /**
  * Returns a copy of a p5.Geometry with more vertices: a number n splits each triangle into four, n times; `{ warp, tolerance }` splits
- * triangles where the warp bends them. Throws a `WarpError`.
+ * triangles where the warp bends them. Throws a `WarpError` for a shape without triangles, and for wrong options.
  */
 export const subdivideShape = (
   p5: P5Constructors,

@@ -16,7 +16,10 @@ import type { PixelCode, Varying } from './styles.js'
 /** Returns the fragment stage's name of an input. */
 export const varyingOfInput = (input: string) => `warpjetPixel_${input}`
 
-/** The names of inputs in the code. All are varyings except the normal, which is computed from a varying. */
+/**
+ * The names of inputs in the code. Inputs that differ by vertex or instance are varyings, except the normal, which is computed from a
+ * varying; the others are uniforms.
+ */
 const names = {
   ...Object.fromEntries(
     ['position', 'normal', 'uv', 'color', 'instance', ...variationNames].map((input) => [
@@ -34,8 +37,8 @@ export const normalVarying = 'warpjetPixel_normalAndLength'
 export const normalWithLength = restoreLength(normalVarying)
 
 /**
- * Returns statements of the vertex stage that pass the inputs of the warp to pixels. `expressions` are those of the vertex shader, and
- * `vec4` is the language's name of that type.
+ * Returns statements of the vertex stage that pass the inputs of the warp to pixels. `expressions` maps an input → its expression in the
+ * vertex shader. `vec4` is the language's name of that type.
  */
 export const passInputs = (
   pixel: PixelCode | undefined,

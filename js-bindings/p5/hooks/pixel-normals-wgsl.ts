@@ -35,7 +35,10 @@ export function readInputs({ varyings }: PixelCode): string {
     .join('')
 }
 
-/** Returns an expression for a normal in view space, from one in the space of the offset. With a hook for world space, p5 has two matrices. */
+/**
+ * Returns an expression for a normal in view space, from a normal in the space of the offset. With a hook for world space, p5 has two
+ * matrices.
+ */
 export function toView(normal: string, space: WarpSpace, { hooks }: Shader): string {
   const world = 'Vertex getWorldInputs'
   if (space === 'camera') return normal

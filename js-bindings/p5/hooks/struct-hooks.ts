@@ -41,7 +41,7 @@ export function isAfterWarpInStruct(
 /** Declares a global that `exactNormals` may have declared already. */
 const zeroNormalDeclaration = 'bool warpjetNormalIsZero;'
 
-/** Maps a space to the matrix that transforms normals from the shape's own space to it. */
+/** Maps a space to the matrix that transforms normals from the shape's own space into that space. */
 export const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
 
 const matrixToView = (name: string): ToView => ({

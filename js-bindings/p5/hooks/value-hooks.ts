@@ -1,9 +1,9 @@
 /**
  * p5 1.11 has separate hooks for position and normal, and those that it calls "world" are in view space. We do everything in the hook
  * for the view-space position, which p5 calls before the one for the normal: every attribute and matrix is available there, and each
- * space needs a transform into it and one back. World-space normals are Vᵀ times p5's `uNormalMatrix`, the inverse transpose of V M;
- * to return to view space, they are multiplied by V's rotation, because V is rigid. GLSL 1.00 has neither `transpose` (hence `v * V`) nor
- * `mat3(V)` (hence `vec4(n, 0.0)`).
+ * space needs a transform into it and one back. With the view matrix V and the model matrix M, world-space normals are transformed by Vᵀ
+ * times p5's `uNormalMatrix`, which is the inverse transpose of V M; to return to view space, they are multiplied by V's rotation, because
+ * V is rigid. GLSL 1.00 has neither `transpose` (hence `v * V`) nor `mat3(V)` (hence `vec4(n, 0.0)`).
  */
 import type { WarpSpace } from '../settings.js'
 import {

@@ -44,14 +44,15 @@ function complaintsOf(gl: Gl, text: string): Complaint[] {
  */
 function messageFor(text: string, defs: string, complaints: readonly Complaint[]) {
   const lines = defs.split('\n')
+  // The number of the line of the shader at which `defs` starts.
   const first = text.slice(0, text.indexOf(defs)).split('\n').length
   const [line, why] = complaints.find(([at]) => at >= first && at <= first + lines.length) ?? []
   if (!line) return undefined
-  const number = Math.min(line - first, lines.length - 1)
-  return `createWarp: the option "defs" has a mistake in its line ${number + 1}, "${shorten(lines[number]!.trim())}": ${why}.`
+  const index = Math.min(line - first, lines.length - 1)
+  return `createWarp: the option "defs" has a mistake in its line ${index + 1}, "${shorten(lines[index]!.trim())}": ${why}.`
 }
 
-/** Throws a `WarpError`; on WebGPU asynchronously, since it compiles asynchronously. */
+/** Throws a `WarpError` if `defs` does not compile; on WebGPU asynchronously, since WebGPU compiles asynchronously. */
 export function checkDefs(shader: Shader, defs: string, { GL, device }: Renderer) {
   const text = shader.vertSrc()
   if (GL) {

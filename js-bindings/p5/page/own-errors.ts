@@ -1,7 +1,7 @@
 /** Converts errors of 'warpjet/mesh', which is a separate module. */
 import { WarpError } from '../../errors/errors.js'
 
-/** Throws our `WarpError` for one of the other module, which has its own copy of the class. */
+/** Calls `work`, and converts a `WarpError` of the other module, which has its own copy of the class, to ours. */
 export async function withOwnErrors<Result>(work: () => Result): Promise<Awaited<Result>> {
   try {
     return await work()

@@ -6,31 +6,34 @@ import { fileNameOf, fileOf, stackLines } from '../../errors/source-lines.js'
 const isOfP5 = (file: string) =>
   /\/(?:@?p5(?:@[\w.]+)?\/lib\/)?p5(?:\.\w+)*\.js\b|\/p5@?[^/]*\/lib\//.test(file)
 
-let ours: string | undefined
+/** The address of this file; if the library is one bundle, the address of the bundle. */
+let libraryFile: string | undefined
 
 /** Number of lines that `new Function` puts before a function's body. */
 const linesBefore = 3
 
 /** Returns text such as ` (sketch.js, line 12)`; empty if the browser's stack trace lacks the line. */
 export function placeOf(error: Error): string {
-  ours ??= fileOf(stackLines()[0] ?? '')
+  libraryFile ??= fileOf(stackLines()[0] ?? '')
   const isOfSketch = (each: string) => {
     const file = fileOf(each)
-    return file !== ours && !isOfP5(file) && !/\/dist\/(?:shared\/)?[\w.-]+\.js$/.test(file)
+    return file !== libraryFile && !isOfP5(file) && !/\/dist\/(?:shared\/)?[\w.-]+\.js$/.test(file)
   }
   const lines = stackLines(error)
   const line = lines.find(isOfSketch)
-  const [, number] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
+  const [, lineNumber] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
   const isTranslated = (each: string) => /warpjet-operators-\d+\.js/.test(each)
-  if (number && isTranslated(line!)) {
+  if (lineNumber && isTranslated(line!)) {
     // In a translated function, lines are counted from its start, which we take to be the line where createWarp is called.
     const call = lines
       .slice(lines.indexOf(line!))
       .find((each) => isOfSketch(each) && !isTranslated(each))
-    const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
-    return first ? ` (${fileNameOf(call!)}, line ${+first + +number - linesBefore})` : ''
+    const [, startLine] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
+    return startLine
+      ? ` (${fileNameOf(call!)}, line ${+startLine + +lineNumber - linesBefore})`
+      : ''
   }
-  return number ? ` (${fileNameOf(line!)}, line ${number})` : ''
+  return lineNumber ? ` (${fileNameOf(line!)}, line ${lineNumber})` : ''
 }
 
 /** V8's limit on stack traces. */

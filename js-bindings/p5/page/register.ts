@@ -3,7 +3,7 @@ import { warpjet } from '../addon.js'
 
 const globals = globalThis as { p5?: unknown }
 
-/** Registers with p5 if it is a global, and returns whether it is. If not, registers as soon as p5 becomes a global. */
+/** Registers with p5 if p5 is a global, and returns whether it is one. If not, registers as soon as p5 becomes a global. */
 export function registerGlobally(): boolean {
   const { p5 } = globals
   if (typeof p5 === 'function') {

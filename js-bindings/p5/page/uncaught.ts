@@ -1,6 +1,6 @@
 /**
- * Explains uncaught errors on a page of script tags: shows a WarpError by p5's friendly errors, which don't know it, and gives advice
- * when one of our names is not defined.
+ * Explains uncaught errors on a page of script tags: shows a WarpError by p5's friendly errors, which don't know this class, and gives
+ * advice when one of our names is not defined.
  */
 import { placeOf } from './places.js'
 import { addScript, isAmong } from './scripts.js'

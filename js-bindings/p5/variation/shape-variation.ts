@@ -1,6 +1,6 @@
 /**
- * Per-vertex gradients of normal and uv on a shape. An offset that depends on normal or uv needs them for its own normals. p5's own
- * shapes have formulas; on others we compute gradients per triangle, which is exact where the surface is flat.
+ * Per-vertex gradients of normal and uv on a shape. An offset that depends on normal or uv needs these gradients for exact normals. p5's
+ * own shapes have formulas; on others we compute gradients per triangle, which is exact where the surface is flat.
  */
 import { variationNames, type VariationInput } from '../../compile/hosts.js'
 import type { Shape } from '../host.js'

@@ -36,8 +36,8 @@ function tableOf({ vertices, vertexNormals, uvs }: Shape): Float64Array {
 
 /**
  * Maps each varying value and vertex to the vertex that stores its gradient. Vertices with the same position and normal share the
- * gradients of the normal. They also share those of uv if their uvs differ by whole numbers, so that no seam shows in the light. A hash table with
- * numeric keys instead of strings would take a quarter to a third off the total time and add forty lines.
+ * gradients of the normal. They also share those of uv if their uvs differ by whole numbers, so that no seam shows in the light. A hash
+ * table with numeric keys instead of strings would take a quarter to a third off the total time and add forty lines.
  */
 function ownersOf(vertices: Float64Array): Int32Array[] {
   const rounded = vertices.map((x, at) => Math.round((at % width < uv ? x : x % 1) * 1e6))

@@ -41,14 +41,14 @@ export function defineVariationArrays(geometry: { prototype: object } | undefine
 }
 
 /** Renderers that map names to shapes (p5 1.11). Shared by all scripts of the page, each of which may contain a copy of this file. */
-const keepingRenderers = ((globalThis as Record<symbol, unknown>)[
+const renderersWithNames = ((globalThis as Record<symbol, unknown>)[
   Symbol.for('warpjet.renderers')
 ] ??= []) as WeakRef<Renderer>[]
 
 /** Returns p5's name of a shape. On 1.11 a shape doesn't have its name; renderers map names to shapes. */
 export const nameOf = (shape: Shape): string =>
   shape.gid ||
-  (keepingRenderers
+  (renderersWithNames
     .flatMap((reference) => Object.entries(reference.deref()?.retainedMode?.geometry ?? {}))
     .find(([, { model }]) => model === shape)?.[0] ??
     '')
@@ -58,7 +58,7 @@ export function prepareBuffers(renderer: Renderer) {
   const buffers = renderer.buffers?.fill ?? renderer.retainedMode?.buffers.fill
   const [first] = buffers ?? []
   if (!first || buffers!.some(({ attr }) => attr === variationAttribute(variationNames[0]!))) return
-  if (renderer.retainedMode) keepingRenderers.push(new WeakRef(renderer))
+  if (renderer.retainedMode) renderersWithNames.push(new WeakRef(renderer))
   const RenderBuffer = first.constructor as new (...settings: unknown[]) => typeof first
   for (const name of variationNames)
     buffers!.push(

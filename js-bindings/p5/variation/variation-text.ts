@@ -1,7 +1,7 @@
 /** GLSL that reads the gradients of normal and uv from attributes. */
 import { variationAttribute, variationNames, type HostText } from '../../compile/hosts.js'
 
-/** The attributes that a warp's code reads. */
+/** The code of a warp, of which only the list of attributes that it reads is needed here. */
 export type TextOfVertex = Pick<HostText, 'attributes'>
 
 /** Returns whether the code reads gradients of normal or uv. */
@@ -12,7 +12,7 @@ export const variationVariables = Object.fromEntries(
   variationNames.map((name) => [name, `warpjet_${name}`]),
 )
 
-/** Returns the gradients that the code reads. */
+/** Returns the names of the gradients that the code reads. */
 export const variationIn = ({ attributes }: TextOfVertex) =>
   attributes.flatMap(({ name }) => variationNames.filter((each) => each === name))
 
@@ -22,9 +22,10 @@ export const variationDeclarations = variationNames
   .join('\n')
 
 /**
- * Returns GLSL that computes the gradients from the attributes, in a space to which `matrix` transforms normals from the shape's own.
- * Such a matrix N is the inverse transpose of the one for positions. It transforms gradients like normals, and the derivative W of the
- * normal to N W Nᵀ. GLSL 1.00 has no `transpose`, hence `v * N`.
+ * Returns GLSL that computes the gradients from the attributes and transforms them by `matrix`, which transforms normals from the space of
+ * the shape to that of the hook. If `matrix` is empty, the gradients stay in the space of the shape. Such a matrix N is the inverse
+ * transpose of the one for positions. It maps a gradient g to N g, and the derivative W of the normal, whose columns are the first three
+ * attributes, to N W Nᵀ. GLSL 1.00 has no `transpose`, hence `v * N`.
  */
 export function variationInGlsl(matrix: string): string {
   const attributes = variationNames.map(variationAttribute)

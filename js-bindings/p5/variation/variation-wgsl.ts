@@ -14,7 +14,10 @@ const isOfNormal = (name: string) => name.startsWith('normal')
 export const privatesFor = (names: readonly VariationInput[]) =>
   names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
 
-/** Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if there are too many. */
+/**
+ * Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if there are too
+ * many.
+ */
 export function addAttributes(
   shader: Pick<Shader, '_vertSrc'>,
   names: readonly VariationInput[],
@@ -39,7 +42,7 @@ interface InSpace {
   space: WarpSpace
 }
 
-/** Returns the attributes that the code reads. Outside the shape's own space, one gradient of the normal depends on all of them. */
+/** Returns the attributes that the code reads. Outside the shape's own space, each gradient of the normal depends on all three. */
 export function attributesOf({ text, space }: InSpace) {
   const read = variationIn(text)
   const needsWholeNormal = space !== 'local' && read.some(isOfNormal)

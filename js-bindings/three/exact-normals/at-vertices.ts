@@ -3,12 +3,12 @@ let isWarping = false
 
 /** Runs `work` such that exact normals stay at vertices, where the warp can transform them. */
 export function withNormalsAtVertices<Result>(work: () => Result): Result {
-  const before = isWarping
+  const wasWarping = isWarping
   isWarping = true
   try {
     return work()
   } finally {
-    isWarping = before
+    isWarping = wasWarping
   }
 }
 

@@ -4,6 +4,7 @@ import { variationAttribute, variationNames } from '../../compile/hosts.js'
 import { noteApproximation } from '../../errors/notes.js'
 import type { Displacement, ExactSettings } from './displacement.js'
 
+/** The members of an ExactMaterial that warnings need. */
 interface Noting {
   settings: ExactSettings
   warn: (message: string) => void

@@ -26,7 +26,7 @@ const macros: Record<string, string> = {
   sizeAttenuation: 'USE_SIZEATTENUATION',
 }
 
-/** Maps a texture of a material → the name in its macros, where that is not the name in capitals. */
+/** Maps a texture of a material → its name in macros, such as `USE_LIGHTMAP` and `LIGHTMAP_UV`. */
 const maps: Record<string, string> = {
   map: 'MAP',
   lightMap: 'LIGHTMAP',
@@ -53,7 +53,7 @@ const maps: Record<string, string> = {
   sheenRoughnessMap: 'SHEEN_ROUGHNESSMAP',
 }
 
-/** Counts that three.js writes into its chunks as numbers. None of them changes where a vertex is. */
+/** Counts that three.js writes into its chunks as numbers. None of them changes where a vertex is, so we define all as 0. */
 const counts = [
   'NUM_DIR_LIGHTS',
   'NUM_SPOT_LIGHTS',

@@ -61,7 +61,7 @@ export function readDisplacement(
     if (value) uniforms[external.name] = value
   }
   const warp = new DisplacementWarp(
-    // Withholds the other inputs, since millis, size and instance are names of the shader here.
+    // Passes only these inputs: in a shader, millis, size and instance may be variables of the user.
     markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
       offset({ glsl, position, normal, uv, uniforms } as never),
     ),

@@ -131,7 +131,7 @@ export class ExactMaterial {
       return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.userKey()}`
     }
     wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (original) => {
-      // The default key is the text of the method onBeforeCompile.
+      // The default key is the text of the method onBeforeCompile, so `original` must see the material's own method, not our wrapper.
       this.userKey = () =>
         original.call(
           Object.create(material, { onBeforeCompile: { value: this.userCompile } }) as Material,

@@ -18,11 +18,11 @@ export const withNamesOfShader = (text: string) => text.replaceAll(inputPrefix, 
 export const withExactNames = (source: string) =>
   withNamesOfShader(source).replace(/\bwarpjet(?!Exact)/g, 'warpjetExact')
 
-/** Matches the heads of functions that are generated from the user's: each has the name of the user's function and a hash. */
+/** Matches the heads of functions that are generated from functions of the user. Each has the name of the user's function and a hash. */
 const head =
   /^(?:(?:high|medium|low)p )?\w+ (?!warpjet)(\w+_[0-9a-z]+(?:Gradient|Jacobian)?)\([^;{]*\) ?\{\n\w+ result;/gm
 
-/** Renames the functions whose heads are matched, too. */
+/** Renames the functions whose heads `head` matches, since a warp in the same shader may have generated the same ones. */
 export function withExactFunctions(source: string): string {
   const names = [...source.matchAll(head)].map(([, name]) => name!)
   return names.length === 0

@@ -13,7 +13,7 @@ import { followDisplacement } from './follow.js'
 
 export interface ExactNormalsOptions {
   /**
-   * The stage that computes normals: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a displacement that contains noise or bends strongly, unless that takes too many operations per pixel.
    * @default 'auto'
    */
@@ -34,12 +34,13 @@ const optionKinds = object({
 /**
  * Gives a material correct normals where its own vertex shader moves vertices: by `onBeforeCompile`, as a `ShaderMaterial` or
  * `RawShaderMaterial`, or by three-custom-shader-material. When three.js compiles the shader, we read and differentiate it, and transform
- * its normals and tangents by the exact derivative, in place of any normals that it computes by itself. Returns its first argument.
+ * its normals and tangents by the exact derivative, in place of any normals that the shader computes by itself. Returns its first argument.
  *
  * With a mesh, its shadows, culling and rays follow the displacement, too.
  *
  * A shader that cannot be read stays as it is, with one message on the console. Throws a `WarpError` for anything but a material or a
- * mesh, for materials of sprites, lines, points and nodes, and for one that `warpMaterial` has warped. Other materials without normals stay as they are.
+ * mesh, for materials of sprites, lines, points and nodes, and for a material that `warpMaterial` has warped. Other materials without
+ * normals stay as they are.
  *
  * ```js
  * material.onBeforeCompile = (shader) => {

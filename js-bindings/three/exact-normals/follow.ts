@@ -50,7 +50,10 @@ function extentFor(warp: ThreeWarp, mesh: Mesh): Extent {
   return extent
 }
 
-/** Gives the mesh bounds of its displaced surface. Three.js culls by the bounds of an object, if it has any, and otherwise by those of its geometry. */
+/**
+ * Gives the mesh bounds of its displaced surface. Three.js culls by the bounds of an object, if it has any, and otherwise by those of its
+ * geometry.
+ */
 function followBounds(mesh: Mesh, displacement: MeshDisplacement) {
   const bounds = (name: 'boundingSphere' | 'boundingBox', part: 'sphere' | 'box') => {
     let original = (mesh as unknown as Record<string, Sphere | Box3 | null | undefined>)[name]

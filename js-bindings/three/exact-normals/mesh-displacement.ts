@@ -25,7 +25,7 @@ export class MeshDisplacement {
     return this.read('cpu', { modelMatrix: () => this.mesh.matrixWorld })
   }
 
-  /** Reads the displacement for another shader. */
+  /** Reads the displacement for a shader of another material, such as that of shadows. */
   readForGpu(): Displacement | undefined {
     return this.read('gpu')
   }
@@ -67,7 +67,7 @@ export class MeshDisplacement {
     try {
       if (shader) userCompile.call(material, shader as never, undefined as never)
     } catch {
-      // It may need the renderer.
+      // `onBeforeCompile` may need the renderer.
       shader = undefined
     }
     this.uncompiled = { state, userCompile, shader }

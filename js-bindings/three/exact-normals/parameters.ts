@@ -1,7 +1,7 @@
 // Variables of the vertex shader that normals at pixels need in the fragment shader.
 import type { Displacement } from './displacement.js'
 
-/** Maps uniforms that three.js sets for every program → types. Those in `declared` it also declares in fragment shaders. */
+/** Maps uniforms that three.js sets for every program → types. */
 const types: Record<string, string> = {
   modelMatrix: 'mat4',
   modelViewMatrix: 'mat4',
@@ -9,6 +9,7 @@ const types: Record<string, string> = {
   viewMatrix: 'mat4',
   cameraPosition: 'vec3',
 }
+/** The names in `types` that three.js also declares in fragment shaders. */
 const declared = new Set(['viewMatrix', 'cameraPosition'])
 
 /** Returns why normals cannot be computed in the fragment shader; `undefined` if they can. */

@@ -15,7 +15,9 @@ const libraryNames: Record<string, string> = {
   ShadowMaterial: 'shadow',
 }
 
-/** Makes a shader with the parameters that affect the positions of vertices; returns `undefined` for a material that three.js does not have. */
+/**
+ * Makes a shader with the parameters that affect the positions of vertices; returns `undefined` for a material that three.js does not have.
+ */
 export function createShader(material: Material, object: Mesh): ExactShader | undefined {
   const { isShaderMaterial, vertexShader, fragmentShader, uniforms } =
     material as Partial<ShaderMaterial>

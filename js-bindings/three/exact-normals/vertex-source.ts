@@ -85,7 +85,10 @@ function optionalAttributes(shader: ExactShader) {
   return all.filter(([, , isPresent]) => isPresent)
 }
 
-/** Removes declarations of variables that `vertexSource` declares. A RawShaderMaterial contains them; for other materials, three.js adds them. */
+/**
+ * Removes declarations of variables that `vertexSource` declares. A RawShaderMaterial contains them; for other materials, three.js adds
+ * them.
+ */
 const withoutThreeDeclarations = (top: string) =>
   top.replace(
     new RegExp(

@@ -52,7 +52,9 @@ ${body}
 ${main.slice(close + 1)}`
 }
 
-/** Returns declarations of the matrices that `statements` read and a RawShaderMaterial does not declare, since it does not read them itself. */
+/**
+ * Returns declarations of the matrices that `statements` read and a RawShaderMaterial does not declare, since it does not read them itself.
+ */
 const declareMissing = (top: string, statements: string) =>
   Object.entries(uniforms)
     .filter(

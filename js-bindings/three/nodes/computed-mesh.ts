@@ -1,6 +1,6 @@
 /**
- * The option `detail` on the WebGPU backend: compute passes divide a mesh, and one indirect call draws it. The CPU divides the mesh until
- * the passes are compiled, and where they cannot divide it.
+ * The option `detail` on the WebGPU backend: compute passes divide a mesh, and one indirect call, whose arguments the passes write, draws
+ * it. The CPU divides the mesh until the passes are compiled, and where they cannot divide it.
  */
 import { Matrix3, type BufferGeometry, type InstancedMesh, type Material, type Mesh } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
@@ -27,7 +27,7 @@ interface Drawn {
 }
 
 export class ComputedMesh implements ComputeDetail {
-  /** For the first renderer with a WebGPU backend. The CPU divides the mesh for other renderers. */
+  /** The passes for the first renderer with a WebGPU backend. The CPU divides the mesh for other renderers. */
   private computed: Computed | undefined
   private drawn: Drawn | undefined
 

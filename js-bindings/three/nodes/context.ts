@@ -30,7 +30,7 @@ export function attachWarp(target: Object3D | Material, warp: ThreeWarp): () => 
   return () => void (warps.get(target) === warp && warps.delete(target))
 }
 
-/** Marks a node such that a material whose whole `positionNode` it is gets the warp, with its normals. */
+/** Marks a node. A material that has this node as its whole `positionNode` gets the warp, with the warp's normals. */
 export function markNode(node: AnyNode, warp: ThreeWarp): AnyNode {
   warpsOfNodes.set(node, warp)
   return node

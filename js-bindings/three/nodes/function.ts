@@ -83,8 +83,8 @@ export function parametersOf(
 
 /**
  * Returns the function. In the vertex stage the function returns the position, or a matrix with the columns position, normal and tangent;
- * for pixels the normal, or a matrix with the columns normal and tangent. For a warp with `otherNames` it returns a mat4 in the vertex
- * stage, which has these numbers in the places that `otherPlaces` lists.
+ * for pixels the normal, or a matrix with the columns normal and tangent. For a warp with other results (`otherNames`), it returns a mat4
+ * in the vertex stage, with these results in the places that `otherPlaces` lists.
  */
 export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): Call {
   const { code, declarations } = textOf(warp, stage, isWebGPU)
@@ -137,8 +137,8 @@ function columnsOf(stage: Stage, isWebGPU: boolean): string[] {
   const tangents = hasTangents(stage) ? [`${shaderNames.tangent}.xyz`] : []
   if (isOfPixel(stage)) return [shaderNames.normal, ...tangents]
   if (stage === 'position') return [shaderNames.position]
-  // The normal is zero if the surface collapses. A very short normal in its place does not become NaN when it is normalized, and the normals
-  // of neighbours outweigh it.
+  // The normal is zero if the surface collapses. Then we return the normal before the warp, made very short: it does not become NaN when
+  // it is normalized, and the normals of neighbours outweigh it.
   const normal = isWebGPU
     ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
     : `(${shaderNames.normal} == vec3(0.0) ? warpjetRestNormal * 1e-6 : ${shaderNames.normal})`

@@ -14,7 +14,7 @@ export function withoutPositionNode(material: { positionNode: unknown }, work: (
   }
 }
 
-/** Sets up all that comes before the matrices of instances, which three.js applies in its own `setup`. */
+/** Runs three.js' own `setup` such that it leaves out the matrices of instances and the positionNode. */
 export function withoutInstances(
   builder: Builder,
   material: { positionNode: unknown },

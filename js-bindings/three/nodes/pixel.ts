@@ -1,7 +1,7 @@
 /**
  * Normals at each pixel with WebGPURenderer, on both its backends. The vertex stage passes the inputs of the warp as varyings. Before the
  * material's own nodes for normals run, the normal of the geometry is replaced by that of the warp at the interpolated inputs, so that
- * normal maps, both sides of faces and clearcoats use it.
+ * normal maps, both sides of faces and clearcoats use the warp's normal.
  */
 import type { Texture } from 'three'
 import { shaderNames } from '../../compile/hosts.js'
@@ -62,7 +62,7 @@ export function pixelNormalsFor(
   return undefined
 }
 
-/** Calls `work` when the material sets up its normals; never if it reads none. */
+/** Calls `work` when the material sets up its normals; never if the material reads no normals. */
 function beforeNormals({ context }: Builder, work: () => void) {
   const setupNormal = context.setupNormal as () => unknown
   context.setupNormal = () => {

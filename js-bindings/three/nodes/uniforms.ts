@@ -95,7 +95,10 @@ export function previousUniformsOf(warp: ThreeWarp): NodesByName {
 
 type Values = ReadonlyMap<string, readonly number[]>
 
-/** Returns a node that can be an argument of a function. In GLSL one argument is the image and its sampler; three.js writes the image's name. */
+/**
+ * Returns a node that can be an argument of a function. In GLSL one argument is the image and its sampler; three.js writes the image's
+ * name.
+ */
 function imageOf(read: () => Texture): AnyNode {
   const node = tsl.texture(read()) as unknown as {
     generate: (builder: unknown, output: string) => unknown

@@ -16,7 +16,9 @@ interface NormalMaterial {
 /** For a zero normal, `functionFor` returns the normal before the warp times this. */
 const shortFactor = 1e-6
 
-/** Replaces the normals that a material reads, and returns what the vertex stage needs; `undefined` if the material reads no vertex normals. */
+/**
+ * Replaces the normals that a material reads, and returns what the vertex stage needs; `undefined` if the material reads no vertex normals.
+ */
 export function vertexNormalsFor(
   builder: Builder,
   material: NormalMaterial,

@@ -23,9 +23,9 @@ interface Normals {
 
 /**
  * Adds a warp to the vertex that is being built. `setup` is three.js' own method, which applies morph targets, bones, the
- * displacement map, the matrices of instances, and the material's `positionNode`, in this order. The warp comes after all of these.
- * But in the space 'local' it comes before the matrices of instances, if there are any, and a `positionNode` after them; and in the
- * space 'rest' it comes first. `displaceExactly` applies a `positionNode` with exact normals, which `setup` leaves out.
+ * displacement map, the matrices of instances, and the material's `positionNode`, in this order. The warp comes after all of these,
+ * with two exceptions. In the space 'rest' it comes first. In the space 'local' of an object with instances, it comes before the matrices
+ * of instances and the `positionNode`. `displaceExactly` applies a `positionNode` with exact normals, which `setup` leaves out.
  */
 export function setupWarped(
   warp: ThreeWarp,
@@ -39,7 +39,7 @@ export function setupWarped(
   const instances = space === 'local' ? instancesOf(object) : undefined
   const isDisplacedLater = displaceExactly && (space === 'rest' || instances)
   const vertexNormals = vertexNormalsFor(builder, material)
-  // Replaces the normals of `vertexNormals`.
+  // Called after `vertexNormalsFor`, whose normals it replaces.
   const pixel = pixelNormalsFor(warp, builder, material, {
     obstacle: isDisplacedLater && 'a positionNode with exactNormals changes normals after the warp',
   })
@@ -74,7 +74,7 @@ function displace(builder: Builder, positionNode: unknown) {
   if (builder.needsPreviousData()) tsl.positionPrevious.addAssign(tsl.positionLocal.sub(before))
 }
 
-/** Swaps front and back if the warp mirrors all of space: the renderer takes the outer side of a triangle for its back then. */
+/** Swaps front and back if the warp mirrors all of space: then the renderer takes the outer side of a triangle for its back. */
 function orientFaces(warp: ThreeWarp, builder: Builder) {
   if (warp.mirrors === false || Object.hasOwn(builder, 'getFrontFacing')) return
   const getFrontFacing = builder.getFrontFacing.bind(builder)
@@ -95,7 +95,7 @@ export interface MoveOptions extends Normals {
   outer?: OuterNodes
   /** The new position, if another node computes it. */
   position?: AnyNode | undefined
-  /** The variables that get the other numbers of the warp, in order. */
+  /** The variables that get the other results of the warp (`ThreeWarp.otherNames`), in order. */
   others?: readonly { node: AnyNode; size: number }[]
 }
 
@@ -160,7 +160,7 @@ export function moveVertex(
 /** The number of vectors that the function returns. */
 const vectorCounts: Record<VertexStage, number> = { position: 1, normal: 2, tangent: 3 }
 
-/** The number of other numbers that the function for a geometry can return. */
+/** The number of other results, each a float, that the function for a geometry can return. */
 export const roomForOthers = (geometry: BufferGeometry) =>
   otherPlaces(vectorCounts[stageOf(geometry)]).length
 

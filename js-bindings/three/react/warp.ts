@@ -23,8 +23,8 @@ export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOpti
 }
 
 /**
- * Warps the mesh, points or line that it is in, `<mesh>…<Warp offset={wave} /></mesh>`, or everything in it,
- * `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is the time of the
+ * Without children, warps the mesh, points or line around it: `<mesh>…<Warp offset={wave} /></mesh>`. With children, warps everything in
+ * it: `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is the time of the
  * clock. Another offset is compiled, and replaces the previous one. `ref` is the result of `warp`. A WebGPURenderer needs
  * `import 'warpjet/three/webgpu'`. Throws a `WarpError` where `warp` does.
  */

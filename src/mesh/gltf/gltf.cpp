@@ -44,10 +44,10 @@ void takeBuffersAndImages(Gltf& gltf, json& tree) {
     gltf.buffers.push_back(
         {textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), isFallback(buffer), {}});
   for (const json& image : takeMember(tree, "images")) {
-    tinygltf::Image& kept = gltf.model.images.emplace_back();
-    kept.uri = textOr(image, "uri");
-    kept.mimeType = textOr(image, "mimeType");
-    kept.bufferView = image.value("bufferView", -1);
+    tinygltf::Image& added = gltf.model.images.emplace_back();
+    added.uri = textOr(image, "uri");
+    added.mimeType = textOr(image, "mimeType");
+    added.bufferView = image.value("bufferView", -1);
   }
 }
 

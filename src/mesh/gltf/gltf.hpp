@@ -41,8 +41,8 @@ struct Gltf {
   std::vector<std::vector<std::uint8_t>> decodedUris;
   std::vector<std::string> warnings;
 
-  // Adds a warning, once. The message must not contain numbers of the file: otherwise a file could
-  // cause any number of warnings, each of which is compared with all others.
+  // Adds a warning, unless there is an equal one. The message must not contain numbers of the file:
+  // otherwise a file could cause any number of warnings, each of which is compared with all others.
   void warn(const std::string& message);
 };
 

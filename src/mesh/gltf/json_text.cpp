@@ -13,7 +13,7 @@ constexpr std::size_t maxDepth = 64;
 constexpr std::size_t maxValues = std::size_t{1} << 23;
 constexpr std::size_t maxObjects = std::size_t{1} << 20;
 
-void failUnlike(const std::string& what) {
+void failImplausible(const std::string& what) {
   throw FileProblem("the description of the model (its JSON) " + what +
                     ", which no exporter writes; export the model again.");
 }
@@ -31,7 +31,7 @@ void checkExtent(std::string_view text) {
         [[fallthrough]];
       case '[':
         ++values;
-        if (++depth > maxDepth) failUnlike("is nested more than 64 deep");
+        if (++depth > maxDepth) failImplausible("is nested more than 64 deep");
         break;
       case '}':
       case ']':
@@ -45,8 +45,8 @@ void checkExtent(std::string_view text) {
     }
   }
   if (values > maxValues || objects > maxObjects)
-    failUnlike("has more than " + groupDigits(maxValues) + " values or " + groupDigits(maxObjects) +
-               " objects");
+    failImplausible("has more than " + groupDigits(maxValues) + " values or " +
+                    groupDigits(maxObjects) + " objects");
 }
 
 }  // namespace

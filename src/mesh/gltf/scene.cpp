@@ -119,9 +119,9 @@ void failTooManyDraws() {
 
 std::vector<Placed> placeMeshes(Gltf& gltf) {
   std::vector<Placed> placed;
-  const auto place = [&](std::size_t number, const glm::dmat4& toWorld) {
-    const int i = static_cast<int>(number);
-    const tinygltf::Node& node = gltf.model.nodes[number];
+  const auto place = [&](std::size_t nodeIndex, const glm::dmat4& toWorld) {
+    const int i = static_cast<int>(nodeIndex);
+    const tinygltf::Node& node = gltf.model.nodes[nodeIndex];
     if (gltf.extensions.hiddenNodes.contains(i)) return false;
     if (node.mesh < 0) return true;
     const auto instancing = gltf.extensions.instancing.find(i);

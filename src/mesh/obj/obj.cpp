@@ -63,7 +63,7 @@ void markInvalid(const TextLine& line, LineNumbers<maxCount>& numbers, Lists& li
 }
 
 void readPosition(TextLine& line, Lists& lists) {
-  auto numbers = line.numbers<6>();
+  auto numbers = line.parseNumbers<6>();
   if (numbers.count < 3) line.fail("has a position of fewer than 3 numbers");
   const auto& values = numbers.values;
   // A fourth number alone is a weight, which is only for curves.
@@ -80,14 +80,14 @@ void readPosition(TextLine& line, Lists& lists) {
 }
 
 void readUv(TextLine& line, Lists& lists) {
-  auto numbers = line.numbers<2>();
+  auto numbers = line.parseNumbers<2>();
   if (numbers.count < 1) line.fail("has a uv without numbers");
   markInvalid(line, numbers, lists);
   lists.uvs.insert(lists.uvs.end(), {numbers.values[0], 1 - numbers.values[1]});
 }
 
 void readNormal(TextLine& line, Lists& lists) {
-  auto numbers = line.numbers<3>();
+  auto numbers = line.parseNumbers<3>();
   if (numbers.count < 3) line.fail("has a normal of fewer than 3 numbers");
   markInvalid(line, numbers, lists);
   const auto [x, y, z] = numbers.values;
@@ -97,13 +97,15 @@ void readNormal(TextLine& line, Lists& lists) {
     lists.normals.push_back(length == 0 ? 0 : static_cast<float>(number / length));
 }
 
-// Which invalid elements were left out or replaced in a file whose numbers are mostly valid.
+// Records which invalid elements were left out or replaced in a file whose numbers are mostly
+// valid.
 struct Losses {
   bool positions = false, uvs = false, normals = false;
 
   void warn(std::vector<std::string>& warnings) const {
     if (positions) warnings.push_back("Triangles with invalid positions are left out.");
-    if (normals) warnings.push_back("Invalid normals of the .obj are computed.");
+    if (normals)
+      warnings.push_back("The .obj has invalid normals, which were replaced by computed ones.");
     if (uvs) warnings.push_back("Invalid uvs of the .obj are set to 0.");
   }
 };
@@ -168,9 +170,10 @@ void checkSize(std::size_t corners) {
   // Assumes a separate vertex for each corner.
   constexpr std::size_t bytesPerCorner = 12 * sizeof(float) + sizeof(std::uint32_t);
   if (corners > maxMeshBytes / bytesPerCorner)
-    throw FileProblem("the model has " + groupDigits(corners / 3) + " triangles, but at most " +
+    throw FileProblem("the model has " + groupDigits(corners / 3) +
+                      " triangles; the maximum for an .obj is " +
                       groupDigits(maxMeshBytes / bytesPerCorner / 3) +
-                      " are read of an .obj; export it as .glb or with fewer triangles.");
+                      "; export it as .glb or with fewer triangles.");
 }
 
 // Multiplies different material colors into the vertices; `painted` marks vertices that have one.

@@ -24,11 +24,11 @@ std::vector<std::uint32_t> Refiner::chooseEdges() {
                    refinement_.maxTriangles - std::min(refinement_.maxTriangles, count));
 }
 
-// Chooses the longest side of each sliver of which another side is chosen. So triangles at the
-// border of a fine region, or between two nearly parallel edges, don't become ever thinner.
-// (Bisecting the longest side never reduces the smallest angle below half of its initial value:
-// Rosenberg and Stenger, "A lower bound on the angles of triangles constructed by bisecting the
-// longest side", 1975.) The consequences of a choice are propagated from edge to edge.
+// If any side of a sliver is chosen, also chooses its longest side. So triangles at the border of a
+// fine region, or between two nearly parallel edges, don't become ever thinner. (Bisecting the
+// longest side never reduces the smallest angle below half of its initial value: Rosenberg and
+// Stenger, "A lower bound on the angles of triangles constructed by bisecting the longest side",
+// 1975.) The consequences of a choice are propagated from edge to edge.
 void Refiner::keepShape(std::vector<bool>& chosen) const {
   struct Entailed {
     std::uint32_t edge, next;

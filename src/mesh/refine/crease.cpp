@@ -9,7 +9,8 @@ namespace warpjet {
 
 namespace {
 
-// After that many halvings, a thousandth of an edge remains, which was short already.
+// After this number of halvings, a thousandth of the edge remains, and the edge was short to begin
+// with.
 constexpr int maxHalvings = 10;
 
 Weights halfway(const Weights& a, const Weights& b) {

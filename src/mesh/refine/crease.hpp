@@ -10,15 +10,15 @@
 
 namespace warpjet {
 
-// A point of a triangle or of an edge. Its turn is the piece from the point to the corner whose
-// normal differs most from that of the point.
+// The line from a point of a triangle or edge, given by `weights`, to the corner whose warped
+// normal differs most from the warped normal of the point.
 struct Turn {
   std::array<std::uint32_t, 3> corners;
   Weights weights;
 };
 
-// Returns for each piece whether the normal jumps on it by about that angle or more. The jump is
-// found by bisection, so that steep but smooth turns don't count.
+// Returns for each line whether the normal jumps on it by about `angle` or more. The jump is found
+// by bisection, so that normals that turn steeply but smoothly don't count.
 std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float angle,
                             const WarpFunction& warp);
 

@@ -20,9 +20,9 @@ float fraction(double x) { return static_cast<float>(x - std::floor(x)); }
 Weights weights(const Piece& piece, std::uint32_t sample) {
   if (piece.isEdge()) {
     if (sample == 0) return {0.5f, 0.5f, 0};
-    const auto others = static_cast<float>(piece.samples - 1);
+    const auto otherSamples = static_cast<float>(piece.samples - 1);
     const auto i = static_cast<float>(sample);
-    const float t = (i - 0.58f + 0.2f * fraction(0.618034f * (i - 1))) / others;
+    const float t = (i - 0.58f + 0.2f * fraction(0.618034f * (i - 1))) / otherSamples;
     return {1 - t, t, 0};
   }
   if (sample == 0) return {1 / 3.0f, 1 / 3.0f, 1 / 3.0f};
@@ -53,7 +53,7 @@ float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// Returns the rounding error of a number of that size after the few operations that compute it.
+// Returns the rounding error of the coordinates of p after the few operations that compute them.
 float rounding(glm::vec3 p) {
   const float size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   return 4 * std::numeric_limits<float>::epsilon() * size;

@@ -39,8 +39,8 @@ struct Deviation {
   // The largest deviation of warped samples and normals from the straight piece between the
   // corners.
   SurfaceError max;
-  // The largest deviation from a parabola through the midpoints. It estimates how much the
-  // deviation may be larger between samples.
+  // The largest deviation from a parabola through the midpoints. It estimates how much larger the
+  // deviation may be between samples.
   SurfaceError residual;
   Weights maxAngleSample;  // the sample with the largest angle
   float unresolved = 0;    // the largest distance that is too small to tell from rounding errors
@@ -56,7 +56,7 @@ std::vector<Deviation> measure(const Mesh& mesh, const Moved& warped, Moved& mid
 // Warps these vertices; positions that the warp omits are NaN. With `hasNormals`, there is one
 // normal per vertex, whatever the warp returns; otherwise there are none.
 Moved applyWarp(const Mesh& vertices, const WarpFunction& warp, bool hasNormals);
-// Brings the result of a warp to this length in the same way.
+// Gives the result of a warp the length for this number of vertices, in the same way as applyWarp.
 void fit(Moved& moved, std::size_t vertices, bool hasNormals);
 
 }  // namespace warpjet

@@ -32,8 +32,8 @@ class Refiner {
 
   // See scrutiny.cpp.
   struct Scrutiny {
-    // The numbers of samples of the second measurement: if the first one leaves doubts, and in any
-    // case.
+    // The second measurement takes at least `minSamples`, and at least `samplesIfDoubtful` if the
+    // first measurement leaves doubts.
     std::uint32_t samplesIfDoubtful, minSamples;
     float warpedLength;  // of the edge that would be split
   };

@@ -25,7 +25,7 @@ std::vector<Refiner::Finding> Refiner::measureInTwoPasses(std::span<const Piece>
   findCreases(pieces, scrutinies, deviations, findings);
 
   std::vector<Piece> closer;
-  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> pieceIndices;
   std::vector<bool> isInDoubt;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (findings[i].score > 1) continue;
@@ -37,12 +37,12 @@ std::vector<Refiner::Finding> Refiner::measureInTwoPasses(std::span<const Piece>
     // All samples of an edge but the middle move if their number changes.
     const std::uint32_t known = pieces[i].isEdge() ? 1 : pieces[i].samples;
     closer.push_back({pieces[i].corners, pieces[i].sides, samples, known});
-    numbers.push_back(i);
+    pieceIndices.push_back(i);
     isInDoubt.push_back(mayBeMore);
   }
   const auto again = measure(surface_.mesh(), warped_, middles_, closer, warp_);
   for (std::size_t i = 0; i < closer.size(); ++i) {
-    Deviation& deviation = deviations[numbers[i]];
+    Deviation& deviation = deviations[pieceIndices[i]];
     if (again[i].max.angle > deviation.max.angle)
       deviation.maxAngleSample = again[i].maxAngleSample;
     deviation.max.raise(again[i].max);
@@ -52,10 +52,10 @@ std::vector<Refiner::Finding> Refiner::measureInTwoPasses(std::span<const Piece>
   }
   findCreases(pieces, scrutinies, deviations, findings);
   for (std::size_t i = 0; i < closer.size(); ++i) {
-    Finding& finding = findings[numbers[i]];
+    Finding& finding = findings[pieceIndices[i]];
     if (isInDoubt[i])
-      finding.score += missedShare * score(deviations[numbers[i]].residual,
-                                           countsAngle(finding, scrutinies[numbers[i]]));
+      finding.score += missedShare * score(deviations[pieceIndices[i]].residual,
+                                           countsAngle(finding, scrutinies[pieceIndices[i]]));
   }
   for (const Deviation& deviation : deviations) recordLimits(deviation);
   return findings;
@@ -66,17 +66,17 @@ void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutin
                           std::span<const Deviation> deviations,
                           std::vector<Finding>& findings) const {
   std::vector<Turn> turns;
-  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> pieceIndices;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     findings[i].error = deviations[i].max;
     if (!countsAngle(findings[i], scrutinies[i]) || scrutinies[i].warpedLength > maxCreaseLength_ ||
         findings[i].error.angle <= refinement_.angle)
       continue;
     turns.push_back({pieces[i].corners, deviations[i].maxAngleSample});
-    numbers.push_back(i);
+    pieceIndices.push_back(i);
   }
   const auto hasJump = findJumps(surface_.mesh(), turns, refinement_.angle, warp_);
-  for (std::size_t i = 0; i < turns.size(); ++i) findings[numbers[i]].isCreased = hasJump[i];
+  for (std::size_t i = 0; i < turns.size(); ++i) findings[pieceIndices[i]].isCreased = hasJump[i];
   for (std::size_t i = 0; i < pieces.size(); ++i)
     findings[i].score = score(findings[i].error, countsAngle(findings[i], scrutinies[i]));
 }

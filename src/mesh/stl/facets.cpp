@@ -29,9 +29,10 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 void Facets::reserve(std::uint64_t count) {
   if (count > maxMeshBytes / bytesPerTriangle)
-    throw FileProblem("the model has " + groupDigits(count) + " triangles, but at most " +
+    throw FileProblem("the model has " + groupDigits(count) +
+                      " triangles; the maximum for an .stl is " +
                       groupDigits(maxMeshBytes / bytesPerTriangle) +
-                      " are read of an .stl; export it as .glb or with fewer triangles.");
+                      "; export it as .glb or with fewer triangles.");
   mesh_.positions.reserve(static_cast<std::size_t>(count) * 9);
   mesh_.normals.reserve(static_cast<std::size_t>(count) * 9);
 }
@@ -58,8 +59,10 @@ void Facets::add(const glm::vec3& normal, const std::array<glm::vec3, 3>& corner
 Mesh Facets::takeMesh(std::vector<std::string>& warnings) {
   if (mesh_.positions.empty())
     throw FileProblem(
-        "there is nothing to draw: the .stl has no triangles; export it with its triangles.");
-  if (hasInvalidNormals_) warnings.push_back("Invalid normals of the .stl are computed.");
+        "there is nothing to draw: the .stl has no triangles; export the model again.");
+  if (hasInvalidNormals_)
+    warnings.push_back(
+        "The .stl has invalid normals, which were replaced by normals of the triangles.");
   if (hasInvalidPositions_) warnings.push_back("Triangles with invalid positions are left out.");
   return std::move(mesh_);
 }

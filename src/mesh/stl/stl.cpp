@@ -63,7 +63,7 @@ class Words {
     glm::vec3 v;
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = requireWord();
-      v[i] = line_->number(word);
+      v[i] = line_->parseNumber(word);
     }
     return v;
   }

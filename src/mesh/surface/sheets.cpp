@@ -147,7 +147,7 @@ class SheetFinder {
       if (!isForwards) std::swap(a, b);
       const std::uint32_t corner = p[(i + 2) % 3];
       const auto next = static_cast<std::uint32_t>(edges_.size());
-      const std::uint32_t edge = numbers_.findOrAdd(p[a], p[b], next);
+      const std::uint32_t edge = edgesByEnds_.findOrAdd(p[a], p[b], next);
       if (edge == next) edges_.push_back({corner});
       visit({edges_[edge], isForwards, corner, {3 * triangle + a, 3 * triangle + b}});
     }
@@ -195,9 +195,9 @@ class SheetFinder {
         const Three p = positionIdsOf(i);
         for (std::uint32_t k = 0; k < 3; ++k) {
           if (!isTwoSidedPosition_[p[k]]) continue;
-          std::uint32_t& number = sheetOfGroup[groups.find(3 * i + k)];
-          if (number == none) number = sheets.count++;
-          sheets.sheetOfCorner[3 * i + k] = number;
+          std::uint32_t& sheet = sheetOfGroup[groups.find(3 * i + k)];
+          if (sheet == none) sheet = sheets.count++;
+          sheets.sheetOfCorner[3 * i + k] = sheet;
         }
       }
     }
@@ -209,7 +209,7 @@ class SheetFinder {
   Ids twoSided_, oneSided_;               // triangles
   std::vector<bool> isTwoSidedPosition_;  // true if a two-sided triangle uses the position
   std::vector<bool> isOnBothSides_;
-  Pairs numbers_;
+  Pairs edgesByEnds_;
   std::vector<SheetEdge> edges_;
 };
 

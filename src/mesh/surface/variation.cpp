@@ -161,10 +161,10 @@ class Estimate {
   }
 
   template <std::size_t size>
-  static void write(const std::vector<Mean<size>>& means, const Ids& numbers,
+  static void write(const std::vector<Mean<size>>& means, const Ids& groups,
                     std::vector<float>* arrays) {
     for (std::size_t i = 0; i < size; ++i) arrays[i].resize(3 * means.size());
-    for (std::size_t i = 0; i < means.size(); ++i) means[numbers[i]].writeTo(arrays, i);
+    for (std::size_t i = 0; i < means.size(); ++i) means[groups[i]].writeTo(arrays, i);
   }
 
   Mesh& mesh_;

@@ -53,13 +53,13 @@ std::string_view TextLine::rest() const {
 }
 
 std::string TextLine::problem(const std::string& what) const {
-  return "line " + groupDigits(number_) + " of the ." + std::string(format_) + ' ' + what +
+  return "line " + groupDigits(lineNumber_) + " of the ." + std::string(format_) + ' ' + what +
          "; export the model again.";
 }
 
 void TextLine::fail(const std::string& what) const { throw FileProblem(problem(what)); }
 
-float TextLine::number(std::string_view text) {
+float TextLine::parseNumber(std::string_view text) {
   const std::optional<float> number = parseFloat(text);
   if (number && std::isfinite(*number)) return *number;
   if (!number && !isPrintedNonNumber(text))
@@ -78,7 +78,7 @@ std::string TextLine::problemOfNumber() const {
 std::optional<TextLine> TextLines::next() {
   while (rest_.starts_with(utf8Mark)) rest_.remove_prefix(utf8Mark.size());
   if (rest_.empty()) return std::nullopt;
-  const std::size_t number = number_ += joined_ + 1;
+  const std::size_t lineNumber = lineNumber_ += joined_ + 1;
   joined_ = 0;
   std::size_t end = rest_.find(end_);
   for (; end != rest_.npos; end = rest_.find(end_, end + 1)) {
@@ -87,7 +87,7 @@ std::optional<TextLine> TextLines::next() {
   }
   const std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
-  return TextLine(withoutComment(line), format_, number);
+  return TextLine(withoutComment(line), format_, lineNumber);
 }
 
 }  // namespace warpjet

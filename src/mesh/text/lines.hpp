@@ -14,14 +14,14 @@ template <std::size_t maxCount>
 struct LineNumbers {
   std::array<float, maxCount> values{};
   std::size_t count = 0;
-  bool isFinite = true;  // of the numbers that were read
+  bool isFinite = true;  // true if all numbers read are finite
 };
 
 class TextLine {
  public:
   // `format` is "obj", for example.
-  TextLine(std::string_view text, std::string_view format, std::size_t number)
-      : rest_(text), format_(format), number_(number) {}
+  TextLine(std::string_view text, std::string_view format, std::size_t lineNumber)
+      : rest_(text), format_(format), lineNumber_(lineNumber) {}
 
   // Returns the next word on the line; empty at its end.
   std::string_view word();
@@ -29,16 +29,16 @@ class TextLine {
   // Returns the rest of the line without spaces around it: a name, which may contain spaces.
   std::string_view rest() const;
 
-  // Parses a number; returns NaN for infinity and for the NaN spellings of other programs. Throws a
-  // FileProblem for anything else.
-  float number(std::string_view word);
+  // Parses a number. Returns NaN for numbers that are not finite in float32, and for the spellings
+  // of NaN and infinity in other programs. Throws a FileProblem for anything else.
+  float parseNumber(std::string_view word);
 
   // Reads up to `maxCount` numbers; ignores the rest.
   template <std::size_t maxCount>
-  LineNumbers<maxCount> numbers() {
+  LineNumbers<maxCount> parseNumbers() {
     LineNumbers<maxCount> numbers;
     for (std::string_view text = word(); !text.empty() && numbers.count < maxCount; text = word()) {
-      const float value = number(text);
+      const float value = parseNumber(text);
       numbers.isFinite &= value == value;
       numbers.values[numbers.count++] = value;
     }
@@ -54,7 +54,7 @@ class TextLine {
 
  private:
   std::string_view rest_, format_;
-  std::size_t number_;
+  std::size_t lineNumber_;
   std::string_view nonNumber_;
 };
 
@@ -66,13 +66,10 @@ class TextLines {
       : rest_(text), format_(format), end_(text.find('\n') == text.npos ? '\r' : '\n') {}
   std::optional<TextLine> next();
 
-  // Returns the number of the last line that was read.
-  std::size_t number() const { return number_; }
-
  private:
   std::string_view rest_, format_;
   char end_;
-  std::size_t number_ = 0;
+  std::size_t lineNumber_ = 0;
   std::size_t joined_ = 0;
 };
 

@@ -6,8 +6,8 @@
 
 namespace warpjet::source::glsl {
 
-// Returns true for the keywords of that version; 0, which means that there is no #version, for
-// those of either version.
+// Returns true for a keyword of this version of GLSL. A source without #version, for which
+// `version` is 0, has the keywords of both versions.
 bool isKeyword(std::string_view name, int version);
 
 // Returns true if the word is reserved for future use.

@@ -30,7 +30,8 @@ class Preprocessor {
     while (start < tokens_.size() && tokens_[start].kind != Kind::End && !problems_.any()) {
       std::size_t end = start + 1;
       const bool isDirective = tokens_[start].is("#") && tokens_[start].startsLine;
-      // The arguments of a macro may span several lines; a directive is a single line.
+      // A directive is a single line, apart from lines joined by a backslash. The arguments of a
+      // macro may span several lines.
       while (end < tokens_.size() && tokens_[end].kind != Kind::End &&
              !(tokens_[end].startsLine && (isDirective || tokens_[end].is("#"))))
         ++end;
@@ -156,7 +157,7 @@ class Preprocessor {
 
   void renumber(const Token& word, Line rest) {
     const LineNumbers numbers = evaluateLine(word, rest, macros_, problems_);
-    // A directive may span several lines.
+    // A directive may span several lines that are joined by a backslash.
     const std::uint32_t last = rest.empty() ? word.location.line : rest.back().location.line;
     lineShift_ = static_cast<std::int64_t>(numbers.line) - last - 1;
     if (numbers.file) macros_.define("__FILE__", *numbers.file);

@@ -20,7 +20,7 @@ struct Token {
   Location location;
   // True for the name of a macro within that macro's own expansion, which is never expanded.
   bool isPlain = false;
-  // The line where the macro call ends that this token was expanded from; 0 if there is none.
+  // The last line of the macro call that this token was expanded from; 0 if there is none.
   std::uint32_t callLine = 0;
 
   bool is(std::string_view wanted) const {

@@ -85,7 +85,8 @@ double componentOf(const std::vector<double>& numbers, std::size_t i) {
 
 std::optional<std::vector<double>> foldAbstract(Operator op, const Operand& left,
                                                 const Operand& right, Type type) {
-  // A product of matrices is left to numbers with a concrete type; none of these is abstract.
+  // Computes component by component. Products of matrices don't get here: they are computed with
+  // numbers of a concrete type.
   std::vector<double> numbers;
   for (int i = 0; i < type.components(); ++i) {
     const auto k = static_cast<std::size_t>(i);

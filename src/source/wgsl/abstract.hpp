@@ -8,8 +8,8 @@
 
 namespace warpjet::source::wgsl {
 
-// Applies a binary operator, whose result has that type; scalars are broadcast. Returns nullopt if
-// there is no value.
+// Applies a binary operator, whose result has the type `type`; scalars are broadcast. Returns
+// nullopt if there is no value.
 std::optional<std::vector<double>> foldAbstract(Operator op, const Operand& left,
                                                 const Operand& right, Type type);
 

@@ -36,7 +36,7 @@ unsigned Parser::behaviorOf(StatementId id) const {
     case Loop:
       return behaviorOfLoop(statement);
     case Switch: {
-      // Each body is a block, and a break of our own follows.
+      // The body of each case is a block, followed by a break that the parser has added.
       unsigned all = 0;
       for (const StatementId child : statement.children)
         if (tree_.statements[child].kind == Block) all |= behaviorOf(child);

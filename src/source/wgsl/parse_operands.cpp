@@ -150,7 +150,7 @@ Operand Parser::element(const Operand& given) {
   if (problems_.any()) return failOperand(location, "");
   Operand made =
       elementOf(given.isPointer() ? dereference(given, location) : given, index, location);
-  // An array of arrays is one of structures with a single field.
+  // An array of arrays is represented as an array of structures with a single field.
   const Type type = made.type;
   if (problems_.any() || !type.isStruct() || !tree_.types.structure(type).name.empty()) return made;
   made.type = tree_.types.structure(type).fields[0].type;

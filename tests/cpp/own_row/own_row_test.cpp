@@ -14,8 +14,7 @@ class AddedOperation : public testing::Test, protected Bench {
  protected:
   int y = input("y");
 
-  // Returns the program of a scalar result that depends on x, or on x and y. Of all components
-  // of the inputs, x is the first and y the last.
+  // Returns the program of a scalar result that depends on x, or on x and y.
   Program programOf(int result) {
     builder.output("gen", "result", result);
     EXPECT_TRUE(builder.finish()) << builder.problem();
@@ -26,6 +25,8 @@ class AddedOperation : public testing::Test, protected Bench {
     return *program(builder.module(), std::array{std::uint32_t{0}}).program;
   }
 
+  // Returns values for all components of the inputs. The bench declares x first, and this fixture
+  // declares y last, so x and y are at the ends.
   template <class Number>
   std::vector<Number> inputComponents(Number first, Number last, Number others = {}) const {
     std::vector<Number> all(componentCount_, others);
@@ -106,7 +107,7 @@ TEST_F(AddedOperation, IsWrittenInEachLanguage) {
   EXPECT_TRUE(webgl.find("count = floor(x / y + 0.5);") != webgl.npos) << webgl;
 }
 
-// The number of vertices exceeds the lanes of a register, and is no multiple of them.
+// The number of vertices is larger than the number of lanes, and not a multiple of it.
 TEST_F(AddedOperation, IsEvaluatedLaneByLaneIfItsFunctionTakesDoubles) {
   const Program program = programOf(call("cbrt", {x}));
   EXPECT_EQ(inLanes(program, {-8, -1, 0, 1, 8, 27}, {}), (std::vector<float>{-2, -1, 0, 1, 2, 3}));

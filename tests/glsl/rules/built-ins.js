@@ -1,4 +1,4 @@
-// Built-in functions, variables and constants.
+// Valid and invalid uses of built-in functions, variables and constants.
 import { makeCases, withBody, withTop } from './sources.js'
 
 export const builtIns = [

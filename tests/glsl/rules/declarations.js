@@ -1,4 +1,4 @@
-// Structures, functions and blocks of uniforms.
+// Valid and invalid declarations of structures, functions and blocks of uniforms.
 import { makeCases, withTop } from './sources.js'
 
 export const declarations = [

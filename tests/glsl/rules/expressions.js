@@ -1,4 +1,4 @@
-// Constructors, operators, indices and calls.
+// Valid and invalid constructors, operators, indices and calls.
 import { makeCases, withBody } from './sources.js'
 
 export const expressions = [

@@ -1,4 +1,4 @@
-// Statements in fragment shaders.
+// Valid and invalid statements in fragment shaders.
 import { makeCases, withBody } from './sources.js'
 
 /** Maps the title of a case → statements of a fragment shader. */

@@ -1,4 +1,4 @@
-// Declarations outside of functions.
+// Valid and invalid declarations outside of functions.
 import { makeCases, withTop } from './sources.js'
 
 export const globals = [

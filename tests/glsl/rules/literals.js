@@ -1,4 +1,4 @@
-// Literals of floats and of integers.
+// Valid and invalid literals of floats and integers.
 import { makeCases, withBody } from './sources.js'
 
 export const literals = [

@@ -1,4 +1,4 @@
-// Names: reserved, long and others.
+// Valid and invalid names: reserved, long and others.
 import { makeCases, withBody, withLines, withTop } from './sources.js'
 
 /** Names that GLSL reserves, and some that it does not. `words` of versions.js has others. */

@@ -1,4 +1,4 @@
-// Macros, directives and comments.
+// Valid and invalid macros, directives and comments.
 import { makeCases, withBody, withLines, withTop } from './sources.js'
 
 export const preprocessor = [

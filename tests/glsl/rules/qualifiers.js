@@ -1,4 +1,4 @@
-// Qualifiers in all orders, and each type in all places.
+// Valid and invalid qualifiers and types: qualifiers in all orders, and each type in all places.
 import { makeCases, withBody, withTop } from './sources.js'
 
 const qualifiers =

@@ -1,4 +1,4 @@
-// Statements in functions.
+// Valid and invalid statements in functions.
 import { makeCases, withBody } from './sources.js'
 
 export const statements = [

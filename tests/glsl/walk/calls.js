@@ -92,7 +92,7 @@ export class Calls extends Expressions {
     const from = layoutOf(operands[0].type)
     const isAlone = operands.length === 1
     const diagonal = (i, one, other) => (Math.floor(i / rows) === i % rows ? one : other)
-    const number = (i) => {
+    const componentAt = (i) => {
       if (isAlone && columns > 1 && all.length === 1) return diagonal(i, all[0], 0)
       if (isAlone && columns > 1 && from.columns > 1) {
         const [column, row] = [Math.floor(i / rows), i % rows]
@@ -103,7 +103,7 @@ export class Calls extends Expressions {
     }
     return newValue(
       type,
-      Array.from({ length: size }, (_, i) => convert[kind](number(i))),
+      Array.from({ length: size }, (_, i) => convert[kind](componentAt(i))),
       isVarying,
     )
   }

@@ -82,12 +82,13 @@ export class Expressions extends Names {
   value_postfix({ expression, postfix }) {
     let value = this.value(expression)
     for (let next = postfix; next; next = next.type === 'postfix' ? next.postfix : undefined) {
-      const one = next.type === 'postfix' ? next.expression : next
-      if (one.type === 'field_selection') value = this.select(value, one.selection.identifier)
-      else if (one.type === 'quantifier') value = this.element(value, this.value(one.expression))
+      const access = next.type === 'postfix' ? next.expression : next
+      if (access.type === 'field_selection') value = this.select(value, access.selection.identifier)
+      else if (access.type === 'quantifier')
+        value = this.element(value, this.value(access.expression))
       else {
         const before = this.copy(value)
-        this.step(value, one.literal)
+        this.step(value, access.literal)
         return before
       }
     }

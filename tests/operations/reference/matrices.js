@@ -60,7 +60,7 @@ function inverse(m) {
   return fill(size, (row, column) => rows[row][size + column])
 }
 
-const condition = (m) => [norm(m) * norm(inverse(m))]
+const conditionNumber = (m) => [norm(m) * norm(inverse(m))]
 
 /** For `adjust`: increases the diagonal of a matrix that is close to singular. */
 const makeRegular = ([m]) => {
@@ -219,7 +219,11 @@ export const matrices = [
   ofMatrix('determinant', (m) => [determinant(m)], { result: () => 1 }),
   ofMatrix('inverse', inverse, {
     adjust: makeRegular,
-    sensitivity: { value: condition, derivative: condition, because: 'the condition ‖m‖ ‖m⁻¹‖' },
+    sensitivity: {
+      value: conditionNumber,
+      derivative: conditionNumber,
+      because: 'the condition number ‖m‖ ‖m⁻¹‖',
+    },
   }),
   ...columnOrRow('column', columnOf),
   ...columnOrRow('row', rowOf),

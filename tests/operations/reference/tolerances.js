@@ -1,7 +1,7 @@
-// Tolerances of float32 on a GPU against the reference: { value, derivative, because }. An error is relative to the expected
-// number if that is above 1, and to the row's `sensitivity` if it has one, { value, derivative, because }: the factor by which
-// the mathematics itself amplifies an error of an operand or of rounding, one number for each component of the result, computed
-// by hand. The bounds are two to four times the errors measured on SwiftShader.
+// Tolerances of float32 on a GPU against the reference: { value, derivative, because }. Before it is compared, an error is divided by the
+// expected number if that is above 1, and by the `sensitivity` of the row if the row has one. The sensitivity, { value, derivative,
+// because }, is the factor by which the mathematics itself amplifies an error of an operand or of rounding: one number for each component
+// of the result, from a formula derived by hand. The bounds are two to four times the errors measured on SwiftShader.
 
 /** Sums, products and quotients, roots, and operations that only select. */
 export const rounding = {

@@ -114,7 +114,7 @@ export const vectors = [
     domains: [coordinate],
     adjust: shortenFirst,
     kinks: 'at 0',
-    // The derivatives of a short vector are large, and those along it are small differences of these.
+    // The partial derivatives are large at a short vector, and the derivative along the vector is a small difference of them.
     sensitivity: {
       derivative: (v) => [1 + 1 / Math.max(1e-7, length(v))],
       because: '1 + 1 / length',

@@ -88,7 +88,7 @@ export const offsets = {
   'glsl.vec3(undefined, 0, 0)':
     'vec3: expected a number or an expression for argument 1, got undefined.',
   'position.add(glsl.vec2(1, 2))':
-    'add: a vec3 and a vec2 do not fit together; use vectors of one size, or numbers.',
+    'add: a vec3 and a vec2 do not fit together; use vectors of the same size, or numbers.',
   'position.add([1, 0, 0])':
     'add: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'position.add(createVector(1, 0, 0))':

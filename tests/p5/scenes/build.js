@@ -1,4 +1,4 @@
-// Warps that are called while p5 builds a geometry must look as on the GPU. So must shader() with a warp as its argument.
+// Warps that are called while p5 builds a geometry must look as they do on the GPU. shader(warp) must look like a call of the warp.
 export const setup = `
   noStroke()
   warps.wave = createWarp(({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(0.2), 0))

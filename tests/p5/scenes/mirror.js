@@ -1,4 +1,4 @@
-// A warp that mirrors must be lit like the same shape under p5's scale(-1, 1, 1), with normals that point outwards.
+// A shape under a warp that mirrors must be lit like the same shape under p5's scale(-1, 1, 1), with normals that point outwards.
 import { addon, glslAddon } from '../../support/browser/p5-hosts.js'
 
 const scales = 'glsl.vec3(position.x().mult(uniforms.flip.sub(1)), 0, 0)'

@@ -1,4 +1,4 @@
-// Compares warps with p5's translate() wherever a sketch can draw: in a framebuffer, with shapes of each kind, and under each light.
+// Compares warps with p5's translate(): in a framebuffer, with shapes of several sources, and under an image light and before a panorama.
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
 
 const shapes = {
@@ -12,7 +12,7 @@ const shapes = {
     // p5 draws this shape with a separate shader.
     'before a panorama': (move) => `panorama(sky); lights(); ${move}; fill('red'); sphere(30)`,
   }),
-  'between vertices': (move) =>
+  'made of vertex() calls': (move) =>
     `${move}; fill('red'); beginShape(); vertex(-20, -20); vertex(20, -20); vertex(0, 20); endShape(CLOSE)`,
 }
 
@@ -21,7 +21,8 @@ const look = 'ortho(); noStroke()'
 
 export default [
   {
-    title: 'a warp moves drawings in a framebuffer, and shapes of each kind, under each light',
+    title:
+      'a warp moves drawings in a framebuffer, shapes of several sources, and shapes under an image light',
     table: () => ({
       setup: `
         right = createWarp(({ glsl }) => glsl.vec3(40, 0, 0), { space: 'world' })
@@ -33,6 +34,7 @@ export default [
         for (let y = 0; y < 16; y++)
           for (let x = 0; x < 32; x++) sky.set(x, y, color(8 * x, 200 - 9 * y, 90))
         sky.updatePixels()`,
+      // The third picture, without a motion, must differ.
       pairs: Object.fromEntries(
         Object.entries(shapes).map(([name, shape]) => [
           name,

@@ -1,4 +1,4 @@
-// A p5 project that uses all parts of the package for pages.
+// A p5 sketch that uses the compiler, deformers and mesh of the package.
 import p5 from 'p5'
 import 'warpjet/p5'
 import { compileWarp } from 'warpjet'

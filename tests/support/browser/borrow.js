@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import { chromium } from 'playwright-core'
 import { variable } from '../../../.scripts/lib/browsers.mjs'
 
-/** Returns null if there are no browsers, or all are in use. `close()` returns the browser, without its pages. */
+/** Returns a browser; null if there are none, or all are in use. Its `close()` closes its pages, and lets another file borrow it. */
 export async function borrow() {
   const { taken, addresses } = JSON.parse(process.env[variable] ?? '{ "addresses": [] }')
   for (const [i, address] of addresses.entries()) {

@@ -4,7 +4,10 @@ import { findBrowser } from '../../../.scripts/lib/browser.mjs'
 import { softwareFlags, testFlags } from '../../../.scripts/lib/flags.mjs'
 import { borrow } from './borrow.js'
 
-/** Starts the Chromium that WARPJET_CHROMIUM names, or the one found on this machine. `moreFlags` are added to its command line. */
+/**
+ * Returns a browser: one that `borrow` returns or, with `moreFlags`, which are added to the command line, a new one. Starts the Chromium
+ * that WARPJET_CHROMIUM names, or that is found on this machine.
+ */
 export const launchBrowser = async (moreFlags = []) =>
   (moreFlags.length ? null : await borrow()) ?? launch([...testFlags, ...moreFlags])
 
@@ -22,7 +25,7 @@ export const webgpuFlags = [
   '--enable-features=Vulkan',
 ]
 
-/** Tests for the driver's warning that a page reads its canvas, which it always does when composited on the CPU. */
+/** Tests for the driver's warning that a page reads its canvas, as every page does that is composited on the CPU. */
 const isDriverWarning = (text) => /GL Driver Message .*: GPU stall due to ReadPixels/.test(text)
 
 /** Maps a page to its console messages, and to the context that opened it. */

@@ -26,7 +26,8 @@ export const positionAndNormal = (results, i) => [
  * Returns the max differences between `results` and `expected`. Both have a list per moment: `results` with six numbers per vertex,
  * `expected` with the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For
  * vertices with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees
- * off.
+ * off. Of the other counts, `kinks` and `collapsing` are vertices whose normals are not compared; `vanishing` are those where the moved
+ * surface has no normal, and `notZero` those of them where the result has one.
  */
 export function compare(results, expected, reach, bound = maxDegrees) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }

@@ -14,7 +14,7 @@ export const layout = {
 }
 export const stride = Object.values(layout).reduce((sum, size) => sum + size)
 
-const sphere = (count) =>
+const makeSphere = (count) =>
   directions(count).map((point) => ({
     position: point,
     normal: point,
@@ -22,7 +22,7 @@ const sphere = (count) =>
   }))
 
 /** Returns the vertices of a cube with faces at ±1, each divided into `cells` × `cells` squares. */
-const cube = (cells) =>
+const makeCube = (cells) =>
   [0, 1, 2].flatMap((axis) =>
     [-1, 1].flatMap((side) =>
       Array.from({ length: (cells + 1) ** 2 }, (_, i) => {
@@ -38,7 +38,7 @@ const cube = (cells) =>
   )
 
 /** Returns points on the axes and others, each with unusual normals that a loaded model may have. */
-function unusualVertices() {
+function makeUnusualVertices() {
   const scaleTo = (length) => (n) => n.map((x) => length * x)
   const constants = [
     [1, 1e-20, 0],
@@ -50,24 +50,24 @@ function unusualVertices() {
   const onAxes = [0, 1, 2].flatMap((axis) =>
     [-1, 1].map((side) => [0, 1, 2].map((k) => (k === axis ? side : 0))),
   )
-  const points = [...onAxes, ...sphere(9).map(({ position }) => position), [0, 0, 0]]
+  const points = [...onAxes, ...makeSphere(9).map(({ position }) => position), [0, 0, 0]]
   return points.flatMap((position) =>
     normals.map((normal) => ({ position, normal: normal(position), uv: [0.25, 0.75] })),
   )
 }
 
-const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
+const colorAt = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
 
-/** Makes a sphere, a cube and special cases, of radius `size`, with only one in `every` vertices. */
+/** Makes the vertices of a sphere, a cube and special cases, of radius `size`. If `every` is n, keeps only every nth vertex. */
 export function denseMesh(size, every = 1) {
-  const all = [...sphere(1200), ...cube(13), ...unusualVertices()]
+  const all = [...makeSphere(1200), ...makeCube(13), ...makeUnusualVertices()]
   const points = all.filter((_, i) => i % every === 0)
   return Float32Array.from(
     points.flatMap(({ position, normal, uv }) => [
       ...position.map((x) => size * x),
       ...normal,
       ...uv,
-      ...color(position),
+      ...colorAt(position),
       ...Object.values(normalGradients(normal, size)).flat(),
     ]),
   )
@@ -96,8 +96,8 @@ function readAttribute(mesh, name) {
 }
 
 /**
- * Returns a mesh in the form that `evaluate` takes, with those gradients of the normal that are in `attributes`, which the warp's shader
- * reads.
+ * Returns a mesh in the form that `evaluate` takes, with those gradients of the normal that are in `attributes`, the attributes that the
+ * warp's shader reads.
  */
 export function arraysOf(mesh, attributes) {
   const all = (name) => readAttribute(mesh, name)

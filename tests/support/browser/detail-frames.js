@@ -26,7 +26,7 @@ async function measureBatch({ gl, frame }, first, { distance, millis, moves }) {
   return (performance.now() - begin) / framesPerBatch
 }
 
-/** Measures a mesh with detail, and a uniform one, each side of which has `pieces` pieces. */
+/** Measures a mesh with detail, and the same mesh with each side of its triangles split into `pieces` pieces. */
 async function measureCase(start, offset, { mesh, pieces, sizes, uniforms, normals, ...settings }) {
   const { millis = 0, ...own } = uniforms
   const options = { normals, ...(Object.keys(own).length && { uniforms: own }) }

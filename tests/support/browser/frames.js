@@ -1,4 +1,5 @@
-// Reduces what pages draw in tests without a GPU, and makes it readable. All functions but `drawLittle` are for `addInitScript`.
+// Reduces what pages draw in tests without a GPU, and lets tests read their canvases. All functions but `drawLittle` are for
+// `addInitScript`.
 
 /** Preserves the canvas of three.js, which is otherwise cleared after a frame is shown. */
 export function keepFrames() {
@@ -26,21 +27,21 @@ export function fewSamples() {
 }
 
 /**
- * Limits the frames of a page, which take the most time without a GPU: its first `count` frames are immediate, so that its picture
- * appears, and then there is one every 400 milliseconds.
+ * Limits the animation frames of a page, which take the most time without a GPU: the first `count` frames after it creates a WebGL context
+ * are immediate, so that its picture appears, and the later ones are 400 milliseconds apart.
  */
 export function fewFrames(count = 3) {
-  // The page draws only in frames, and otherwise only asks whether there is WebGL.
+  // The playground draws only in iframes. Its page creates a context only to find out whether there is WebGL.
   if (location.pathname.includes('/playground/')) return
   const { requestAnimationFrame, cancelAnimationFrame } = window
   const { getContext } = HTMLCanvasElement.prototype
-  let free = Infinity
+  let immediate = Infinity
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    if (kind.startsWith('webgl')) free = Math.min(free, count)
+    if (kind.startsWith('webgl')) immediate = Math.min(immediate, count)
     return getContext.call(this, kind, options)
   }
   window.requestAnimationFrame = (draw) =>
-    free-- > 0
+    immediate-- > 0
       ? requestAnimationFrame.call(window, draw)
       : -setTimeout(() => draw(performance.now()), 400)
   // Requests by a timer have negative ids.
@@ -48,7 +49,7 @@ export function fewFrames(count = 3) {
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
 }
 
-/** Limits p5's shapes to `max` by `max` rectangles; for a page, which has p5's `methods`. */
+/** Limits the shapes of p5 to `max` by `max` rectangles. Runs in a page; `methods` is p5's prototype. */
 export function coarsenShapes(methods, max) {
   // Maps a shape to the index of its first detail argument.
   const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
@@ -64,9 +65,9 @@ export function coarsenShapes(methods, max) {
   }
 }
 
-/** Calls `coarsen` with the methods of each p5 that is loaded, and reduces its large canvases to a sixteenth of their pixels. */
+/** Calls `coarsen` with the prototype of each p5 that is loaded, and reduces large canvases of this p5 to a sixteenth of their pixels. */
 function coarsenCanvases(coarsen) {
-  function spare(methods) {
+  function reduce(methods) {
     const { createCanvas, pixelDensity } = methods
     const isLarge = ({ width, height }) => width * height > 160 * 160
     methods.createCanvas = function (...how) {
@@ -81,17 +82,17 @@ function coarsenCanvases(coarsen) {
     coarsen(methods, 32)
   }
 
-  const known = new WeakSet()
+  const reduced = new WeakSet()
   let p5
   Object.defineProperty(window, 'p5', {
     configurable: true,
     get: () => p5,
-    set(given) {
-      p5 = given
-      const methods = given?.prototype
-      if (!methods?.createCanvas || known.has(methods)) return
-      known.add(methods)
-      spare(methods)
+    set(value) {
+      p5 = value
+      const methods = value?.prototype
+      if (!methods?.createCanvas || reduced.has(methods)) return
+      reduced.add(methods)
+      reduce(methods)
     },
   })
 }
@@ -102,12 +103,15 @@ function coarsenCanvases(coarsen) {
  */
 export const coarse = { content: `(${coarsenCanvases})(${coarsenShapes})` }
 
-/** `frames` is the number of immediate frames. */
+/** Reduces antialiasing, samples, pixels, shapes and frames of all pages of a context. `frames` is the `count` of `fewFrames`. */
 export async function drawLittle(context, frames) {
   for (const script of [disableAntialiasing, fewSamples, coarse])
     await context.addInitScript(script)
   await context.addInitScript(fewFrames, frames)
 }
 
-/** The playground waits for three frames of a sketch after its first, and requests them as often as the sketch. */
+/**
+ * The number of immediate frames that a sketch in the playground needs: the playground waits until the sketch has drawn three frames after
+ * its first, and requests as many frames itself.
+ */
 export const framesInPlayground = 9

@@ -1,8 +1,8 @@
 // Holes in pictures of closed meshes, and how to make one. These functions import nothing, so that tests can put their source into pages.
 
 /**
- * Counts the open pixels of a square picture that are not connected to its border, not even by corners as notches of an outline are.
- * `isOpen(i)` tests whether the pixel shows something else than the surface.
+ * Counts the pixels in holes of a square picture: open pixels that are not connected to the border. Pixels with a common corner are
+ * connected, so that notches of an outline are no holes. `isOpen(i)` tests whether pixel i shows something other than the surface.
  */
 export function countHoles(size, isOpen) {
   const seen = new Uint8Array(size * size)
@@ -26,9 +26,10 @@ export function countHoles(size, isOpen) {
 }
 
 /**
- * Takes a vertex from the triangles on one side of a straight line through it, and leaves it to those on the other side, as if an edge had
- * different numbers of pieces for its two triangles. Of every seventh vertex from `first`, that with the longest such line is taken; returns
- * `false` if there is none. `indices` are changed; `positions` have `stride` numbers for each vertex.
+ * Makes a crack, as if an edge had different numbers of pieces in its two triangles: finds a vertex on a straight line of edges, and
+ * removes it from the triangles on one side of the line, but not from those on the other side. Tries every seventh vertex from `first` on,
+ * and takes the one with the longest line; returns `false` if there is none. Changes `indices`; `positions` has `stride` numbers per
+ * vertex.
  */
 export function breakEdge(indices, positions, stride, first) {
   /** Maps a vertex → the triangles around it, as [place in indices, next corner, last corner]. */
@@ -41,7 +42,7 @@ export function breakEdge(indices, positions, stride, first) {
   }
   const direction = (from, to) =>
     [0, 1, 2].map((k) => positions[stride * to + k] - positions[stride * from + k])
-  /** Returns the length of the line from `a` to `b` if `middle` is on it. */
+  /** Returns the length of the line from `a` to `b` if `middle` is on this line, else 0. */
   const lengthOf = (middle, a, b) => {
     const [u, v] = [direction(middle, a), direction(middle, b)]
     const dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
@@ -63,7 +64,8 @@ export function breakEdge(indices, positions, stride, first) {
     }
   }
   if (best.length === 0) return false
-  // The fan's triangles become one at the first corner of the line, and a fan around the corner after it.
+  // The triangles on this side are a fan around the vertex. The first one gets the end of the line in place of the vertex, and the others
+  // become a fan around the last corner of the first one.
   const { fan } = best
   const corner = fan[1][1]
   indices[fan[0][0]] = fan.at(-1)[2]

@@ -143,7 +143,10 @@ export const leave = ({ evil }) => {
   location = `${evil}leave?secret`
 }
 
-/** Returns a sketch that runs all attacks in frame 30, when it is visible: the playground removes a sketch that fails before that. */
+/**
+ * Returns a sketch that runs all attacks when `frameCount` is 30. Then the sketch is visible; the playground removes sketches that fail
+ * earlier.
+ */
 export const hostileSketch = (addresses) => `
 const attacks = {${Object.entries({ ...attacks, ...leaks })
   .map(([name, attack]) => `${JSON.stringify(name)}: ${attack}`)

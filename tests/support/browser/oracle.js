@@ -96,7 +96,7 @@ export function warpVertex(offset, vertex, inputs, h, mirrors) {
   return { position, normal: normalize(normal), sensitivity: size ** 2 / length(normal) }
 }
 
-/** Returns the angle in degrees; accurate for small angles too. */
+/** Returns the angle in degrees; accurate even for small angles. */
 export const angleBetween = (a, b) => (Math.atan2(length(cross(a, b)), dot(a, b)) * 180) / Math.PI
 
 export const distanceBetween = (a, b) => length(subtract(a, b))

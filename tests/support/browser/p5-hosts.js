@@ -1,4 +1,4 @@
-// The hosts of p5 sketches as objects: a host is a version of p5 with one of its renderers. Only some belong to each run of the tests.
+// The hosts of p5 sketches as objects: a host is a version of p5 with one of its renderers. Each run of the tests uses only some of them.
 import { leavePage } from './browser.js'
 import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from './sketch.js'
 

@@ -27,10 +27,10 @@ function parametrizeTriangle([a, b, c], [n], [ta, tb, tc]) {
 export function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
   return faces.map((face) => {
     const valuesIn = (list) => face.map((i) => list[i])
-    const pairs = face.map((i) => [uvs[2 * i] ?? 0, uvs[2 * i + 1] ?? 0])
+    const uvPairs = face.map((i) => [uvs[2 * i] ?? 0, uvs[2 * i + 1] ?? 0])
     const corner = (j) => ({ vertex: face[j], p: valuesIn(vertices)[j], n: valuesIn(normals)[j] })
     if (!sides) {
-      const side = parametrizeTriangle(valuesIn(vertices), valuesIn(normals), pairs)
+      const side = parametrizeTriangle(valuesIn(vertices), valuesIn(normals), uvPairs)
       return [0, 1, 2].map((j) => ({
         ...corner(j),
         side,
@@ -44,7 +44,7 @@ export function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
     return [0, 1, 2].map((j) => {
       const { p, n } = corner(j)
       for (const side of sides) {
-        const where = side.parametersOf(p, m.normalize(n), pairs[j])
+        const where = side.parametersOf(p, m.normalize(n), uvPairs[j])
         if (where) return { ...corner(j), side, where }
       }
       throw new Error(`no side has the normal ${n}`)

@@ -1,12 +1,12 @@
 // p5 shaders that draw the normal n that lights use as the color n / 2 + 0.5.
 
-const webgl = (parameters) => ({
+const makeWebGLHooks = (parameters) => ({
   fragmentDeclarations: 'vec3 shown;',
   'Inputs getPixelInputs': '(Inputs inputs) { shown = inputs.normal; return inputs; }',
   'vec4 getFinalColor': `(${parameters}) { return vec4(shown * 0.5 + 0.5, 1.0); }`,
 })
 
-const webgpu = {
+const webgpuHooks = {
   fragmentDeclarations: 'var<private> shown: vec3<f32>;',
   'Inputs getPixelInputs': '(inputs: Inputs) { shown = inputs.normal; return inputs; }',
   'vec4f getFinalColor':
@@ -16,8 +16,8 @@ const webgpu = {
 /** Returns the source of an expression that makes the shader, for a version and a renderer of p5. */
 export function shaderOfNormals(version, renderer) {
   // Texture coordinates are a second parameter in p5 2.x.
-  const hooks = webgl(version === '1.11' ? 'vec4 color' : 'vec4 color, vec2 texCoord')
-  return `baseMaterialShader().modify(${JSON.stringify(renderer === 'WEBGPU' ? webgpu : hooks)})`
+  const hooks = makeWebGLHooks(version === '1.11' ? 'vec4 color' : 'vec4 color, vec2 texCoord')
+  return `baseMaterialShader().modify(${JSON.stringify(renderer === 'WEBGPU' ? webgpuHooks : hooks)})`
 }
 
 /** Code of a sketch that looks at the plane z = 0 from afar: a unit is a pixel. */

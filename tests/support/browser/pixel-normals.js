@@ -52,8 +52,8 @@ const vectorAt = (numbers, start) => numbers.slice(start, start + 3)
  * Returns { share, exact }; `exact` lists { pixel, normal }, the exact outward normal in the mesh's own space, for about `count` of the
  * pixels that the warped mesh covers. A mesh has `vertices`, `normals`, `uvs`, `faces` and, for offsets of normal or uv, `gradients`.
  * `toScreen` maps a warped position to [x, y, depth, w]. `restAt` returns position, normal and uv at a pixel as the GPU interpolated them,
- * nine numbers, since GPUs snap vertices to fractions of a pixel; pixels at silhouettes, where they differ much from ours, are left out.
- * `share` is the fraction of pixels that remain.
+ * nine numbers, since GPUs snap vertices to fractions of a pixel; pixels at silhouettes, where the interpolated values of the GPU differ
+ * much from ours, are left out. `share` is the fraction of the pixels that remain.
  */
 export function exactNormals(name, mesh, { toScreen, restAt, width, height, count = 1200 }) {
   const { offset, at } = pixelWarps[name]
@@ -87,7 +87,9 @@ export function exactNormals(name, mesh, { toScreen, restAt, width, height, coun
       : []
   })
   const share = seen.length / sample.length
-  const exact = at ? seen.map((place) => exactNormal(at, place)) : evaluateNormals(warp, seen)
+  const exact = at
+    ? seen.map((place) => normalByDifferences(at, place))
+    : evaluateNormals(warp, seen)
   // At a kink there is no normal.
   return { share, exact: exact.filter(({ normal }) => normal) }
 }
@@ -114,7 +116,7 @@ const arraysOf = (all) => ({
   ),
 })
 
-function exactNormal(at, { pixel, values }) {
+function normalByDifferences(at, { pixel, values }) {
   const vertex = { position: vectorAt(values, 0), normal: vectorAt(values, 3) }
   return { pixel, normal: warpVertex(at, vertex, {}, 1e-4).normal }
 }

@@ -13,7 +13,7 @@ export async function readPixels(page) {
   return flipRows(width, height, bytes)
 }
 
-/** Reads a WebGPU canvas right after it runs the code `draw`: the picture is gone when the page continues. */
+/** Runs the code `draw` in the page, and reads its WebGPU canvas at once: the picture is gone when the page continues. */
 export async function readWebGPUPixels(page, draw) {
   const { width, height, bytes } = await page.evaluate(`(async () => {
     await (${draw})
@@ -89,7 +89,7 @@ export function beyondEdges(image, other, tolerance) {
   return count
 }
 
-/** Returns the pixels of either image that the other one shows nowhere within a pixel, with `tolerance` in each channel. */
+/** Counts the pixels of either image whose color the other image has nowhere within one pixel, up to `tolerance` in each channel. */
 export const beyondPixel = (a, b, tolerance) =>
   missingPixels(a, b, tolerance) + missingPixels(b, a, tolerance)
 

@@ -26,7 +26,7 @@ export async function comparePictures(host, table) {
   })
   const imagesOf = (pair) => pair.map((code) => drawn[codes.indexOf(code)])
   for (const [name, pair] of Object.entries(pairs)) {
-    const [image, expected, other] = imagesOf(pair).map(view)
+    const [image, expected, third] = imagesOf(pair).map(view)
     const count = litPixels(expected).length
     assert.ok(count > lit, `${name}: ${count} pixels are lit`)
     const found = differingPixels(image, expected, tolerance)
@@ -37,12 +37,12 @@ export async function comparePictures(host, table) {
     )
     if (withinEdges) assert.equal(beyondEdges(image, expected, tolerance), 0, name)
     if (withinEdges === 'both') assert.equal(beyondEdges(expected, image, tolerance), 0, name)
-    if (!other) continue
-    const [minCount, otherTolerance] = different
-    const changed = differingPixels(image, other, otherTolerance)
+    if (!third) continue
+    const [minCount, thirdTolerance] = different
+    const changed = differingPixels(image, third, thirdTolerance)
     assert.ok(
       changed > (minCount < 1 ? minCount * count : minCount),
-      `${name}: only ${changed} pixels differ from the other picture`,
+      `${name}: only ${changed} pixels differ from the third picture`,
     )
   }
   check?.(Object.fromEntries(Object.entries(pairs).map(([name, pair]) => [name, imagesOf(pair)])))

@@ -1,4 +1,4 @@
-// Serves pages on localhost whose source is written by tests, and files of this repository.
+// Serves HTML that tests write, and files of this repository, on localhost.
 import { readFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname } from 'node:path'
@@ -18,8 +18,8 @@ const cacheHeaders = (pathname) =>
   pathname.startsWith('/node_modules/') ? { 'cache-control': 'max-age=86400' } : {}
 
 /**
- * Starts a server. Returns { url, page(html), close() }. `page` returns the address of a page with that source; `/` is an empty page,
- * and every other path is a file of the repository, such as `/dist/p5.js`.
+ * Starts a server. Returns { url, page(html), close() }. `page` returns the address of a page with this HTML; `/` is an empty page, and
+ * every other path is a file of the repository, such as `/dist/p5.js`.
  */
 export async function servePages() {
   const pages = []

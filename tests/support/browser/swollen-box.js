@@ -1,5 +1,5 @@
-// A box with sides of length 1 that is twisted and swells, and squares for its sides, for pictures from all sides. The functions import
-// nothing, so that tests can put their source into pages.
+// A warp that twists a box with sides of length 1 and lets it swell, and a texture of squares for the sides of the box, for pictures from
+// all sides. The functions import nothing, so that tests can put their source into pages.
 
 export const swell = ({ glsl, position }) =>
   glsl
@@ -16,8 +16,8 @@ export function paintSquares() {
   const bytes = new Uint8Array(4 * side * side)
   for (let i = 0; i < side * side; i++) {
     const [column, row] = [i % side, Math.floor(i / side)].map((x) => Math.floor(x / 40))
-    const number = 1 + ((column + 3 * row) % 7)
-    bytes.set([...[1, 2, 4].map((bit) => (number & bit ? 255 : 0)), 255], 4 * i)
+    const colorBits = 1 + ((column + 3 * row) % 7)
+    bytes.set([...[1, 2, 4].map((bit) => (colorBits & bit ? 255 : 0)), 255], 4 * i)
   }
   return bytes
 }

@@ -32,11 +32,14 @@ export function vertexShader({ code, declarations }, target, params = {}) {
 
 const typeName = (size) => (size === 1 ? 'float' : `vec${size}`)
 
-/** Opens a page with a WebGL 2 context or, without `load` and `run`, a WebGL 1 context, which has no transform feedback. */
+/**
+ * Opens a page with a context of WebGL. Returns { link, load, run, close }. With WebGL 1, which has no transform feedback, only `link` and
+ * `close` work.
+ */
 export async function openPipeline(browser, contextName = 'webgl2') {
   const server = await serveBytes()
   const page = await browser.newPage()
-  // Also when the browser closes.
+  // This happens also when the browser closes.
   page.once('close', () => server.close())
   await page.goto(server.url)
   await page.evaluate(prepare, { contextName, layout, stride })
@@ -47,7 +50,7 @@ export async function openPipeline(browser, contextName = 'webgl2') {
     await page.evaluate(() => pipeline.load())
   }
 
-  /** Draws once for each set of uniforms. Returns for each a Float32Array with six numbers per vertex. */
+  /** Draws once for each set of uniforms. Returns a list with a Float32Array for each set, with six numbers per vertex. */
   async function run(source, draws) {
     await page.evaluate(([source, draws]) => pipeline.run(source, draws), [source, draws])
     const numbers = new Float32Array(server.take())

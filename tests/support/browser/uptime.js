@@ -51,5 +51,7 @@ function motionError([before, after], [expectedBefore, expectedAfter]) {
   return longest > 0 ? worst / longest : 0
 }
 
-/** Tests for warps of sketches. Warps that are only code have no frames, and deep noise has no sufficiently exact oracle. */
+/**
+ * Tests for warps to measure: those of sketches. Warps that are only code have no frames, and deep noise has no sufficiently exact oracle.
+ */
 export const isMeasured = ({ isGolden, text, deep }) => isGolden && !text && !deep

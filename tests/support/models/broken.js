@@ -23,6 +23,7 @@ const firstPrimitive = (json) => json.meshes[0].primitives[0]
 const packedView = (json) =>
   json.bufferViews.find(({ extensions }) => extensions).extensions.EXT_meshopt_compression
 const instances = (json) => json.nodes[0].extensions.EXT_mesh_gpu_instancing.attributes
+/** Adds an accessor whose elements are zeros, since it has no view. Returns its index. */
 const addZeros = (json, count) =>
   json.accessors.push({ componentType: 5126, count, type: 'VEC3' }) - 1
 
@@ -30,7 +31,7 @@ const binaryStl = textVariants['a binary STL'](cube).file
 const textStl = textVariants['a text STL'](cube).file
 const decode = (bytes) => new TextDecoder().decode(bytes)
 
-/** Maps what is wrong → the file and the reason. */
+/** Maps a description of the mistake → the file, and a pattern of the reason. */
 export const broken = {
   'an unknown required extension': {
     file: cubeFile((json) => (json.extensionsRequired = ['ACME_teapots'])),

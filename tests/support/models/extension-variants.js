@@ -4,7 +4,10 @@ import { reverseTriangles, trianglesOf } from './shapes.js'
 
 const morphOffsets = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
 
-/** Makes a file with a morph target, which `addTarget` adds; `weights` are those of the mesh and of the node. */
+/**
+ * Makes a file with a morph target, which `addTarget` adds. `weights.mesh` are the weights of the mesh, and `weights.node` those of the
+ * node.
+ */
 const makeMorphed = (weights, addTarget) => (shape) => {
   const offsets = morphOffsets(shape)
   const writer = plain(shape, {
@@ -44,10 +47,13 @@ const quaternions = [
   [0, 0, Math.SQRT1_2, Math.SQRT1_2],
   [1, 0, 0, 0],
 ]
-/** These rotations as functions. */
+/** The same rotations as functions. */
 const rotations = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
 
-/** Makes a file with instances that have these attributes. `toArray` makes the typed array of quaternions. */
+/**
+ * Makes a file with instances that have these attributes. `toArray` makes the typed array of the quaternions, and `more` are further
+ * members of their accessor.
+ */
 const makeInstances =
   (names, toArray = (numbers) => Float32Array.from(numbers), more) =>
   (shape) => {

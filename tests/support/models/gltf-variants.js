@@ -1,10 +1,9 @@
 // glTF files in many forms. Each is a function that maps a shape to { file, files?, triangles, tolerance? }, with the triangles that the
-// file
-// must have.
+// file must have.
 import { reverseTriangles, trianglesOf } from './shapes.js'
 import { GltfWriter, extent } from './writer.js'
 
-/** Adds the accessors of a shape's attributes; `own` replaces some of them. */
+/** Adds the accessors of a shape's attributes; `own` contains accessors that replace some of them. */
 const addAttributes = (writer, shape, own = {}) => ({
   POSITION: own.POSITION ?? writer.accessor(shape.positions, 'VEC3'),
   NORMAL: own.NORMAL ?? writer.accessor(shape.normals, 'VEC3'),
@@ -13,7 +12,7 @@ const addAttributes = (writer, shape, own = {}) => ({
 
 /**
  * Makes a file of one node with one mesh. `node`, `mesh` and `more` have further properties of the node, the mesh and the primitive; `own`
- * makes other accessors for attributes; `change` modifies the document before it is written.
+ * is a function that adds other accessors for some attributes; `change` modifies the document before it is written.
  */
 function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, change = () => {}) {
   const writer = new GltfWriter()
@@ -25,7 +24,10 @@ function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, cha
   return writer
 }
 
-/** Returns a function of a shape that writes the file in a form of the writer; `move` moves the expected corners. */
+/**
+ * Returns a function that maps a shape to the file that `make` makes. `form` is the method of the writer that writes it; `move` moves the
+ * expected corners.
+ */
 const as =
   (make, form = 'glb', move) =>
   (shape) => ({ ...make(shape)[form](), triangles: trianglesOf(shape, move) })
@@ -43,7 +45,10 @@ const removeIndices = (shape) => {
   }
 }
 
-/** Makes a strip of separate triangles, which degenerate ones join; each triangle starts at an even index. */
+/**
+ * Makes a triangle strip in which degenerate triangles separate the given ones. Each given triangle starts at an even index, since odd ones
+ * would reverse it.
+ */
 function makeStrip(indices) {
   const strip = []
   for (let i = 0; i < indices.length; i += 3) {
@@ -54,7 +59,7 @@ function makeStrip(indices) {
   return Uint16Array.from(strip)
 }
 
-/** Makes a primitive for each triangle, which is a fan. */
+/** Makes one primitive per triangle: a fan that consists of this triangle. */
 function makeFans(shape) {
   const writer = new GltfWriter()
   const attributes = addAttributes(writer, shape)

@@ -9,8 +9,8 @@ await MeshoptEncoder.ready
 const encoderModule = await draco.createEncoderModule({})
 
 /**
- * Compresses the views of a writer into its buffer. The document refers to the uncompressed data in a second buffer, which exists if
- * `fallback` is its URI.
+ * Compresses the views of a writer into its buffer. The document also declares a second buffer, with the uncompressed data. Its file exists
+ * only if there is a `fallback`, which is its URI.
  */
 class Packer {
   #uncompressed = []
@@ -57,7 +57,7 @@ class Packer {
     const size = width * numbers.BYTES_PER_ELEMENT
     for (let i = 0; i < count; i++)
       padded.set(bytesOf(numbers).subarray(i * size, (i + 1) * size), i * byteStride)
-    return this.over(
+    return this.accessorFor(
       this.view(padded, count, byteStride, mode),
       numbers.constructor,
       count,
@@ -67,7 +67,7 @@ class Packer {
   }
 
   /** Adds an accessor for a view. */
-  over(bufferView, Type, count, type, more) {
+  accessorFor(bufferView, Type, count, type, more) {
     const componentType = componentTypes.get(Type)
     return this.writer.add('accessors', { bufferView, componentType, count, type, ...more })
   }
@@ -92,7 +92,7 @@ const octahedral =
     const count = normals.length / 3
     const bytes = MeshoptEncoder.encodeFilterOct(padToFour(normals), count, byteStride, bits)
     const view = packer.view(bytes, count, byteStride, 'ATTRIBUTES', { filter: 'OCTAHEDRAL' })
-    return packer.over(view, Type, count, 'VEC3', { normalized: true })
+    return packer.accessorFor(view, Type, count, 'VEC3', { normalized: true })
   }
 
 /** Adds positions with the filter EXPONENTIAL. */
@@ -100,7 +100,7 @@ const addExponential = (packer, { positions }) => {
   const count = positions.length / 3
   const bytes = MeshoptEncoder.encodeFilterExp(positions, count, 12, 15)
   const view = packer.view(bytes, count, 12, 'ATTRIBUTES', { filter: 'EXPONENTIAL' })
-  return packer.over(view, Float32Array, count, 'VEC3', extent(positions))
+  return packer.accessorFor(view, Float32Array, count, 'VEC3', extent(positions))
 }
 
 const addFloats = (packer, { positions }) =>
@@ -150,7 +150,7 @@ const addRotations = (packer, shape) => {
   const quaternions = Float32Array.from([0, 0, 0, 1, 0, 0, Math.SQRT1_2, Math.SQRT1_2])
   const bytes = MeshoptEncoder.encodeFilterQuat(quaternions, 2, 8, 16)
   const view = packer.view(bytes, 2, 8, 'ATTRIBUTES', { filter: 'QUATERNION' })
-  const ROTATION = packer.over(view, Int16Array, 2, 'VEC4', { normalized: true })
+  const ROTATION = packer.accessorFor(view, Int16Array, 2, 'VEC4', { normalized: true })
   packer.writer.extension('EXT_mesh_gpu_instancing')
   packer.writer.json.nodes[0].extensions = {
     EXT_mesh_gpu_instancing: { attributes: { ROTATION } },
@@ -164,7 +164,7 @@ const addColors = (packer, { positions }) => {
   const bytes = MeshoptEncoder.encodeFilterColor(colors, count, 4, 8)
   const view = packer.view(bytes, count, 4, 'ATTRIBUTES', { filter: 'COLOR' })
   const { attributes } = packer.writer.json.meshes[0].primitives[0]
-  attributes.COLOR_0 = packer.over(view, Uint8Array, count, 'VEC4', { normalized: true })
+  attributes.COLOR_0 = packer.accessorFor(view, Uint8Array, count, 'VEC4', { normalized: true })
 }
 
 function encodeDraco({ positions, normals, uvs, indices }, { method, bits }) {

@@ -25,7 +25,7 @@ function makeCube() {
   return { positions, normals, uvs, indices }
 }
 
-/** Makes the smallest closed shape. Its vertices are not shared. */
+/** Makes a tetrahedron: the closed shape with the fewest triangles, which share no vertices. */
 function makeTetrahedron() {
   const points = [
     [1, 1, 1],
@@ -100,8 +100,8 @@ const rotateCorners = ([a, b, c], shift) =>
   ][shift]
 
 /**
- * Returns the max distance of a corner from its expected position, or a message if the numbers of triangles differ. The triangles may be in
- * any order and start at any corner; those without area do not count.
+ * Returns the max distance of a corner from its expected position, or a message if the files have different numbers of triangles. The
+ * triangles may be in any order and start at any corner; those without area do not count.
  */
 export function compareTriangles(actual, expected) {
   const [triangles, unmatched] = [actual, expected].map((list) =>

@@ -2,7 +2,7 @@
 import { trianglesOf } from './shapes.js'
 
 const encode = (text) => new TextEncoder().encode(text)
-/** Returns lines of a word and `width` numbers. */
+/** Returns lines, each of which consists of a word and the next `width` numbers. */
 const toLines = (numbers, width, word) =>
   Array.from({ length: numbers.length / width }, (_, i) =>
     [word, ...numbers.slice(width * i, width * (i + 1))].join(' '),
@@ -37,7 +37,8 @@ function encodeUtf16(isBigEndian, hasMark) {
 }
 
 /**
- * Encodes lines with a byte order mark. Adds an unused vertex, so that the file loads with wrong corners if the mark hides its first line.
+ * Encodes lines with a byte order mark. Adds an unused vertex at the end: a reader to which the mark hides the first line still finds
+ * enough vertices, but returns wrong corners.
  */
 const encodeWithMark = (lines) => encode('\uFEFF' + [...lines, 'v 9 9 9'].join('\n'))
 

@@ -10,7 +10,7 @@ globalThis.navigator ??= { userAgent: '' }
 globalThis.self ??= globalThis
 globalThis.ProgressEvent ??= class {}
 
-/** Matches names of files that three.js does not load, or loads differently. Textures would need a page, Draco would need workers. */
+/** Matches names of variants that three.js does not load, or loads differently. Textures would need a page, Draco would need workers. */
 const unsupported =
   /texture|Draco|external|fallback|UTF-16|mark|"solid"|none|specular|CR$|KHR meshopt|hidden/
 

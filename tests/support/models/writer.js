@@ -33,7 +33,7 @@ export class GltfWriter {
     }
   }
 
-  /** Appends bytes to the buffer; returns their position. */
+  /** Appends bytes to the buffer; returns the members by which a view refers to them. */
   bytes(bytes) {
     const byteOffset = this.#length
     const padded = new Uint8Array(Math.ceil(bytes.length / 4) * 4)

@@ -22,7 +22,7 @@ new p5((sketch) => {
     if (plane.texture) p.texture(plane.texture)
     p.model(plane)
     const warnings: string[] = plane.warnings
-    // @ts-expect-error it must be awaited
+    // @ts-expect-error the promise of the model must be awaited
     p.model(p.loadWarpModel('airplane.glb'))
     void warnings
   }

@@ -1,5 +1,8 @@
-// Calls of built-in functions.
-/** The functions, by their number of arguments. Each is called with several arguments, most of them wrong. */
+// Valid and invalid calls of built-in functions.
+/**
+ * Functions of one argument. Those of two are `pairs`, of three `triples`. Each is called with several lists of operands, most of them
+ * wrong.
+ */
 const functions =
   `abs acos acosh asin asinh atan atanh ceil cos cosh countLeadingZeros countOneBits countTrailingZeros degrees exp
   exp2 firstLeadingBit firstTrailingBit floor fract frexp inverseSqrt length log log2 modf normalize quantizeToF16 radians

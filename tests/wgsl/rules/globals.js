@@ -1,4 +1,4 @@
-// Declarations outside of functions.
+// Valid and invalid declarations outside of functions.
 export const globals = [
   'const x = 1;',
   'const x: f32 = 1;',

@@ -1,4 +1,4 @@
-// Statements in a function.
+// Valid and invalid statements in a function.
 export const statements = [
   'var v = p; v.xy += p.yz; v.zyx = v; v.xyz.xy = p.xy;',
   'var v = p; let q = &v; q.xy = p.xy; (*q).zx *= 2;',

@@ -18,7 +18,7 @@
   const mapAddresses = (blobs) =>
     Object.fromEntries(Object.entries(blobs).map(([name, blob]) => [name, addressOf(blob)]))
 
-  /** Runs a script at `src`. Code that reads its address sees `href`, its address on the site. */
+  /** Runs the script at `src`. Code that reads the address of its own script gets `href`, the address of the script on the site. */
   function run({ src, href, isModule }, parent) {
     const tag = document.createElement('script')
     const hasRun = new Promise((resolve) => (tag.onload = tag.onerror = resolve))

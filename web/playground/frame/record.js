@@ -37,7 +37,9 @@
   answers.foldover = (index, mesh, options) => warps[index].made.foldover(mesh, options)
   answers.shapes = (index) => warps[index].shapes()
 
-  /** Maps the name of a moved slider → { source, value }. `value` replaces the sketch's value only while that equals `source`. */
+  /**
+   * Maps the name of a moved slider → { source, value }. `value` replaces the sketch's value only while the sketch's value equals `source`.
+   */
   let { values } = playground
   answers.setValues = (now) => (values = now)
   const valueOf = (name, source) =>
@@ -56,7 +58,7 @@
     }
   }
 
-  // Keep only comments about the sketch, shortened to their line numbers.
+  // Keep only the comments that name lines of the sketch, shortened to the line numbers.
   const lineOf = (text) => text.split(`${playground.source}:`)[1]?.match(/^\d+/)?.[0]
   const shortenComments = (text) =>
     text.code.replaceAll(/^( *)\/\/ From (.*)\n/gm, (_, indent, from) =>

@@ -13,13 +13,13 @@
   function reportMistake(error, line, column) {
     const text = String(error?.message ?? error).replaceAll(source, 'sketch.js')
     // warpjet's own messages name the line, also in functions that it has rewritten.
-    const [whole, message, file, lineInText] = /^(.*) \((\S+), line (\d+)\)$/s.exec(text) ?? [
+    const [whole, message, file, lineInMessage] = /^(.*) \((\S+), line (\d+)\)$/s.exec(text) ?? [
       text,
       text,
     ]
     const hasLine = file && source.endsWith(file)
     const position = hasLine
-      ? [whole, lineInText]
+      ? [whole, lineInMessage]
       : (positionPattern.exec(error?.stack ?? '') ?? [whole, line, column])
     const isPlain = !error?.name || error.name === 'WarpError' || error.name === 'Error'
     report({

@@ -10,7 +10,7 @@ import { addExact } from './exact-node-materials.js'
 
 export interface ExactNormalsOptions {
   /**
-   * The stage that computes normals: at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
+   * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a position that contains noise or bends strongly, unless that takes too many operations per pixel.
    * @default 'auto'
    */
@@ -38,8 +38,9 @@ export const settingsWith = (normals: NormalsOption): Settings => ({
  * the shader code that three.js writes for the node, on WebGPU and on WebGL 2, and differentiate it. The material's `normalNode` and
  * normal maps are applied to the new normals.
  *
- * Returns the material. Throws a `WarpError` unless it has a `positionNode`. If the position cannot be differentiated, for example because
- * it depends on `vertexIndex`, the console says why once the material is drawn, and its normals stay as they are.
+ * Returns the material. Throws a `WarpError` unless it is a node material with a `positionNode` and without a `vertexNode`. If the position
+ * cannot be differentiated, for example because it depends on `vertexIndex`, the material keeps its normals, and a console warning gives
+ * the reason when it is first drawn.
  */
 export function exactNormals<Kind extends Material>(
   material: Kind,

@@ -32,7 +32,10 @@ const elementName = /^(\w+?)(?:\.value)?\[(\d+)u?\]$/
 
 const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 
-/** Returns the offset function of a positionNode, and a function that returns the numbers of its effects once the offset function was called. */
+/**
+ * Returns the offset function of a positionNode, and a function that returns the numbers of its effects once the offset function was
+ * called.
+ */
 function offsetWithEffectsOf({ language, effects }: PositionSource, text: string) {
   const read = readPositionWithOthers(language, text, { function: functionName, maxIterations })
   let numbers: readonly Expression[] = []

@@ -18,9 +18,12 @@ export interface PositionSource {
   language: SourceLanguage
   /** Source of a function that returns the new position. */
   text: string
-  /** Source of a function that returns a mat4 of the position and the numbers of `effects`; `undefined` if there are no effects, or too many. */
+  /**
+   * Source of a function that returns a mat4 of the position and the numbers of `effects`; `undefined` if there are no effects, or too
+   * many.
+   */
   textWithEffects: string | undefined
-  /** The functions in both texts that it calls. Three.js writes them in another order when it first builds a node. */
+  /** The functions that both texts contain and call. Three.js writes them in another order when it first builds a node. */
   functions: readonly string[]
   /** Maps names in the source → values that the shader passes. */
   values: ReadonlyMap<string, OuterValue>
@@ -29,7 +32,7 @@ export interface PositionSource {
   base: Base
   /** Nodes whose values three.js updates. */
   updated: readonly ReadNode[]
-  /** Varyings and other variables that the code assigns, and that outlive it. */
+  /** Varyings and other variables that the code assigns, and that other code of the shader can read later. */
   effects: readonly Effect[]
 }
 

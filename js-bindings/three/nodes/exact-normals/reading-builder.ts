@@ -1,7 +1,7 @@
 /**
- * A node builder of three.js that writes the code of one node without the rest of a shader. The backend makes it, so that it writes the
- * same code as in the shader. We name the values that the code reads from outside, such as uniforms and attributes of instances, and record
- * the node of each name: the real shader passes that node's value.
+ * A node builder of three.js that writes the code of one node without the rest of a shader. The backend makes this builder, so that the
+ * builder writes the same code as in the shader. We name the values that the code reads from outside, such as uniforms and attributes of
+ * instances, and record the node of each name: the real shader passes that node's value.
  */
 import type { Texture } from 'three'
 import { WarpError } from '../../../errors/errors.js'

@@ -1,4 +1,4 @@
-// Puts the position of a material with `exactNormals` into the vertex that three.js is building, with the normal that belongs to it.
+// Adds the position and the exact normal of a material with `exactNormals` to the vertex shader that three.js is building.
 import type { Material } from 'three'
 import { variationAttribute } from '../../../compile/hosts.js'
 import { WarpError } from '../../../errors/errors.js'
@@ -22,8 +22,9 @@ import { endWarmUp } from './warm-up.js'
 const method = 'exactNormals'
 
 /**
- * Adds a material's `positionNode` to the vertex that is being built, as three.js does: after morph targets, bones, the displacement
- * map and the matrices of instances. If we cannot read the node, it moves the vertex as without `exactNormals`, and the console says why.
+ * Adds a material's `positionNode` to the vertex shader that is being built, as three.js does: after morph targets, bones, the displacement
+ * map and the matrices of instances. If we cannot read the node, it moves the vertex as it would without `exactNormals`, and a console
+ * warning gives the reason.
  * If the object also has a `warp`, normals are computed at vertices.
  */
 export function displaceExactly(
@@ -61,6 +62,7 @@ function moveExactly(
     builder.addNode(node)
     builder.addSequentialNode(node)
   }
+  // The nodes of the values that the source reads from outside, in this frame.
   const current = warp.outerNodes(source)
   // If the object has another warp, the shader reads the normals of that warp.
   const vertexNormals = other ? undefined : vertexNormalsFor(builder, material)
@@ -72,8 +74,9 @@ function moveExactly(
   const vertex = pixel ? undefined : vertexNormals
   const space = source.base === 'geometry' ? geometrySpace() : local(tsl.positionPrevious)
   const { effects } = source
+  // True if the function of the warp also returns the effects.
   const hasEffects = warp.otherNames.length > 0
-  // The original node also assigns variables that other nodes read, so the shader must evaluate it.
+  // If it does not return them, the shader must also evaluate the original node, which assigns these variables.
   const position =
     effects.length > 0 && !hasEffects
       ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
@@ -105,12 +108,15 @@ function idOf(object: object): number {
   return ids.get(object)!
 }
 
-/** Returns the warp of a source, with its effects if the shader code can compute them, too. */
+/**
+ * Returns the warp of a source. The warp also computes the effects if the result of its function has room for them and they can be
+ * differentiated; otherwise it computes only the position.
+ */
 function warpFor(exact: ExactNodeMaterial, source: PositionSource, { geometry }: Builder) {
   const { textWithEffects: text, effects } = source
   if (text && sizeOfEffects(effects)! <= roomForOthers(geometry)) {
     const warp = cachedWarp(exact, source, text)
-    // Otherwise the effects may read values without a derivative, so we try without effects.
+    // If this failed, the effects may read values that have no derivative. We try again without the effects.
     if (typeof warp !== 'string') return warp
   }
   const warp = cachedWarp(exact, source)
@@ -120,6 +126,7 @@ function warpFor(exact: ExactNodeMaterial, source: PositionSource, { geometry }:
 
 function cachedWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
   const { functions, textures } = source
+  // The source without its functions, whose order varies.
   const others = functions.reduce(
     (text, each) => text.replace(each, ''),
     withEffects ?? source.text,
@@ -149,8 +156,9 @@ function compile({ settings }: ExactNodeMaterial, source: PositionSource, withEf
 }
 
 /**
- * If bones, morph targets, instances or a warp move the vertex first: throws for a position that reads the vertex both before and after
- * that, or whose normals need the gradients of the moved normal or uv.
+ * Throws for some positions if something else moves the vertex first: bones, morph targets, a displacement map, instances or a warp. Such a
+ * position must not read the vertex both before and after that, and its normals must not need the gradients of the moved normal or uv,
+ * which are unknown.
  */
 function checkBase(
   { object, geometry, material }: Builder,

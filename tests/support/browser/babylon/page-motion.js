@@ -91,7 +91,7 @@ function warpByMotion(material, normals) {
 /** A reflection in x, followed by the motion. */
 const mirroredMotion = Matrix.Scaling(-1, 1, 1).multiply(motion)
 const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
-/** Warps by this matrix, as constants or as uniforms. */
+/** Warps by `mirroredMotion`, whose numbers are constants of the code or uniforms. */
 const mirrorWarps = {
   constant: (material, normals) =>
     new BabylonWarp(
@@ -143,8 +143,11 @@ function removeNormals(warp, material) {
   const { getCustomCode } = warp
   warp.getCustomCode = (...args) => {
     const code = getCustomCode.apply(warp, args)
-    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL?.replaceAll('normalUpdated = warpjetNormal;', '')
-    return text ? { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text } : code
+    const withoutNormals = code?.CUSTOM_VERTEX_UPDATE_NORMAL?.replaceAll(
+      'normalUpdated = warpjetNormal;',
+      '',
+    )
+    return withoutNormals ? { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: withoutNormals } : code
   }
   material.markDirty(true)
 }
@@ -250,8 +253,9 @@ window.draw = async (backend, kind, way) => {
 }
 
 /**
- * Casts the same rays at a warped mesh and at one that a matrix moves. Returns numbers of rays: `hits` both, `misses` only one, and
- * `differingBefore` the call of `refresh`; the max distance between the two hits; and whether the bounding box misses any vertex.
+ * Casts the same rays at a warped mesh and at one that a matrix moves. Returns the number of rays that hit both meshes (`hits`) and only
+ * one of them (`misses`), the max distance between the two hits of a ray, the number of rays that differed before the call of `refresh`
+ * (`differingBefore`), and whether a vertex is outside of the bounding box.
  */
 window.pick = async () => {
   const engine = await getEngine('webgl')

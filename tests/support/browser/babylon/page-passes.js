@@ -180,9 +180,9 @@ const passes = {
       return readTexture(layer._mainTexture)
     }
   },
-  'G-buffer, normals': (scene) => gBuffer(scene, 1),
-  'G-buffer, positions': (scene) => gBuffer(scene, 2),
-  'prepass, normals': (scene) => prepass(scene, Constants.PREPASS_NORMAL_TEXTURE_TYPE),
+  'G-buffer, normals': (scene) => useGBuffer(scene, 1),
+  'G-buffer, positions': (scene) => useGBuffer(scene, 2),
+  'prepass, normals': (scene) => usePrepass(scene, Constants.PREPASS_NORMAL_TEXTURE_TYPE),
   picking(scene, knot) {
     const picker = new GPUPicker()
     picker.setPickingList([knot])
@@ -204,7 +204,7 @@ const passes = {
   },
 }
 
-function gBuffer(scene, index) {
+function useGBuffer(scene, index) {
   const renderer = scene.enableGeometryBufferRenderer()
   renderer.enablePosition = true
   return async () => {
@@ -214,7 +214,7 @@ function gBuffer(scene, index) {
 }
 
 /** Adds ambient occlusion, which reads the prepass. */
-function prepass(scene, type) {
+function usePrepass(scene, type) {
   new SSAO2RenderingPipeline('occlusion', scene, 1, [scene.activeCamera])
   const renderer = scene.prePassRenderer
   return async () => {
@@ -224,8 +224,8 @@ function prepass(scene, type) {
 }
 
 /**
- * Maps a name → how the scene differs: `warp` replaces `warpByMotion`; `add(scene, make)` and `change(knot)` are called in scenes with
- * and without a warp.
+ * Maps a name → how the scene differs: `warp` replaces `warpByMotion`; `add(scene, make)`, where `make` makes a material, and
+ * `change(knot)` are called in scenes with and without a warp.
  */
 const variants = {
   plain: {},
@@ -304,6 +304,7 @@ window.rows = Object.keys(passes).flatMap((pass, i) =>
     .map((variant) => [i % 2 ? 'Standard' : 'PBR', pass, variant]),
 )
 
+/** Returns numbers of pixels: `differing` between the warped and the moved mesh, and `moved` between the moved mesh and one at rest. */
 window.compare = async (backend, kind, pass, variant) => {
   const [still, moved, warped] = [
     await drawCached(backend, kind, pass, 'still', variant),
@@ -313,7 +314,7 @@ window.compare = async (backend, kind, pass, variant) => {
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** Draws a copy of a warped material; `how` says whether `clone` makes it or it is parsed from serialized data. */
+/** Compares like `compare`, with a copy of the warped material that is made by `clone` or parsed from serialized data, as `how` says. */
 window.compareCopy = async (backend, kind, how) => {
   const pictures = []
   for (const way of ['still', 'moved', 'warped']) {

@@ -64,7 +64,7 @@ const offsets = {
     ),
 }
 
-/** Adds offsets, which come as source code, to `offsets`. */
+/** Adds offsets to `offsets`; `sources` maps names to source code. */
 window.addOffsets = (sources) => {
   for (const [name, source] of Object.entries(sources)) offsets[name] = (0, eval)(source)
 }
@@ -167,8 +167,8 @@ const encode = (numbers) => {
 }
 
 /** Draws a float picture, from the top row, of each value in `shows`. Returns these, the matrices and, if `withMesh`, the mesh. */
-window.draw = async (backend, { shows, how, size = 160, withMesh, isOff, ...what }) => {
-  const { scene, mesh, material, shown, warped } = await make(backend, what)
+window.draw = async (backend, { shows, how, size = 160, withMesh, isOff, ...madeOf }) => {
+  const { scene, mesh, material, shown, warped } = await make(backend, madeOf)
   const engine = scene.getEngine()
   const target = new RenderTargetTexture('target', size, scene, {
     type: Constants.TEXTURETYPE_FLOAT,

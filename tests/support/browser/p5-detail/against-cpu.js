@@ -4,18 +4,18 @@ import { countOpenSides } from '../three/detail/sides.js'
 import { buffers, errors, startSketch, wait } from './sketches.js'
 import { around, sketch, turn } from './warped-shapes.js'
 
-const triangles = async ({ read }, { draws }) =>
+const countTriangles = async ({ read }, { draws }) =>
   Promise.all(draws.map(async (draw) => (await read(draw)).indices.length / 3))
 
 /** Counts the coordinates of two meshes with the same indices that differ. */
 const countDiffering = (a, b) => a.filter((x, i) => Math.abs(x - b[i]) > 1e-6).length
 
-/** Counts the vertices of mesh a at whose places mesh b has none. */
+/** Counts the vertices of mesh a without a vertex of mesh b at the same place. Both are lists of coordinates. */
 function countStrays(a, b) {
   const keysOf = (places) =>
     Array.from({ length: places.length / 3 }, (_, i) => places.subarray(3 * i, 3 * i + 3).join())
-  const known = new Set(keysOf(b))
-  return keysOf(a).filter((key) => !known.has(key)).length
+  const keysOfB = new Set(keysOf(b))
+  return keysOf(a).filter((key) => !keysOfB.has(key)).length
 }
 
 const sum = (numbers) => numbers.reduce((a, b) => a + b, 0)
@@ -72,9 +72,9 @@ export async function resemble({ name, coarse, dense }) {
   await byPasses.begin()
   const { image } = await byPasses.picture()
   const pictureOf = async (shape) => {
-    const one = await startSketch(sketch({ ...atRest, name, shape, detail: false }))
-    const { image } = await one.picture()
-    one.remove()
+    const started = await startSketch(sketch({ ...atRest, name, shape, detail: false }))
+    const { image } = await started.picture()
+    started.remove()
     return image
   }
   const [without, expected] = [await pictureOf(coarseShape), await pictureOf(denseShape)]
@@ -95,7 +95,7 @@ export async function approach() {
   )
   await byPasses.begin()
   const far = await byPasses.picture(0)
-  const before = sum(await triangles(byPasses, far))
+  const before = sum(await countTriangles(byPasses, far))
   const bufferCount = buffers.size
   const beyond = []
   let near
@@ -108,7 +108,7 @@ export async function approach() {
   }
   const result = {
     ...{ before, beyond },
-    after: sum(await triangles(byPasses, near)),
+    after: sum(await countTriangles(byPasses, near)),
     isSame: near.draws[0].index === far.draws[0].index,
     left: buffers.size - bufferCount - addedByCpu,
     errors: errors.splice(0),
@@ -130,7 +130,7 @@ export async function refine() {
   await byPasses.begin(1)
   const later = await byPasses.picture(1)
   const result = {
-    triangles: sum(await triangles(byPasses, later)),
+    triangles: sum(await countTriangles(byPasses, later)),
     beyond: [first, later].map(({ image }) => beyondEdges(image, expected.image, 24)),
     errors: errors.splice(0),
   }
@@ -139,7 +139,10 @@ export async function refine() {
   return result
 }
 
-/** Draws three pictures of a growing shape, by one call of `redraw` and by three. Returns how the last pictures differ. */
+/**
+ * Draws three pictures of a growing shape, by one call of `redraw` and by three. Returns in how many pixels the last pictures differ, in
+ * each of four rounds.
+ */
 export async function redrawOften({ hasPasses }) {
   const places = [(p, i) => p.scale([0.1, 0.7, 1.4][i])]
   const start = () => startSketch(sketch({ shape: 'ball', name: 'noise', places, hasPasses }))

@@ -6,7 +6,7 @@ import { errors, startSketch, wait } from './sketches.js'
 /** Draws a box from all positions of the camera. Returns the pictures. */
 async function picturesOf(places, shape, detail = false) {
   let warp, squares
-  const one = await startSketch({
+  const started = await startSketch({
     isSharp: true,
     setup(p) {
       warp = p.createWarp(swell, { detail })
@@ -24,19 +24,20 @@ async function picturesOf(places, shape, detail = false) {
       shape(p)
     },
   })
-  if (detail) await one.begin()
+  if (detail) await started.begin()
   const pictures = []
   for (const i of places.keys()) {
     // The buffers may be too small at first.
     for (let k = 0; detail && k < 3; k++) {
-      await one.picture(i)
+      await started.picture(i)
       await wait(10)
     }
-    const { image, draws } = await one.picture(i)
-    if (detail && !draws[0]?.indirectBuffer) throw new Error('the CPU divided it')
+    const { image, draws } = await started.picture(i)
+    if (detail && !draws[0]?.indirectBuffer)
+      throw new Error('expected compute passes to divide the box, but the CPU did')
     pictures.push(image)
   }
-  one.remove()
+  started.remove()
   return pictures
 }
 

@@ -26,7 +26,7 @@ gl.drawElements = (mode, count, ...others) => {
   drawElements.call(gl, mode, count, ...others)
 }
 
-let count = 0
+let shapeCount = 0
 
 function shapeOf({ positions, normals, indices }) {
   const vectors = (numbers) =>
@@ -34,7 +34,7 @@ function shapeOf({ positions, normals, indices }) {
       sketch.createVector(...numbers.slice(3 * i, 3 * i + 3)),
     )
   return new p5.Geometry(1, 1, function () {
-    this.gid = `mesh ${count++}`
+    this.gid = `mesh ${shapeCount++}`
     this.vertices = vectors(positions)
     this.vertexNormals = vectors(normals)
     this.uvs = this.vertices.flatMap(() => [0, 0])

@@ -9,6 +9,7 @@ export const buffers = new Set()
 
 const isOurs = ({ label }) => label.startsWith('warpjet detail')
 
+/** Records the errors of a device and our buffers, and lets tests read the buffers. */
 function watch(device) {
   device.addEventListener('uncapturederror', ({ error }) => errors.push(error.message))
   const { createBuffer } = device
@@ -123,9 +124,9 @@ export async function startSketch({ setup = () => {}, draw, hasPasses = true, is
       return { indices, places: await read(buffer, Float32Array, offset, 12 * vertices) }
     },
     /** Draws until compute passes divide all shapes. */
-    async begin(...given) {
+    async begin(...pictures) {
       for (let k = 0; k < 1000; k++) {
-        const { draws } = await this.picture(...given)
+        const { draws } = await this.picture(...pictures)
         if (draws.length && draws.every(({ indirectBuffer }) => indirectBuffer)) return
         await wait(10)
       }

@@ -9,7 +9,7 @@ const offsets = {
     return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
   },
   flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30)),
-  // Bends more on one side. Otherwise the CPU would choose a uniform division, which passes cannot.
+  // Bends more on one side. Otherwise the CPU would divide uniformly, which passes cannot do.
   bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.03).exp().mult(10), 0),
   noise: ({ normal, position, uniforms }) =>
     normal.mult(
@@ -91,7 +91,10 @@ export function boxOf(p) {
   return boxes.get(p)
 }
 
-/** Returns a sketch that draws a shape with detail at each of `places`, which are functions of p and the number of the picture. */
+/**
+ * Returns a sketch that draws a shape with detail at each of `places`, which are functions of p and the index of the picture. If
+ * `isInside`, it draws them into a framebuffer, and then the framebuffer.
+ */
 export function sketch({
   shape,
   name,

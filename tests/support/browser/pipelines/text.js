@@ -53,7 +53,7 @@ const outputFloats = (language, outputs) =>
     return isBoolean(shape) ? components.map(languages[language].toFloat) : components
   })
 
-/** Returns expressions of `type`, a vector of four floats, with all outputs. The last one is padded with zeros. */
+/** Returns expressions of `type`, a vector of four floats, with all outputs. The last vector is padded with zeros. */
 export function outputVectors(language, outputs, type) {
   const floats = outputFloats(language, outputs)
   return Array.from({ length: Math.ceil(floats.length / 4) }, (_, i) => {

@@ -27,14 +27,14 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
 /** Starts a browser and a server. Returns { open(version, script), listing(code), close() }. `open` and `listing` return { page, messages }. */
 export const threePages = async (flags) => threePagesIn(await launchBrowser(flags))
 
-/** Does the same in a running browser, which `close()` closes. */
+/** Does the same as `threePages` in a running browser, which `close()` closes. */
 export async function threePagesIn(browser) {
   const pages = await servePages()
   return {
     async open(version, script = 'page.js', imports) {
       const from = `/tests/support/browser/three/${script}`
-      const text = `${html(version, imports)}<script type="module" src="${from}"></script>`
-      const opened = await openPage(browser, pages.page(text))
+      const source = `${html(version, imports)}<script type="module" src="${from}"></script>`
+      const opened = await openPage(browser, pages.page(source))
       await opened.page
         .waitForFunction(() => document.title === 'ready', null, { timeout: 30_000 })
         .catch((error) => {

@@ -64,7 +64,7 @@ function draw(count) {
 
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
-/** In each round, both materials are created again. It draws this many batches; the first batch consists of the first frame. */
+/** The number of batches of a round, for which both materials are created anew. The first batch consists only of the first frame. */
 const batches = 4
 
 /** Returns medians of `rounds` rounds; a batch has `batch` frames. */

@@ -1,6 +1,5 @@
-// The company tests with WebGPURenderer, which combine warps with other code: a row draws a warped object, and compares it with an object
-// that
-// has the same motion without a warp.
+// The company tests, which combine warps with other code, with WebGPURenderer: a row draws a warped object, and compares it with an object
+// that has the same motion without a warp.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { addSurfaceVariation, warpMaterial, warpNode } from 'warpjet/three/webgpu'
@@ -67,7 +66,8 @@ const overrideMaterials = (scene) => (scene.overrideMaterial = new THREE.MeshNor
 
 /**
  * Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. `warp` warps
- * the object in another way than `warpByMotion`, and `afterwards` changes the objects once it is warped.
+ * the object in another way than `warpByMotion`, and `warped` is the part of the object to warp, if not all of it. `prepare` changes the
+ * scenes before the warp, and `afterwards` the objects after it; with `isDrawnBefore`, a frame is drawn before `afterwards`.
  */
 const rows = {
   'positionNode on an InstancedMesh': () =>

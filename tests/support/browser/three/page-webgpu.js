@@ -13,7 +13,7 @@ import { draw, rendererFor } from './webgpu-renderer.js'
 const { size } = scenes
 const { normalGeometry, transformNormalToView } = THREE.TSL
 
-/** Break the warp, to show that the tests would detect that. */
+/** Functions that break the warp, to show that the tests detect a broken warp. */
 const sabotages = {
   // Three.js converts the material to a node material and copies this property.
   normals: ({ material }) => {

@@ -45,7 +45,7 @@ function free(scene) {
   })
 }
 
-/** Break the shaders, to show that the tests would detect that. */
+/** Functions that break the shaders, to show that the tests detect broken shaders. */
 const sabotages = {
   normals: (source) =>
     source.replaceAll('objectNormal = warpjetNormal', 'objectNormal = warpjetRestNormal'),
@@ -97,8 +97,8 @@ export function compare(
 }
 
 /**
- * Does the same for a motion that mirrors and double-sided materials. The matrix is constant if `isKnown`, otherwise it consists of
- * uniforms.
+ * Does the same as `compare` for double-sided materials and a motion that mirrors. The matrix is constant if `isKnown`, otherwise it
+ * consists of uniforms.
  */
 export function mirror(name, { light = 'directional', space, normals, isKnown = false }) {
   const make = scenes.shapes[name]
@@ -179,7 +179,7 @@ export function sampling(name, kind) {
 /** Compares the example for three-custom-shader-material in web/docs/three.md with the same motion by three's matrices. */
 export async function custom() {
   renderer = rendererFor({})
-  // Not variance shadows, for which three.js also draws objects that only receive shadows.
+  // For variance shadows, three.js would also draw objects that only receive shadows.
   renderer.shadowMap.type = THREE.PCFShadowMap
   const { default: CustomShaderMaterial } = await import('three-custom-shader-material/vanilla')
   const { compileWarp } = await import('warpjet')
@@ -220,8 +220,8 @@ export async function custom() {
 }
 
 /**
- * Warps and disposes of a mesh many times. Returns three's counts of resources and the size of the heap, before and after. With `hasTwin`, another
- * mesh stays warped and shares its programs, which would otherwise be compiled each time, for 0.1 s. Draws few pixels.
+ * Warps and disposes of a mesh many times. Returns three's counts of resources and the size of the heap, before and after. With `hasTwin`,
+ * another mesh stays warped and shares the programs of the mesh, which would otherwise be compiled each time, for 0.1 s. Draws few pixels.
  */
 export async function churn(times, { hasTwin = false } = {}) {
   renderer = rendererFor({})

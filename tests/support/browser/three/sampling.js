@@ -1,5 +1,4 @@
-// A sphere displaced by the heights in an image: by a warp, and vertex by vertex on the CPU, which samples in double precision at
-// coordinates
+// A sphere displaced by the heights in an image: by a warp, and vertex by vertex on the CPU, which samples in double precision at coordinates
 // that three's texture matrix transforms.
 import * as THREE from 'three'
 import { glslOffset } from 'warpjet/glsl'
@@ -7,7 +6,7 @@ import { warp } from 'warpjet/three'
 import { randomImage, sample } from '../../../operations/textures.js'
 
 const image = randomImage(7, 5, 3)
-/** The factor of texture coordinates: they exceed 1, so that the wrap mode matters. */
+/** The factor of texture coordinates, which makes them exceed 1, so that the wrap mode matters. */
 const uvScale = 2.3
 
 export function makeTexture({ wrapS, wrapT, magFilter, ...transform }) {

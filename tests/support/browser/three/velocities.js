@@ -83,7 +83,7 @@ export const rows = {
 
 const nextFrame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 
-/** Draws three frames, with a call of `move` before the last. Returns its colors and velocities. */
+/** Draws three frames, with a call of `move` before the last. Returns the colors and velocities of the last frame. */
 async function drawVelocities(renderer, scene, move) {
   const target = new THREE.RenderTarget(size, size, { count: 2, type: THREE.FloatType })
   target.textures[0].name = 'output'

@@ -60,7 +60,8 @@ function makeTorus({ isMoved, hasTangents }) {
 }
 
 /**
- * Counts differing and moved pixels. With `hasTangents`, the geometry also has a second uv, and the material reads tangents and second uv.
+ * Counts differing and moved pixels. With `hasTangents`, the geometry also has a second uv, and the material reads tangents and the second
+ * uv.
  */
 export async function compare(backend, { hasTangents, exact = true }, addSurfaceVariation) {
   const renderer = await rendererFor(backend)

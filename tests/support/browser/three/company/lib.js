@@ -141,7 +141,10 @@ function compare(a, b) {
   return { count, worst }
 }
 
-/** Compares a row's three pictures. Returns { differing, moved, worst }. */
+/**
+ * Compares a row's three pictures. Returns the number of pixels that differ between the warp and the motion by hand (`differing`), the
+ * number of those that the motion changes (`moved`), and the max difference of a channel (`worst`).
+ */
 export async function run(row) {
   const none = await draw(row, 'none')
   const byHand = await draw(row, 'byHand')
@@ -151,8 +154,8 @@ export async function run(row) {
 }
 
 /**
- * Makes a row that draws one object. `after` runs once it is warped, and may return a camera; `then` runs between the first and a second
- * frame.
+ * Makes a row that draws one object. `after` runs when the object has been warped, before the first frame, and may return a camera; `then`
+ * runs between the first and a second frame.
  */
 export const makeRow =
   (make, { after, then, shadow = false, view = camera } = {}) =>

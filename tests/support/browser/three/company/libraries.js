@@ -60,7 +60,7 @@ function distortByHand() {
 }
 
 /** Makes a row that draws with a composer of postprocessing; `makePasses` receives the scene, the camera and the object. */
-const composerRow =
+const makeComposerRow =
   (makePasses) =>
   ({ put, renderer }) => {
     const scene = litScene()
@@ -85,7 +85,7 @@ const font = new URL(
 /**
  * Draws text that a warp or a matrix moves linearly (shear and translation): each letter is drawn as one square, which cannot bend.
  */
-async function text({ way, renderer }) {
+async function drawText({ way, renderer }) {
   const scene = litScene()
   const made = new Text()
   Object.assign(made, {
@@ -121,7 +121,7 @@ const matrices = [-0.8, 0.8].map((x) =>
   ),
 )
 
-function instances({ put, way, renderer }) {
+function drawInstances({ put, way, renderer }) {
   const scene = litScene()
   const view = camera()
   if (way === 'byHand') {
@@ -146,7 +146,7 @@ function instances({ put, way, renderer }) {
   renderer.render(scene, view)
 }
 
-const custom = (options) =>
+const makeCustom = (options) =>
   mesh(
     new CustomShaderMaterial({
       baseMaterial: THREE.MeshStandardMaterial,
@@ -156,7 +156,7 @@ const custom = (options) =>
   )
 
 export const rows = {
-  'postprocessing NormalPass and SSAOEffect': composerRow((scene, view) => {
+  'postprocessing NormalPass and SSAOEffect': makeComposerRow((scene, view) => {
     const normals = new NormalPass(scene, view)
     const ssao = new SSAOEffect(view, normals.texture, {
       intensity: 4,
@@ -168,24 +168,24 @@ export const rows = {
     })
     return [normals, new EffectPass(view, ssao)]
   }),
-  'postprocessing OutlineEffect': composerRow((scene, view, object) => {
+  'postprocessing OutlineEffect': makeComposerRow((scene, view, object) => {
     const outline = new OutlineEffect(scene, view, { edgeStrength: 5, visibleEdgeColor: 0xff0000 })
     outline.selection.set([object])
     return [new EffectPass(view, outline)]
   }),
-  'troika-three-text': text,
-  '@three.ez/instanced-mesh': instances,
+  'troika-three-text': drawText,
+  '@three.ez/instanced-mesh': drawInstances,
   'three-custom-shader-material, csm_Position': makeRow((way) =>
     way === 'byHand'
       ? mesh(standard(), userMotionByHand(torus()))
-      : custom({
+      : makeCustom({
           vertexShader:
             'void main() { csm_Position = position + vec3( 0.3 * position.y * position.y, 0.0, 0.0 ); }',
         }),
   ),
   'three-custom-shader-material, csm_Normal and csm_DiffuseColor': makeRow((way) => {
     if (way !== 'byHand')
-      return custom({
+      return makeCustom({
         vertexShader: 'void main() { csm_Normal = normalize( normal + vec3( 0.0, 0.5, 0.0 ) ); }',
         fragmentShader: 'void main() { csm_DiffuseColor = vec4( 1.0, 0.0, 0.0, 1.0 ); }',
       })

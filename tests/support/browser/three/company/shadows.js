@@ -5,7 +5,7 @@ import { camera, floor, litScene, makeRow, mesh, standard } from './lib.js'
 
 /**
  * Makes a row with cascades, which are set up for the materials of the object and the floor 'before' the warp, 'after' it, or 'after a
- * frame'.
+ * frame'. If `isShared`, the floor has the material of the object.
  */
 const makeCascadeRow =
   (when, { isShared = false } = {}) =>

@@ -1,4 +1,4 @@
-// The measurements of the tests, for either renderer.
+// The measurements of the tests of the option `detail`, for either renderer.
 import * as THREE from 'three'
 import { camera, countBeyond, covered, sceneOf, warpBy } from './pictures.js'
 
@@ -13,7 +13,10 @@ const outside = {
   bulb: { from: [-2.5, 3.5, 1], to: [-2.5, -1.2, -1] },
 }
 
-/** Compares a coarse shape, such as a box, with and without detail, with a fine one. */
+/**
+ * Compares a coarse shape, such as a box, with and without detail, with a fine one. Returns how many pixels differ with detail (`beyond`)
+ * and without, how many pixels the fine shape covers, and how many triangles were drawn with detail and for the fine shape.
+ */
 export async function compare(
   { draw, triangles },
   { name, coarse = 'box', fine = 'fine', detail = 1, hasShadow = false, isOutside, light, space },
@@ -74,7 +77,7 @@ export async function instances({ draw }) {
 }
 
 /** Returns a texture of squares, which show errors inside of a side of the box. */
-function squares() {
+function makeSquares() {
   const cells = 16
   const isDark = (i) => (i + Math.floor(i / cells)) % 2
   const bytes = Array.from({ length: cells * cells }, (_, i) =>
@@ -85,9 +88,12 @@ function squares() {
   return texture
 }
 
-/** Draws a box, mirrored or not, from nearby, with a material that shows only one side of triangles. Only triangles that show it are divided. */
+/**
+ * Draws a box, mirrored or not, from nearby, with a material that shows only one side of triangles. Only triangles whose visible side faces
+ * the camera are divided.
+ */
 export async function side({ draw, triangles }, { side, scale }) {
-  const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: squares() })
+  const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: makeSquares() })
   const view = camera()
   view.position.setLength(2.2)
   const pictureOf = async (shape, detail) => {
@@ -149,7 +155,7 @@ export async function countOverTime({ draw, triangles, geometries }) {
   const near = await drawAndCount()
   scene.onAfterRender = () => call('after')
   const counts = { near, far: await drawAndCount(far), again: await drawAndCount() }
-  // A changed geometry is noticed, and so is another one.
+  // The next picture shows a changed geometry, and a new one.
   own.attributes.position.setXYZ(0, 3, 3, 3)
   own.attributes.position.needsUpdate = true
   counts.changed = await drawAndCount()
@@ -188,7 +194,7 @@ export async function countOverTime({ draw, triangles, geometries }) {
   }
 }
 
-/** Tests that a render call that throws restores the geometry, and that the next one divides the mesh again. */
+/** Tests that a render call that throws restores the geometry, and that the next call divides the mesh again. */
 export async function throwing({ draw, triangles }) {
   const { scene, mesh } = sceneOf('box')
   const own = mesh.geometry
@@ -229,6 +235,7 @@ const undividedObjects = {
   },
 }
 
+/** Counts the triangles of an object that is not divided: without a warp (`own`) and with one (`found`). */
 export async function countUndivided({ draw, triangles }, { kind, space }) {
   const { scene, mesh } = sceneOf('box')
   const object = undividedObjects[kind](mesh.geometry)

@@ -70,8 +70,9 @@ function moveCamera(view, frame) {
 }
 
 /**
- * Draws frames. Returns the number of pixels with background inside of the shapes, the number of frames with such pixels, and that of
- * different divisions. `broken` breaks an edge on purpose: in each `'division'`, or in the `'mesh'` that is divided.
+ * Draws frames. Returns the number of pixels with background inside of the shapes (`holes`), the number of frames with such pixels, the min
+ * number of pixels that the shapes cover (`least`), and the number of different divisions. `broken` says where an edge is broken on
+ * purpose: in each `'division'`, or in the `'mesh'` that is divided.
  */
 export async function holes({ draw, triangles }, { frames = 300, broken, tolerance = 1 }) {
   const view = camera()

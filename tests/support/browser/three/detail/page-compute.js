@@ -86,7 +86,7 @@ function start(renderer, { shape, name, offset, uniforms, detail = 1, space, mat
 }
 
 /** Returns cameras around the mesh, near and far. */
-const cameras = (count) =>
+const makeCameras = (count) =>
   Array.from({ length: count }, (_, i) => {
     const view = camera()
     view.position.setFromSphericalCoords(1.6 + 3 * ((i * 0.382) % 1), 0.4 + 0.3 * i, 2.4 * i)
@@ -109,7 +109,7 @@ async function divide({ frames = 6, ...options }) {
   await byPasses.begin()
   await byCpu.draw(camera())
   const found = []
-  for (const [i, view] of cameras(frames).entries()) {
+  for (const [i, view] of makeCameras(frames).entries()) {
     for (const { warped, mesh } of all) {
       warped.update(40 * i)
       if (options.space === 'world') mesh.rotation.z = i / 20
@@ -185,38 +185,38 @@ async function refine() {
 async function countOverTime() {
   const before = buffers.size
   const material = new THREE.MeshNormalMaterial()
-  const one = start(passRenderer, { shape: 'box', name: 'twist', material })
-  await one.begin()
+  const started = start(passRenderer, { shape: 'box', name: 'twist', material })
+  await started.begin()
   const [near, far] = [camera(), camera()]
   near.position.setLength(2)
   far.position.setLength(30)
-  const triangles = async () => (await one.read()).indices.length / 3
+  const triangles = async () => (await started.read()).indices.length / 3
   const counts = { held: buffers.size - before, pairs: [] }
   // The first picture starts from the pieces that the CPU chose, and its buffers may be too small.
-  await drawOften(one, near)
-  await one.draw(far)
+  await drawOften(started, near)
+  await started.draw(far)
   for (let i = 0; i < 2; i++)
     for (const view of [near, far]) {
-      await one.draw(view)
+      await started.draw(view)
       counts.pairs.push(await triangles())
     }
   const target = targets.get(passRenderer)
   target.setSize(4 * size, 4 * size)
-  await drawOften(one, near)
+  await drawOften(started, near)
   counts.large = await triangles()
   target.setSize(size, size)
   material.wireframe = true
-  await one.draw(near)
-  counts.isIndirectAsLines = one.drawn().indirect !== null
+  await started.draw(near)
+  counts.isIndirectAsLines = started.drawn().indirect !== null
   material.wireframe = false
-  await one.draw(near)
-  counts.isIndirectAgain = one.drawn().indirect !== null
-  one.mesh.material = [material]
-  one.mesh.geometry.clearGroups()
-  one.mesh.geometry.addGroup(0, 36, 0)
-  await one.draw(near)
-  counts.isIndirectByGroups = one.drawn().indirect !== null
-  one.warped.dispose()
+  await started.draw(near)
+  counts.isIndirectAgain = started.drawn().indirect !== null
+  started.mesh.material = [material]
+  started.mesh.geometry.clearGroups()
+  started.mesh.geometry.addGroup(0, 36, 0)
+  await started.draw(near)
+  counts.isIndirectByGroups = started.drawn().indirect !== null
+  started.warped.dispose()
   const options = { tolerance: 1, curved: true }
   const curved = start(passRenderer, { shape: 'sphere', name: 'twist', detail: options })
   for (let i = 0; i < 10; i++) {

@@ -86,8 +86,8 @@ export function sceneOf(geometry, { hasShadow = false, light = 'sun', material }
   return { scene, mesh }
 }
 
-export const warpBy = (mesh, name, detail, others) =>
-  warp(mesh, offsets[name], { uniforms: uniformsOf(name), detail, ...others })
+export const warpBy = (mesh, name, detail, moreOptions) =>
+  warp(mesh, offsets[name], { uniforms: uniformsOf(name), detail, ...moreOptions })
 
 const imageOf = (data) => ({ width: size, height: size, data })
 

@@ -3,7 +3,7 @@ import * as THREE from 'three'
 import { camera, countBeyond, sceneOf, warpBy } from './pictures.js'
 
 /** Makes a box of few triangles, which bones can bend and a morph target can widen at the top. */
-function poseable({ hasBones, hasMorphs }) {
+function makePoseable({ hasBones, hasMorphs }) {
   const geometry = new THREE.BoxGeometry(1.1, 1.8, 1.1, 1, 2, 1)
   const { position, normal } = geometry.attributes
   const all = Array.from({ length: position.count }, (_, i) => i)
@@ -38,7 +38,7 @@ function poseable({ hasBones, hasMorphs }) {
 }
 
 function meshOf(kinds, material) {
-  const { geometry } = poseable(kinds)
+  const { geometry } = makePoseable(kinds)
   const Kind = kinds.hasBones ? THREE.SkinnedMesh : THREE.Mesh
   const mesh = new Kind(geometry, material)
   if (kinds.hasMorphs) mesh.morphTargetInfluences[0] = 0.7
@@ -52,9 +52,10 @@ function meshOf(kinds, material) {
   return mesh
 }
 
-function bend(mesh, angle) {
-  if (mesh.skeleton) mesh.skeleton.bones[1].rotation.set(0, 0, angle)
-  else mesh.morphTargetInfluences[0] = angle
+/** Rotates the second bone by an angle, or sets the influence of the morph target. */
+function pose(mesh, amount) {
+  if (mesh.skeleton) mesh.skeleton.bones[1].rotation.set(0, 0, amount)
+  else mesh.morphTargetInfluences[0] = amount
   mesh.updateMatrixWorld(true)
 }
 
@@ -131,8 +132,8 @@ export async function comparePoses({ draw, triangles }, { kinds, look, space }) 
     scene.clear().add(shown)
     const warped = warpBy(shown, 'twist', detail, { space })
     const pictures = []
-    for (const angle of [0.5, -0.8, -0.8]) {
-      bend(mesh, angle)
+    for (const amount of [0.5, -0.8, -0.8]) {
+      pose(mesh, amount)
       if (isFine) shown.geometry = fineOf(mesh)
       pictures.push(await draw(scene, view))
     }

@@ -16,7 +16,7 @@ function cast(view, mesh) {
   return all
 }
 
-/** Compares hits on a divided box with those on a fine one, and checks that hits name the triangles of the user. */
+/** Compares hits on a divided box with those on a fine one, and checks that hits name triangles of the user's mesh. */
 export async function rays({ draw }, { space, isMoved = false }) {
   const view = camera()
   const hitsOf = async (shape, detail) => {
@@ -40,9 +40,9 @@ export async function rays({ draw }, { space, isMoved = false }) {
   const divided = await hitsOf('box', 1)
   const distances = ({ hits }) =>
     hits.map((hit, i) => {
-      const right = expected.hits[i]
-      if (!hit || !right) return hit === right ? 0 : Infinity
-      return hit.point.distanceTo(right.point)
+      const expectedHit = expected.hits[i]
+      if (!hit || !expectedHit) return hit === expectedHit ? 0 : Infinity
+      return hit.point.distanceTo(expectedHit.point)
     })
   const { geometry } = divided.mesh
   const errorsOfUv = divided.hits.filter(Boolean).map(({ face, faceIndex, barycoord, uv }) => {

@@ -51,7 +51,10 @@ const rotate = ([x, y, z], angle) => [
   -sin(angle) * x + cos(angle) * z,
 ]
 
-/** Materials that change chunks. The oracle `moved(position, normal, uv)` returns the moved position. */
+/**
+ * Materials that change chunks. The oracle `moved(position, normal, uv, instanceMatrix, positionInWorld)` returns the moved position;
+ * `movedInView` and `movedInWorld` do the same in view and in world space.
+ */
 export const chunks = {
   'sine sea': {
     shape: 'plane',

@@ -103,8 +103,9 @@ const lifts = [0.15, 0.3]
 
 /**
  * `position()` makes the positionNode, and `first()` another that is drawn before. `move(p, n, uv, { instance, matrixWorld })` moves a
- * vertex. `prepare` changes the object. If `ignoresPose`, the positionNode reads the geometry, so that the skin has no effect. Planes are
- * two triangles that face the viewer, and up is towards the viewer.
+ * vertex. `prepare` changes the object. If `ignoresPose`, the positionNode reads the geometry, so that the skin has no effect. `shape` is
+ * the geometry, and `kind` the kind of object; default: a mesh. Planes are two triangles that face the viewer, and up is towards the
+ * viewer.
  */
 export const displacements = {
   'a sine': {
@@ -466,7 +467,7 @@ export const displacements = {
     position: () => positionLocal.add(vec3(0, sin(positionLocal.x.mul(4)).mul(0.15), 0)),
     move: ([x, y, z]) => [x, y + 0.15 * Math.sin(4 * x), z],
   },
-  'a position of the geometry instead of the skin': {
+  'positionGeometry on a skinned mesh': {
     kind: 'skin',
     shape: 'sphere',
     ignoresPose: true,

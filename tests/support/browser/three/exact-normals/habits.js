@@ -1,6 +1,5 @@
-// Other habits of people who write vertex shaders. Normals are compared with finite differences: those of positions that the GPU computes
-// for
-// slightly shifted vertices.
+// Habits of people who write vertex shaders, besides the displacements in cases.js. Normals are compared with finite differences of
+// positions, which the GPU computes for slightly shifted vertices.
 import * as THREE from 'three'
 import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
@@ -33,7 +32,7 @@ const withShaders =
   () =>
     new THREE.ShaderMaterial({ vertexShader, fragmentShader, uniforms, ...options })
 
-/** Maps what is particular to a shader → [function that creates the material, what the mesh needs]. */
+/** Maps what is particular to a shader → [function that creates the material, options of the mesh]. */
 export const habits = {
   'a factor that depends on the normal': [
     withShaders(`varying vec3 vNormal;

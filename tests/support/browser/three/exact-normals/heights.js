@@ -4,7 +4,7 @@
 /** Patterns for the start of `main`. */
 const mains = { glsl: /\bvoid main\s*\(/, wgsl: /@(?:vertex|fragment)\s+fn\s+main\s*\(/ }
 
-/** Returns the index after the brace that closes the first one after `start`. */
+/** Returns the index after the brace that closes the first block after `start`. */
 function endOf(code, start) {
   let depth = 0
   for (let i = code.indexOf('{', start); i < code.length; i++) {

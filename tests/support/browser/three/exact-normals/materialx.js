@@ -1,5 +1,5 @@
-// MaterialX's gradient noise in double precision, from its specification. Bob Jenkins' function `final`, of integer coordinates, selects a
-// gradient at each corner of a cell.
+// MaterialX's gradient noise in double precision, from its specification. Bob Jenkins' function `final` selects a gradient at each corner
+// of a cell from the integer coordinates of the corner.
 
 const rotl = (x, k) => (x << k) | (x >>> (32 - k))
 

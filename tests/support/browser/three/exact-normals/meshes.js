@@ -19,7 +19,7 @@ function getRenderer(isShadowed) {
   })())
 }
 
-function picture(renderer, scene, from = camera) {
+function takePicture(renderer, scene, from = camera) {
   renderer.render(scene, from)
   const gl = renderer.getContext()
   const pixels = new Uint8Array(4 * size * size)
@@ -53,7 +53,7 @@ function makeDisplaced() {
   return material
 }
 
-/** Returns a copy of a geometry whose vertices are moved in the same way by hand. */
+/** Returns a copy of a geometry whose vertices are moved by hand, like those of `makeDisplaced`. */
 function moveVertices(geometry) {
   const copy = geometry.clone()
   const { position, normal } = copy.attributes
@@ -111,11 +111,14 @@ export function shadow(kind, isFollowing = true) {
   renderer.render(scene, camera)
   // The uniform must still affect the shadow.
   time.value = 1.9
-  const drawn = picture(renderer, scene)
+  const drawn = takePicture(renderer, scene)
   const plain = new THREE.MeshStandardMaterial({ roughness: 0.6 })
   const byHand = new THREE.Mesh(moveVertices(makeSphere()), plain)
-  const expected = picture(renderer, makeScene(byHand, lights[kind]()))
-  const without = picture(renderer, makeScene(new THREE.Mesh(makeSphere(), plain), lights[kind]()))
+  const expected = takePicture(renderer, makeScene(byHand, lights[kind]()))
+  const without = takePicture(
+    renderer,
+    makeScene(new THREE.Mesh(makeSphere(), plain), lights[kind]()),
+  )
   return {
     isSame: returned === (isFollowing ? mesh : material),
     differing: countDiffering(drawn, expected),
@@ -128,12 +131,12 @@ fromBelow.position.set(0.6, -0.35, 0)
 fromBelow.lookAt(0.6, -2, 0)
 
 /**
- * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which this differs from
- * the shadow without displacement (`moved`). `place` moves a vertex.
+ * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which the latter differs
+ * from the shadow without displacement (`moved`). `place` moves a vertex.
  */
 export function shadowOnFloor(geometry, material, place) {
   const renderer = getRenderer(true)
-  const draw = (mesh) => picture(renderer, makeScene(mesh, lights.directional()), fromBelow)
+  const draw = (mesh) => takePicture(renderer, makeScene(mesh, lights.directional()), fromBelow)
   const byHand = geometry.clone()
   const { position } = byHand.attributes
   for (let i = 0; i < position.count; i++)
@@ -147,7 +150,7 @@ export function shadowOnFloor(geometry, material, place) {
   }
 }
 
-/** Counts these pixels for a displacement map that moves all vertices of a sphere outwards. */
+/** Does the same as `shadowOnFloor` for a displacement map that moves all vertices of a sphere outwards. */
 export async function shadowOfMap() {
   const displacementMap = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
   displacementMap.needsUpdate = true
@@ -182,10 +185,10 @@ export function recompile(kind) {
   const sceneWith = (mesh) => makeScene(mesh, lights.directional())
   const mesh = makeMesh('0.1')
   const scene = sceneWith(mesh)
-  const before = picture(renderer, scene, fromBelow)
+  const before = takePicture(renderer, scene, fromBelow)
   change(mesh.material, '0.9')
-  const drawn = picture(renderer, scene, fromBelow)
-  const expected = picture(renderer, sceneWith(makeMesh('0.9')), fromBelow)
+  const drawn = takePicture(renderer, scene, fromBelow)
+  const expected = takePicture(renderer, sceneWith(makeMesh('0.9')), fromBelow)
   const ray = new THREE.Raycaster(new THREE.Vector3(-1.5, 9, 0), new THREE.Vector3(0, -1, 0))
   return {
     differing: countDiffering(drawn, expected),
@@ -195,7 +198,10 @@ export function recompile(kind) {
   }
 }
 
-/** Returns the height at which a ray from above hits the mesh, before it is first drawn, after, and later; and tests the bounds. */
+/**
+ * Returns the height at which a ray from above hits the mesh: before the mesh is first drawn, after that, and after a change of the
+ * uniform; and tests the bounds.
+ */
 export function cpu() {
   time.value = 0.4
   const mesh = exactNormals(new THREE.Mesh(makeSphere(), makeDisplaced()))
@@ -241,7 +247,7 @@ export function warpOnTop(normals) {
   const renderer = getRenderer(false)
   const draw = (mesh) => {
     mesh.frustumCulled = false
-    return picture(renderer, new THREE.Scene().add(mesh), camera)
+    return takePicture(renderer, new THREE.Scene().add(mesh), camera)
   }
   const showNormals = (material) => {
     const { onBeforeCompile } = material
@@ -294,7 +300,7 @@ export function twins() {
   }
   const draw = (...materials) =>
     materials.map((material) =>
-      picture(renderer, new THREE.Scene().add(new THREE.Mesh(makeSphere(), material))),
+      takePicture(renderer, new THREE.Scene().add(new THREE.Mesh(makeSphere(), material))),
     )
   const [first, second] = draw(create('0.1'), create('0.4'))
   return countDiffering(first, second)

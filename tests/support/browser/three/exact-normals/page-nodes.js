@@ -24,7 +24,7 @@ function getTarget(renderer, side) {
 }
 
 /** Draws a scene. Returns its picture, four floats per pixel. */
-async function picture(renderer, scene, view, side = size) {
+async function takePicture(renderer, scene, view, side = size) {
   const target = getTarget(renderer, side)
   renderer.setRenderTarget(target)
   renderer.setClearColor(0, 0)
@@ -39,7 +39,7 @@ const decode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.0
 function draw(renderer, object, view) {
   const scene = new THREE.Scene()
   scene.add(object)
-  return picture(renderer, scene, view)
+  return takePicture(renderer, scene, view)
 }
 
 /** Draws a case, with `exactNormals` if `isExact`. Returns the picture `shown`, and the objects that were drawn. */
@@ -116,8 +116,8 @@ async function measure(name, settings) {
 }
 
 /**
- * Adds varyings to a positionNode: `position` and `normal` of the vertex before it moves: posed, unless `ignoresPose`. The
- * fourth component of `normal` is its length.
+ * Adds the varyings `position` and `normal` to a positionNode: those of the vertex before the positionNode moves it, posed unless
+ * `ignoresPose`. The fourth component of `normal` is the length of the normal.
  */
 function withVaryings(positionNode, ignoresPose) {
   const [position, normal] = [0, 1].map((i) => varyingProperty('vec4', `seen${i}`))
@@ -162,7 +162,7 @@ async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side
   view.updateMatrixWorld()
   const scene = new THREE.Scene()
   scene.add(mesh)
-  const shown = await picture(renderer, scene, view, side)
+  const shown = await takePicture(renderer, scene, view, side)
   const shaders = await renderer.debug.getShaderAsync(scene, view, mesh)
   return { renderer, material, mesh, scene, view, shown, shaders }
 }
@@ -180,7 +180,7 @@ async function measureShowcase(name, settings) {
   mesh.material = new THREE.MeshBasicNodeMaterial()
   mesh.material.positionNode = material.positionNode
   mesh.material.fragmentNode = vec4(positionLocal, 1)
-  const seen = await picture(renderer, scene, view, showcaseSize)
+  const seen = await takePicture(renderer, scene, view, showcaseSize)
   const angles = []
   let skipped = 0
   for (let i = 0; i < 4 * showcaseSize * showcaseSize; i += 4) {

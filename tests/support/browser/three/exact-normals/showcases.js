@@ -1,7 +1,6 @@
 // Two of three's example scenes, reconstructed in TSL from their formulas: a raging sea and a procedural terrain. With `isByHand`,
-// `material`
-// computes normals as the example does, from heights at two shifted points. `heightNear(x, z)(dx, dz)` is the height in double precision at
-// (x + dx, z + dz); the points at which its octaves are evaluated have the rounding errors that float32 has at (x, z).
+// `material` computes normals like the example, from heights at two shifted points. `heightNear(x, z)(dx, dz)` is the height in double
+// precision at (x + dx, z + dz); the points at which its octaves are evaluated have the rounding errors that float32 has at (x, z).
 import * as TSL from 'three/tsl'
 import * as THREE from 'three/webgpu'
 import { noise } from './materialx.js'

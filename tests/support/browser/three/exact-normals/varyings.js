@@ -1,6 +1,5 @@
-// Nodes that assign varyings: `position` is a positionNode that does so, `colour` a fragmentNode that outputs the varyings. Each position
-// has
-// one loop, so that heights.js can count its evaluations.
+// Nodes that assign varyings: `position` is a positionNode that assigns them, `colour` a fragmentNode that outputs the varyings. Each
+// position has one loop, so that heights.js can count the evaluations of the height.
 import * as TSL from 'three/tsl'
 
 const { Fn, If, Loop, float, positionLocal, sin, varying, varyingProperty, vec2, vec3, vec4 } = TSL

@@ -1,13 +1,12 @@
 // Meshes that have both a warp and a material with `exactNormals`. Each is compared with a mesh to which one of the two motions is applied
-// by
-// hand.
+// by hand, in the geometry.
 import * as THREE from 'three/webgpu'
 import { exactNormals, tslOffset, warp } from 'warpjet/three/webgpu'
 import { noise } from './materialx.js'
 
 const { mx_noise_float, positionLocal, sin, vec3 } = THREE.TSL
 
-/** Maps a name → a height, as a node and in double precision. Of `noise`, the shader calls a function twice. */
+/** Maps a name → a height, as a node and in double precision. For `noise`, the shader calls a function twice. */
 const heights = {
   wave: {
     node: (p, axis) => sin(p[axis].mul(3)).mul(0.3),
@@ -76,7 +75,7 @@ function warpMesh(mesh, height, options) {
   return mesh
 }
 
-/** The warp comes after the positionNode. */
+/** Meshes whose warp applies after the positionNode. */
 const warpAfter = (options, height = 'wave') => ({
   both: () => warpMesh(makeMesh(makeSphere(), makeMaterial(height)), height, options),
   byHand: () =>
@@ -85,7 +84,7 @@ const warpAfter = (options, height = 'wave') => ({
     warpMesh(makeMesh(makeSphere(), makeMaterial(height, false)), height, options),
 })
 
-/** The warp comes before the positionNode. */
+/** Meshes whose warp applies before the positionNode. */
 const warpBefore = (options, isInstanced) => ({
   both: () => warpMesh(makeMesh(makeSphere(), makeMaterial('wave'), isInstanced), 'wave', options),
   byHand: () => makeMesh(makeMovedSphere('wave', 'z', 'y'), makeMaterial('wave'), isInstanced),

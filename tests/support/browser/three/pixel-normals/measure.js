@@ -1,25 +1,12 @@
 // Compares drawn normals with exact ones at each pixel. The first parameter describes a renderer: `draw(scene, camera)` returns a picture,
-// four
-// floats per pixel from the bottom left; `normalMaterial` makes a material that draws normals as colours, which `decode` converts to those
-// of WebGLRenderer; `attributeMaterial` makes one that draws the attribute `shownAttribute`.
+// four floats per pixel from the bottom left; `normalMaterial` makes a material that draws normals as colours, which `decode` converts to
+// those of WebGLRenderer; `attributeMaterial` makes a material that draws the attribute `shownAttribute`.
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
 import { degreesBetween, exactVertex, makeMover, quantile } from './exact.js'
+import { makeNormalMap } from './pictures.js'
 import { attributeNames, camera, kinds, makeObject, readUnwarped, size } from './scenes.js'
 import { heights, warps } from './warps.js'
-
-/** Makes a normal map of one direction, in floats. */
-function makeNormalMap(direction) {
-  const map = new THREE.DataTexture(
-    Float32Array.from([...direction.map((x) => 0.5 * x + 0.5), 1]),
-    1,
-    1,
-    THREE.RGBAFormat,
-    THREE.FloatType,
-  )
-  map.needsUpdate = true
-  return map
-}
 
 /**
  * Draws a warped object and measures the errors of its normals. `map` is the direction in a normal map, in the frame of the vertex

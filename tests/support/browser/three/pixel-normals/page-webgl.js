@@ -58,9 +58,9 @@ const host = { draw, normalMaterial, attributeMaterial, makers }
 /** Returns the sources of the program that is compiled for a material of this kind with `normals`. */
 function sources(normals, kind = 'standard') {
   const { scene, warped } = litScene(makers[kind](), warps.simplex, { normals })
-  const known = new Set(renderer.info.programs)
+  const programsBefore = new Set(renderer.info.programs)
   draw(scene)
-  const compiled = renderer.info.programs.find((program) => !known.has(program))
+  const compiled = renderer.info.programs.find((program) => !programsBefore.has(program))
   const gl = renderer.getContext()
   const vertexAndFragment = [compiled.vertexShader, compiled.fragmentShader].map((shader) =>
     gl.getShaderSource(shader),
@@ -119,7 +119,7 @@ function makeMaterialWithHook(change) {
   return material
 }
 
-/** Draws a material that has an obstacle. Returns the number of pixels that differ from those with normals at vertices. */
+/** Draws a material that has an obstacle. Returns the number of pixels that differ from a picture with normals at vertices. */
 function obstacle(name, normals) {
   const pictures = ['vertex', normals].map((normals) => {
     const { scene, warped } = litScene(obstacles[name](), warps.simplex, { normals })

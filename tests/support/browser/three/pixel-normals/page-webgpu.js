@@ -6,11 +6,13 @@ import { rendererFor } from '../webgpu-renderer.js'
 import { measure } from './measure.js'
 import {
   collapse,
+  collapseWithMap,
   countDifferences,
   countFacetDifferences,
   drawWithMap,
   litScene,
   makeBumps,
+  makeNormalMap,
   mapNames,
   summarize,
 } from './pictures.js'
@@ -97,8 +99,8 @@ async function reflection(backend) {
 }
 
 /**
- * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices. Returns the number of pixels that differ from
- * these.
+ * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices. Returns the number of pixels that differ
+ * from a picture with `normals: 'vertex'`.
  */
 async function obstacle(backend, normals) {
   const { draw } = await makeHost(backend)
@@ -119,10 +121,50 @@ async function obstacle(backend, normals) {
   return countDifferences(...pictures)
 }
 
+/** Draws a mesh on a device that passes at most `limit` vectors to pixels. `channels` are the uvs that the textures of the material read. */
+async function drawWithLimit(backend, limit, { channels = [], hasTangents = false }) {
+  const { draw } = await makeHost(backend)
+  const { backend: device } = await rendererFor(backend)
+  const restore = limitVaryings(device, limit)
+  const maps = channels.map((channel, i) => {
+    const map = hasTangents && i === 0 ? makeNormalMap([0, 0, 1]) : makeBumps()
+    map.channel = channel
+    return [hasTangents && i === 0 ? 'normalMap' : ['map', 'roughnessMap', 'metalnessMap'][i], map]
+  })
+  const geometry = new THREE.SphereGeometry(1, 8, 6)
+  for (const name of ['uv1', 'uv2']) geometry.setAttribute(name, geometry.attributes.uv)
+  if (hasTangents) geometry.computeTangents()
+  const material = makers.standard(Object.fromEntries(maps))
+  const { scene, warped } = litScene(material, warps.simplex, { normals: 'pixel' }, geometry)
+  try {
+    await draw(scene)
+  } finally {
+    warped.dispose()
+    restore()
+  }
+}
+
+/** Lets a backend report another limit for vectors that pass to pixels. Returns a function that restores its own. */
+function limitVaryings({ device, gl }, limit) {
+  if (device) {
+    Object.defineProperty(device, 'limits', {
+      value: { maxInterStageShaderVariables: limit },
+      configurable: true,
+    })
+    return () => delete device.limits
+  }
+  const getParameter = gl.getParameter.bind(gl)
+  gl.getParameter = (name) => (name === gl.MAX_VARYING_VECTORS ? limit : getParameter(name))
+  return () => delete gl.getParameter
+}
+
 window.pixels = {
   warps: Object.keys(warps),
   measure: async ({ backend, ...settings }) => measure(await makeHost(backend), settings),
   collapse: async (backend, name, settings) => collapse(await makeHost(backend), name, settings),
+  collapseWithMap: async (backend, direction) =>
+    collapseWithMap(await makeHost(backend), direction),
+  drawWithLimit,
   countFacetDifferences: async (backend, name) =>
     countFacetDifferences(await makeHost(backend), name),
   mapNames,

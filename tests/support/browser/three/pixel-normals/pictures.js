@@ -17,6 +17,19 @@ export function makeBumps() {
   return map
 }
 
+/** Makes a normal map of one direction, in floats. */
+export function makeNormalMap(direction) {
+  const map = new THREE.DataTexture(
+    Float32Array.from([...direction.map((x) => 0.5 * x + 0.5), 1]),
+    1,
+    1,
+    THREE.RGBAFormat,
+    THREE.FloatType,
+  )
+  map.needsUpdate = true
+  return map
+}
+
 /** Returns a scene with the light at the eye, and an object that `offset` warps. */
 export function litScene(
   material,
@@ -55,7 +68,10 @@ export function countDifferences(a, b, tolerance = 1e-3) {
   return count
 }
 
-/** Draws a collapsing surface lit and with its normals as colours, and counts the pixels that differ from flat-shaded ones. */
+/**
+ * Draws a collapsing surface lit and with its normals as colours, and counts the pixels that differ from pictures of the flat-shaded
+ * surface.
+ */
 export async function collapse({ draw, makers }, name, { normals, side = 'FrontSide' }) {
   const offset = collapses[name]
   const options = { side: THREE[side] }
@@ -79,6 +95,40 @@ export async function collapse({ draw, makers }, name, { normals, side = 'FrontS
     differing: countDifferences(shown, facets),
     differingInLight: countDifferences(lit, litFacets),
   }
+}
+
+/**
+ * Draws a surface that collapses, and so has no warped tangents, with a normal map of the direction (x, y, z). Returns the number of
+ * pixels, and the max distance between their normals and (x, y, 0) + z times the normal of the triangle, normalized: the tangents are then
+ * the axes of the view.
+ */
+export async function collapseWithMap({ draw, decode, makers }, [x, y, z]) {
+  const geometry = new THREE.SphereGeometry(1, 24, 16)
+  geometry.computeTangents()
+  const drawNormals = async (options, normals) => {
+    const { scene, warped } = litScene(
+      makers.normal(options),
+      collapses.floor,
+      { normals },
+      geometry,
+    )
+    const picture = decode(await draw(scene))
+    warped.dispose()
+    return picture
+  }
+  const mapped = await drawNormals({ normalMap: makeNormalMap([x, y, z]) }, 'pixel')
+  const facets = await drawNormals({ flatShading: true }, 'vertex')
+  const readNormal = (picture, i) =>
+    new THREE.Vector3(...picture.slice(i, i + 3)).multiplyScalar(2).subScalar(1)
+  let [covered, worst] = [0, 0]
+  for (let i = 0; i < mapped.length; i += 4) {
+    if (!mapped[i + 3]) continue
+    covered++
+    const expected = readNormal(facets, i).normalize().multiplyScalar(z)
+    expected.add(new THREE.Vector3(x, y, 0)).normalize()
+    worst = Math.max(worst, readNormal(mapped, i).distanceTo(expected))
+  }
+  return { covered, worst }
 }
 
 /**
