@@ -87,7 +87,7 @@ function recordWasmTime() {
     milliseconds: 0,
     detail: undefined,
     args: [],
-    repeat: () => update(...spent.args),
+    repeat: () => bound._detail_update(...spent.args),
     stop: () => Object.assign(bound, { _detail_update: update }),
   }
   bound._detail_update = (...args) => {
