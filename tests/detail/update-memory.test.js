@@ -54,7 +54,7 @@ for (const [name, offset] of Object.entries(warps))
       if (mesh.update(views[frame], options)) changes++
     }
     // Updates often enough that the engine optimizes the code, and that the warp is compiled to machine code.
-    for (let i = 0; i < 10_000; i++) update()
+    for (let i = 0; i < 4000; i++) update()
     changes = 0
 
     const bytes = await bytesOf(update, 500)
