@@ -76,17 +76,33 @@ async function measureMemory() {
   return { heapUsed, arrayBuffers, wasm: detailMemoryInUse() + evaluationMemoryInUse() }
 }
 
-/** Makes `update` of the wasm record its time. The rest of an update's time is the evaluation of the warp. */
+/**
+ * Makes `update` of the wasm record its time. The rest of an update's time is the evaluation of the warp. `stop` ends that, since it
+ * creates garbage.
+ */
 function recordWasmTime() {
-  const { prototype } = details.get().Detail
-  const { update } = prototype
-  const spent = { milliseconds: 0, detail: undefined, args: [] }
-  prototype.update = function (...args) {
-    Object.assign(spent, { detail: this, args })
+  const bound = details.get()
+  const { _detail_update: update } = bound
+  const spent = {
+    milliseconds: 0,
+    detail: undefined,
+    args: [],
+    repeat: () => bound._detail_update(...spent.args),
+    stop: () => Object.assign(bound, { _detail_update: update }),
+  }
+  bound._detail_update = (...args) => {
+    spent.args = args
     const start = performance.now()
-    const isChanged = update.apply(this, args)
+    const isChanged = update(...args)
     spent.milliseconds += performance.now() - start
     return isChanged
+  }
+  const { prototype } = bound.Detail
+  const { begin } = prototype
+  prototype.begin = function () {
+    spent.detail = this
+    prototype.begin = begin
+    this.begin()
   }
   return spent
 }
@@ -99,7 +115,7 @@ function timeUpdates(update, spent) {
     const needAndWrite = spent.milliseconds
     // Nothing has changed since, so a second update computes how far edges must be split, but writes nothing.
     spent.milliseconds = 0
-    spent.detail.update(...spent.args)
+    spent.repeat()
     if (i < warmUp) continue
     times.total.push(total)
     times.evaluate.push(total - needAndWrite)
@@ -109,18 +125,20 @@ function timeUpdates(update, spent) {
   return times
 }
 
-async function measureWarp([offset, aim], spent) {
+async function measureWarp([offset, aim]) {
   const warp = compileWarp(offset, { normals: false })
   const views = Array.from({ length: warmUp + updates }, (_, i) => viewOf(i))
   const mesh = createSphere()
   const before = await measureMemory()
   const divided = createDetail(mesh, warp)
+  const spent = recordWasmTime()
   const update = (i, tolerance = 1) =>
     divided.update(views[i], { uniforms: { millis: 20 * i }, tolerance })
   update(0, 1e6)
   const undivided = await measureMemory()
   const minTriangles = divided.indices.length / 3
   const times = timeUpdates(update, spent)
+  spent.stop()
   const edges = spent.detail.pieces().length
   const garbage = countGarbage(update, views.length)
   const triangles = views.map((_, i) => (update(i), divided.indices.length / 3))
@@ -167,9 +185,8 @@ function countGarbage(update, count) {
 }
 
 export async function measure() {
-  const spent = recordWasmTime()
   const results = {}
-  for (const [name, warp] of Object.entries(warps)) results[name] = await measureWarp(warp, spent)
+  for (const [name, warp] of Object.entries(warps)) results[name] = await measureWarp(warp)
   const table = (key) =>
     console.table(
       Object.fromEntries(Object.entries(results).map(([name, result]) => [name, result[key]])),

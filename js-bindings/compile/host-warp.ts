@@ -5,9 +5,12 @@ import { allowNonFinite, type Box, type Vertices } from '../core/inputs/vertices
 import { lazily } from '../core/module/lazily.js'
 import { ResultSet } from '../core/module/result-set.js'
 import { costOf, makePhases, makeProgram, type Program } from '../core/module/serialized-module.js'
+import { inputsRead } from '../cpu/analyse-program.js'
 import { bounds } from '../cpu/bounds.js'
 import type { Bounds, CpuWarp } from '../cpu/cpu-warp.js'
 import { createCpuWarp } from '../cpu/create-cpu-warp.js'
+import type { Sink } from '../cpu/machine-code.js'
+import { Pool } from '../cpu/pool.js'
 import { positionsAlone } from '../cpu/results.js'
 import { runOnVertices } from '../cpu/vertex-run.js'
 import { warpProgram, type WarpProgram } from '../cpu/warp-program.js'
@@ -28,11 +31,16 @@ export interface SurfacePhases {
   readonly steps: readonly number[]
   /** The number of floats per vertex, for all phases together. */
   readonly size: number
+  /** Writes the numbers on which the phases depend, other than vertices, to the start of an array. Returns how many there are. */
+  writeState(drawValues: DrawValues, to: number[]): number
   /** Writes the phases of the first `count` vertices. */
   evaluate(vertices: Vertices, count: number, drawValues: DrawValues, into: Float32Array): void
 }
 
+const noValues = new Float32Array()
+
 export class HostWarp extends OffsetWarp {
+  private readonly sinks = new Pool((): [Sink] => [{ values: noValues, results: [] }])
   private readonly onCpu = {
     position: lazily(() => createCpuWarp(this.programs('position'))),
     offset: lazily(() => createCpuWarp(this.programs('offset'))),
@@ -113,11 +121,19 @@ export class HostWarp extends OffsetWarp {
       frameConstants: undefined,
       program: () => program,
     }
-    const evaluate: SurfacePhases['evaluate'] = (vertices, count, drawValues, into) =>
-      this.runOn(phaseProgram, vertices, count, drawValues, results, into)
-    return { sizes, steps, size, evaluate }
+    const isRead = inputsRead(madePhases.program, results.numbers)
+    const inputsOfPhases = this.nameInputs(madePhases.program.inputs.filter((_, i) => isRead[i]))
+    return {
+      sizes,
+      steps,
+      size,
+      writeState: (drawValues, to) => this.writeNumbers(inputsOfPhases, drawValues, to),
+      evaluate: (vertices, count, drawValues, into) =>
+        this.runOn(phaseProgram, vertices, count, drawValues, results, into),
+    }
   })
 
+  /** Creates no garbage if the inputs are numbers. */
   private runOn(
     program: WarpProgram,
     vertices: Vertices,
@@ -126,8 +142,13 @@ export class HostWarp extends OffsetWarp {
     results: ResultSet,
     into: Float32Array,
   ) {
-    const sinks = [{ values: into, results: results.numbers }]
+    const sinks = this.sinks.take()
+    const [sink] = sinks
+    sink.values = into
+    sink.results = results.numbers
     runOnVertices(program, this.place, vertices, count, drawValues as never, results, sinks)
+    sink.values = noValues
+    this.sinks.giveBack(sinks)
   }
 
   private positionProgram() {

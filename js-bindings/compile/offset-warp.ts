@@ -40,6 +40,14 @@ export interface HostOptions extends RecordOptions {
  */
 export type DrawValues = Readonly<Record<string, unknown>>
 
+/** An input of the warp: its names in the shader, and among the values of a draw call. */
+export interface NamedInput {
+  readonly label: string
+  readonly name: string
+}
+
+const noNumbers: readonly number[] = []
+
 /** Inputs of a draw call that all of its instances share. */
 const sharedInputs = (Object.keys(drawInputs) as DrawInput[]).filter((name) => name !== 'instance')
 
@@ -92,7 +100,34 @@ export class OffsetWarp {
 
   /** Returns the numbers of uniforms and of the draw call's inputs that the warped position of a vertex depends on. */
   state(drawValues: DrawValues): number[] {
-    return this.inputsRead().flatMap((variable) => this.stateOf(variable, drawValues))
+    const numbers: number[] = []
+    this.writeState(drawValues, numbers)
+    return numbers
+  }
+
+  /** Writes the numbers of `state` to the start of an array, and returns how many there are. Inputs that are numbers create no garbage. */
+  writeState(drawValues: DrawValues, to: number[]): number {
+    return this.writeNumbers(this.namedInputsRead(), drawValues, to)
+  }
+
+  /** Writes the current numbers of inputs like `writeState`. Inputs that differ by vertex have none. */
+  protected writeNumbers(
+    inputs: readonly NamedInput[],
+    drawValues: DrawValues,
+    to: number[],
+  ): number {
+    let count = 0
+    for (const { label, name } of inputs) {
+      const value = ownProperty(drawValues, name)
+      if (typeof value === 'number' && !this.uniforms.declared.has(name)) to[count++] = value
+      else for (const each of this.numbersNow(name, label, drawValues)) to[count++] = each
+    }
+    return count
+  }
+
+  /** Adds the names of inputs among the values of a draw call. */
+  protected nameInputs(inputs: readonly Variable[]): NamedInput[] {
+    return inputs.map((variable) => ({ label: variable.name, name: this.valueNameOf(variable) }))
   }
 
   /** Returns the stage that computes normals: the option `normals`, with `'auto'` resolved for this warp. */
@@ -156,6 +191,7 @@ export class OffsetWarp {
   }
 
   private readonly inputsRead = lazily(() => this.inputsOf('position'))
+  private readonly namedInputsRead = lazily(() => this.nameInputs(this.inputsRead()))
   private readonly inputNumbersRead = lazily(
     () => new Set(this.inputsRead().map(({ number }) => number)),
   )
@@ -188,24 +224,25 @@ export class OffsetWarp {
     return ({ name, number }) => numbers.has(number) || labels.has(name)
   }
 
-  private stateOf({ number, name: label }: Variable, drawValues: DrawValues): readonly number[] {
-    return this.numbersNow(this.drawNames().get(number) ?? this.userName(label), label, drawValues)
+  /** Returns the name of an input among the values of a draw call. */
+  private valueNameOf({ number, name: label }: Variable): string {
+    return this.drawNames().get(number) ?? this.userName(label)
   }
 
   private numbersNow(name: string, label: string, drawValues: DrawValues): readonly number[] {
     const value = ownProperty(drawValues, name)
-    if (value === undefined) return this.byLabel().get(label)?.numbers() ?? []
+    if (value === undefined) return this.byLabel().get(label)?.numbers() ?? noNumbers
     return this.uniforms.declared.has(name)
       ? this.uniforms.numbersFor(name, value)
       : [value as number | number[]].flat()
   }
 
-  private numbersOf(
-    place: Place,
-    { number, name: label, shape: [columns, rows] }: Variable,
-    drawValues: DrawValues,
-  ): readonly number[] {
-    const name = this.drawNames().get(number) ?? this.userName(label)
+  private numbersOf(place: Place, variable: Variable, drawValues: DrawValues): readonly number[] {
+    const {
+      name: label,
+      shape: [columns, rows],
+    } = variable
+    const name = this.valueNameOf(variable)
     const value = ownProperty(drawValues, name)
     const uniform = this.uniforms.declared.get(name)
     if (value === undefined && uniform) return uniform.numbers(place)

@@ -7,6 +7,7 @@ import {
   type InputArray,
   type Code as WrittenCode,
 } from '../wasm/evaluation.js'
+import { Views } from '../wasm/views.js'
 import { withProgram } from './analyse-program.js'
 
 /** The numbers of an input: `size` per vertex or, if it is uniform, `size` in total. */
@@ -108,20 +109,6 @@ export class MachineCode {
         else values.set(views.get(i, floats, from, count * size), first * size)
       }
     }
-  }
-}
-
-/** Caches views of the wasm's memory. */
-class Views {
-  private readonly views: Float32Array[] = []
-
-  /**
-   * Returns the view of index `i`: the previous one if it shows the same part, as it mostly does. A view becomes empty if the memory grows.
-   */
-  get(i: number, floats: Float32Array, start: number, count: number): Float32Array {
-    const last = this.views[i]
-    if (last?.length === count && last.byteOffset === 4 * start) return last
-    return (this.views[i] = floats.subarray(start, start + count))
   }
 }
 

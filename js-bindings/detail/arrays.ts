@@ -22,33 +22,51 @@ export function copyInto(to: ArrayLike<number> | undefined, from: Float32Array):
 export const areEqual = (a: readonly number[], b: readonly number[]) =>
   a.length === b.length && a.every((x, i) => x === b[i])
 
-/** Copies the vertices with these indices, in order, to the start of arrays that are as long as those of `from`. */
-export function gather(from: Vertices, vertexIndices: Uint32Array, to: Vertices) {
+/**
+ * Copies the vertices with `count` indices, from `words[at]` on, to the start of arrays that are as long as those of `from`. Creates no
+ * garbage.
+ */
+export function gather(
+  from: Vertices,
+  words: Uint32Array,
+  at: number,
+  count: number,
+  to: Vertices,
+) {
   const vertices = from.positions.length / 3
-  for (const name in to) {
-    const [source, target] = [from, to].map((each) => each[name as 'positions'] as Float32Array)
-    copyVertices(source!, vertexIndices, target!, Math.trunc(target!.length / vertices))
+  for (const key in to) {
+    const name = key as 'positions'
+    const target = to[name] as Float32Array
+    copyVertices(from[name] as Float32Array, words, at, count, target, target.length / vertices)
   }
 }
 
 function copyVertices(
   from: Float32Array,
-  vertexIndices: Uint32Array,
+  words: Uint32Array,
+  at: number,
+  count: number,
   to: Float32Array,
   size: number,
 ) {
-  let at = 0
-  for (let i = 0; i < vertexIndices.length; i++) {
-    const first = size * vertexIndices[i]!
-    for (let k = 0; k < size; k++) to[at++] = from[first + k]!
+  let next = 0
+  for (let i = 0; i < count; i++) {
+    const first = size * words[at + i]!
+    for (let k = 0; k < size; k++) to[next++] = from[first + k]!
   }
 }
 
-/** Copies positions, in order, to the vertices with these indices. */
-export function scatter(from: Float32Array, vertexIndices: Uint32Array, to: Float32Array) {
-  let at = 0
-  for (let i = 0; i < vertexIndices.length; i++) {
-    const first = 3 * vertexIndices[i]!
-    for (let k = 0; k < 3; k++) to[first + k] = from[at++]!
+/** Copies positions, in order, to the vertices with `count` indices, from `words[at]` on. */
+export function scatter(
+  from: Float32Array,
+  words: Uint32Array,
+  at: number,
+  count: number,
+  to: Float32Array,
+) {
+  let next = 0
+  for (let i = 0; i < count; i++) {
+    const first = 3 * words[at + i]!
+    for (let k = 0; k < 3; k++) to[first + k] = from[next++]!
   }
 }

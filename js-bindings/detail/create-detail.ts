@@ -1,14 +1,17 @@
 // `createDetail`: a mesh that is divided for the screen, for any renderer.
 import { hostWarp, type CompiledWarp } from '../compile/compile-warp.js'
-import type { Uniforms } from '../core/inputs/vertices.js'
 import { missingInput } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
 import { isList } from '../options/guards.js'
-import { anything, boolean, kind, oneOf, positiveNumber, record } from '../options/kinds.js'
-import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../options/numbers.js'
+import { boolean, kind, record } from '../options/kinds.js'
+import { describeNumber, finiteFloat, firstWrong } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
-import { DetailedMesh, type DetailAttribute, type DetailViews } from './detailed-mesh.js'
+import type { DetailAttribute } from './detail-base.js'
+import { DetailedMesh } from './detailed-mesh.js'
+import { noUniforms, readUpdate, writeViews, type DetailUpdate, type DetailView } from './update.js'
+
+export type { DetailUpdate, DetailView } from './update.js'
 
 /** A triangle mesh. Its arrays must not change afterwards. */
 export interface DetailMesh {
@@ -35,31 +38,6 @@ export interface DetailMeshOptions {
   readonly curved?: boolean
 }
 
-/** A picture that shows the mesh: its camera and its size. */
-export interface DetailView {
-  /** Transforms warped positions into clip space: the product of the projection, view and model matrices, 16 numbers column by column. */
-  readonly matrix: ArrayLike<number>
-  /** The size of the viewport in pixels of the canvas. */
-  readonly width: number
-  readonly height: number
-  /**
-   * The sides of triangles that are drawn. Triangles that show only the other side are not divided.
-   * @default 'both'
-   */
-  readonly side?: 'front' | 'back' | 'both'
-}
-
-export interface DetailUpdate {
-  /** Uniforms of the warp, and its inputs such as `millis`. */
-  readonly uniforms?: Uniforms
-  /**
-   * The max distance between the drawn triangles and the warped surface, in pixels. It is measured at samples: 99.9% of the surface are
-   * closer, single points may not be.
-   * @default 1
-   */
-  readonly tolerance?: number
-}
-
 /** A mesh that is divided as finely as its warped surface needs it on the screen, without cracks. Its vertices are not warped. */
 export interface DividedMesh {
   /**
@@ -81,7 +59,6 @@ export interface DividedMesh {
 }
 
 const place = new Place('createDetail')
-const updatePlace = new Place('update')
 
 const sizes = { normals: 3, uvs: 2, colors: 4, tangents: 4 } as const
 
@@ -126,10 +103,8 @@ export function createDetail(
   const numbers: number[] = []
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {
-      const { uniforms = {}, tolerance } = updateOptions.read(options, updatePlace)
-      const all = (Array.isArray(views) ? views : [views]) as readonly DetailView[]
-      numbers.length = 0
-      for (const view of all) appendNumbers(numbers, view)
+      const { uniforms = noUniforms, tolerance } = readUpdate(options)
+      writeViews(numbers, views)
       return detailed.update(uniforms, numbers, tolerance)
     },
     get positions() {
@@ -175,30 +150,4 @@ function readIndices(given: unknown, vertices: number): ArrayLike<number> {
         .expected(`the number of one of ${vertices} vertices, from 0,`, describe(index))
   }
   return indices
-}
-
-const updateOptions = object({
-  uniforms: anything<Uniforms>(),
-  tolerance: positiveNumber({ default: 1 }),
-} satisfies KindsOf<DetailUpdate>)
-
-const facings = { front: 1, back: -1, both: 0 }
-const sideKind = oneOf(['front', 'back', 'both'], 'both')
-const viewOptions = object({
-  matrix: anything<ArrayLike<number>>(),
-  width: positiveNumber(),
-  height: positiveNumber(),
-  side: sideKind,
-} satisfies KindsOf<DetailView>)
-
-const viewKind = record<DetailView>('a view such as { matrix, width, height }')
-
-/** Appends the numbers of a view: see `DetailViews`. */
-function appendNumbers(all: DetailViews, given: DetailView) {
-  const view = viewKind.read(given, updatePlace.argument(1))
-  const { matrix, width, height, side } = viewOptions.read(view, updatePlace)
-  const numbers = readNumbers(updatePlace.option('matrix'), matrix, 16, {
-    layout: ', column by column,',
-  })
-  all.push(...numbers, width / 2, height / 2, facings[side])
 }

@@ -12,6 +12,9 @@ export class Place {
     private readonly path = '',
   ) {}
 
+  /** Maps the name of an option → its place. */
+  private options: Map<string, Place> | undefined
+
   toString(): string {
     return this.subject ? `${this.method}: ${this.subject}` : this.method
   }
@@ -29,8 +32,18 @@ export class Place {
     return this.part(`the uniform "${name}"`)
   }
 
-  /** Returns the place of an option of the call; if this place is an option itself, that of an option nested in it. */
+  /**
+   * Returns the place of an option of the call; if this place is an option itself, that of an option nested in it. Places of options are
+   * kept, since some calls read options in each frame.
+   */
   option(name: string): Place {
+    this.options ??= new Map<string, Place>()
+    let place = this.options.get(name)
+    if (!place) this.options.set(name, (place = this.makeOption(name)))
+    return place
+  }
+
+  private makeOption(name: string): Place {
     const path = this.path ? `${this.path}.${name}` : name
     return new Place(this.method, `the option "${path}"`, path)
   }

@@ -21,6 +21,11 @@ export type OptionsOf<All extends Kinds> = {
   [Name in keyof All]?: InputOf<All[Name]>
 }
 
+export interface Schema<All extends Kinds> extends Kind<ValuesOf<All>, OptionsOf<All>> {
+  /** Reads options into an object of the caller. Creates no garbage, unless a kind does. */
+  readInto(values: Partial<ValuesOf<All>>, value: unknown, place: Place): void
+}
+
 /**
  * Makes the kind of an object of options. A schema is a kind itself, so schemas nest. `advice` says what to write instead of an unknown
  * option.
@@ -28,15 +33,24 @@ export type OptionsOf<All extends Kinds> = {
 export const object = <All extends Kinds>(
   kinds: All,
   advice?: (name: string) => string,
-): Kind<ValuesOf<All>, OptionsOf<All>> => {
-  const all = Object.entries(kinds)
+): Schema<All> => {
   const names = Object.keys(kinds)
+  const readInto = (
+    values: Record<string, unknown>,
+    value: Readonly<Record<string, unknown>> | undefined,
+    place: Place,
+  ) => {
+    rejectUnknownOptions(value, names, place, advice)
+    for (let i = 0; i < names.length; i++) {
+      const name = names[i]!
+      values[name] = kinds[name]!.read(value?.[name], place.option(name))
+    }
+  }
   return {
+    readInto: readInto as Schema<All>['readInto'],
     read(value, place) {
-      rejectUnknownOptions(value, names, place, advice)
-      const options = (value ?? {}) as Record<string, unknown>
-      const values: Record<string, unknown> = {}
-      for (const [name, kind] of all) values[name] = kind.read(options[name], place.option(name))
+      const values = {}
+      readInto(values, value as never, place)
       return values as ValuesOf<All>
     },
   }

@@ -3,6 +3,7 @@
 // arrays of the divided mesh. The bound objects live as long as the mesh.
 #include "detail/detail.hpp"
 
+#include <emscripten.h>
 #include <malloc.h>
 
 #include <cstdint>
@@ -35,18 +36,15 @@ View<std::uint32_t> givenIndices(Detail& detail) { return View(detail.givenIndic
 View<float> sample(const Detail& detail, std::uint32_t attribute) {
   return View(detail.samples()[attribute].values);
 }
-View<float> warped(Detail& detail) { return View(detail.warped()); }
-View<float> phases(Detail& detail, std::uint32_t size) { return View(detail.phases(size)); }
 View<float> attribute(const Detail& detail, std::uint32_t attribute) {
   return View(detail.division().attributes[attribute].values);
 }
 View<std::uint32_t> indices(const Detail& detail) { return View(detail.indices()); }
 View<std::uint32_t> groups(const Detail& detail) { return View(detail.groups()); }
 
-// `numbers` has 19 numbers for each view: a matrix by columns, half of the size of the viewport in
-// pixels, and `ScreenView::facing`.
-View<std::uint32_t> show(Detail& detail, const std::vector<float>& numbers) {
-  return View(detail.show(numbers));
+// Returns the address of a mesh, for the functions that do without embind.
+std::uint32_t address(const Detail& detail) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&detail));
 }
 
 // The following functions return what compute passes read: the base mesh, the numbers of pieces of
@@ -69,6 +67,35 @@ std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
 
+// Functions that are called in each frame. Embind would allocate JavaScript objects in each call.
+extern "C" {
+EMSCRIPTEN_KEEPALIVE float* detail_phases(Detail* detail) { return detail->phases().data(); }
+EMSCRIPTEN_KEEPALIVE bool detail_cut(Detail* detail, float maxLength) {
+  return detail->cut(maxLength);
+}
+
+EMSCRIPTEN_KEEPALIVE void detail_forget_samples(Detail* detail) { detail->forgetSamples(); }
+EMSCRIPTEN_KEEPALIVE float* detail_warped(Detail* detail) { return detail->warped().data(); }
+
+// Each view has 19 numbers: a matrix by columns, half of the size of the viewport in pixels, and
+// `ScreenView::facing`.
+EMSCRIPTEN_KEEPALIVE float* detail_views(Detail* detail, std::uint32_t numbers) {
+  detail->viewNumbers().resize(numbers);
+  return detail->viewNumbers().data();
+}
+// Returns the number of samples to warp.
+EMSCRIPTEN_KEEPALIVE std::uint32_t detail_show(Detail* detail, bool listsSamples) {
+  return static_cast<std::uint32_t>(detail->show(listsSamples).size());
+}
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* detail_missing_samples(const Detail* detail) {
+  return detail->missingSamples().data();
+}
+
+EMSCRIPTEN_KEEPALIVE bool detail_update(Detail* detail, float tolerance) {
+  return detail->update(tolerance);
+}
+}  // extern "C"
+
 EMSCRIPTEN_BINDINGS(detail) {
   using namespace emscripten;
 
@@ -83,15 +110,11 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("givenIndices", &givenIndices)
       .function("begin", &Detail::begin)
       .function("pose", &Detail::pose)
-      .function("cut", &Detail::cut)
+      .function("setPhases", &Detail::setPhases)
       .function("sampleCount", &Detail::sampleCount)
       .function("cutSampleCount", &Detail::cutSampleCount)
       .function("sample", &sample)
-      .function("phases", &phases)
-      .function("warped", &warped)
-      .function("forgetSamples", &Detail::forgetSamples)
-      .function("show", &show)
-      .function("update", &Detail::update)
+      .function("address", &address)
       .function("attribute", &attribute)
       .function("indices", &indices)
       .function("groups", &groups)

@@ -6,7 +6,19 @@ import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
 
 export type { Detail }
 
-export type DetailModule = Bound & Emscripten
+/** The functions that take the address of a mesh: see detail.cpp. */
+interface FrameFunctions {
+  _detail_phases(mesh: number): number
+  _detail_cut(mesh: number, maxLength: number): number
+  _detail_forget_samples(mesh: number): void
+  _detail_warped(mesh: number): number
+  _detail_views(mesh: number, numbers: number): number
+  _detail_show(mesh: number, listsSamples: number): number
+  _detail_missing_samples(mesh: number): number
+  _detail_update(mesh: number, tolerance: number): number
+}
+
+export type DetailModule = Bound & Emscripten & FrameFunctions
 
 export const details = new WasmInstance<DetailModule>({
   factory,

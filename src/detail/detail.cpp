@@ -109,16 +109,20 @@ std::uint32_t Detail::sampleCount() const {
   return static_cast<std::uint32_t>(samples_[0].values.size() / 3);
 }
 
-std::vector<float>& Detail::phases(std::uint32_t size) {
-  phases_.resize(std::size_t{size} * cutSampleCount());
+void Detail::setPhases(std::vector<std::uint32_t> sizes, std::vector<float> steps) {
+  phaseSizes_ = std::move(sizes);
+  phaseSteps_ = std::move(steps);
+}
+
+std::vector<float>& Detail::phases() {
+  const std::size_t size = std::accumulate(phaseSizes_.begin(), phaseSizes_.end(), 0u);
+  phases_.resize(size * cutSampleCount());
   return phases_;
 }
 
-bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
-                 const std::vector<float>& steps) {
+bool Detail::cut(float maxLength) {
   std::vector<float> lengths(base_->edgeCount());  // by edge, in pieces
-  std::uint32_t stride = 0;
-  for (const std::uint32_t size : sizes) stride += size;
+  const std::uint32_t stride = std::accumulate(phaseSizes_.begin(), phaseSizes_.end(), 0u);
   const float* positions = samples_[0].values.data();
   for (std::size_t i = 0; i < base_->sides().size(); ++i) {
     const auto& [ends, edge, triangle] = base_->sides()[i];
@@ -128,13 +132,13 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
     const std::uint32_t first = base_->sampleOfSide(static_cast<std::uint32_t>(i), 0);
     const std::array samples{ends[0], first, first + 1, first + 2, ends[1]};
     std::uint32_t offset = 0;
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
+    for (std::size_t k = 0; k < phaseSizes_.size(); ++k) {
       float change = 0;
       for (std::size_t j = 0; j + 1 < samples.size(); ++j)
         change += distanceOf(phases_.data() + stride * samples[j] + offset,
-                             phases_.data() + stride * samples[j + 1] + offset, sizes[k]);
-      if (std::isfinite(change)) length = std::max(length, change / steps[k]);
-      offset += sizes[k];
+                             phases_.data() + stride * samples[j + 1] + offset, phaseSizes_[k]);
+      if (std::isfinite(change)) length = std::max(length, change / phaseSteps_[k]);
+      offset += phaseSizes_[k];
     }
   }
   // The number of triangles grows with the square of the numbers of pieces.
@@ -185,10 +189,12 @@ std::uint32_t Detail::chooseUniform() {
   return uniformTriangles < advantage * adaptiveTriangles ? pieces : 0;
 }
 
-const std::vector<std::uint32_t>& Detail::show(std::span<const float> views) {
+const std::vector<std::uint32_t>& Detail::show(bool listsSamples) {
   views_.clear();
-  for (; !views.empty(); views = views.subspan(numbersPerView)) views_.push_back(readView(views));
-  return visible_.add(*base_, warped_, views_);
+  for (std::span<const float> views = viewNumbers_; !views.empty();
+       views = views.subspan(numbersPerView))
+    views_.push_back(readView(views));
+  return visible_.add(*base_, warped_, views_, listsSamples);
 }
 
 bool Detail::update(float tolerance) {

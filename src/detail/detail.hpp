@@ -40,23 +40,27 @@ class Detail {
   // The number of samples that `cut` compares. They come first: the vertices, then the samples of
   // sides.
   std::uint32_t cutSampleCount() const { return base_->sampleOfTriangle(0, 0); }
-  // The array for the phases at these samples, `size` numbers each, to be filled before `cut`.
-  std::vector<float>& phases(std::uint32_t size);
+  // Sets the numbers per sample of each phase, and the distance that it may move between samples.
+  void setPhases(std::vector<std::uint32_t> sizes, std::vector<float> steps);
+  // The array for the phases at these samples, to be filled before `cut`.
+  std::vector<float>& phases();
   // The array for warped positions of the samples.
   std::vector<float>& warped() { return warped_; }
 
   // Cuts sides that are longer than `maxLength`, or along which a phase changes by more than its
-  // step. `sizes` and `steps` are those of the phases. Returns true if it cut any, so that phases
-  // at new samples are needed; false if none is too long, or if there would be too many triangles.
-  bool cut(float maxLength, const std::vector<std::uint32_t>& sizes,
-           const std::vector<float>& steps);
+  // step. Returns true if it cut any, so that phases at new samples are needed; false if none is
+  // too long, or if there would be too many triangles.
+  bool cut(float maxLength);
 
   // Forgets the warped positions, since the surface has changed.
   void forgetSamples() { visible_.clear(); }
-  // Sets the views, each with 19 numbers (see the bindings). The warped positions of the vertices
-  // must be known. Returns the other samples that the views may show, and whose warped
-  // positions are not known yet.
-  const std::vector<std::uint32_t>& show(std::span<const float> views);
+  // The array for the numbers of the views, 19 each (see the bindings), to be filled before `show`.
+  std::vector<float>& viewNumbers() { return viewNumbers_; }
+  // Shows the views. The warped positions of the vertices must be known. If `listsSamples`, returns
+  // the other samples that the views may show, and whose warped positions are not known yet.
+  const std::vector<std::uint32_t>& show(bool listsSamples = true);
+  // Returns what `show` returned last.
+  const std::vector<std::uint32_t>& missingSamples() const { return visible_.samples(); }
   // Divides the mesh for the views. These samples must be warped, too. Returns true if the divided
   // mesh changed.
   bool update(float tolerance);
@@ -111,7 +115,8 @@ class Detail {
   std::vector<Patch> patches_;          // of the base
   std::vector<std::uint32_t> baseGroups_;
   std::vector<Attribute> samples_;
-  std::vector<float> phases_, warped_;
+  std::vector<std::uint32_t> phaseSizes_;
+  std::vector<float> phaseSteps_, phases_, warped_, viewNumbers_;
   std::vector<ScreenView> views_;
   VisibleTriangles visible_;
   Needs needs_;

@@ -8,7 +8,8 @@ namespace warpjet {
 
 const std::vector<std::uint32_t>& VisibleTriangles::add(const BaseMesh& base,
                                                         std::span<const float> warped,
-                                                        std::span<const ScreenView> views) {
+                                                        std::span<const ScreenView> views,
+                                                        bool listsSamples) {
   if (triangles_.empty()) {
     isAdded_.assign(base.triangles().size(), false);
     hasSamples_.assign(base.sides().size(), false);
@@ -21,7 +22,10 @@ const std::vector<std::uint32_t>& VisibleTriangles::add(const BaseMesh& base,
     const bool mayBeShown = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
       return isMarked_[base.placeOf(vertex)];
     });
-    if (mayBeShown && !isAdded_[t]) addTriangle(base, t);
+    if (!mayBeShown || isAdded_[t]) continue;
+    isAdded_[t] = true;
+    triangles_.push_back(t);
+    if (listsSamples) listSamples(base, t);
   }
   return samples_;
 }
@@ -40,9 +44,7 @@ void VisibleTriangles::markCorners(const BaseMesh& base, std::span<const float> 
   }
 }
 
-void VisibleTriangles::addTriangle(const BaseMesh& base, std::uint32_t triangle) {
-  isAdded_[triangle] = true;
-  triangles_.push_back(triangle);
+void VisibleTriangles::listSamples(const BaseMesh& base, std::uint32_t triangle) {
   const auto addThree = [this](std::uint32_t first) {
     for (std::uint32_t i = 0; i < 3; ++i) samples_.push_back(first + i);
   };

@@ -17,17 +17,20 @@ class VisibleTriangles {
   void clear() { triangles_.clear(); }
 
   // Adds the triangles that a view may show: those that it would show if they were flat, and their
-  // neighbors. The first numbers of `warped` are the positions of the vertices. Returns the samples
-  // of the added triangles, except vertices, and samples of triangles that were added before.
+  // neighbors. The first numbers of `warped` are the positions of the vertices. If `listsSamples`,
+  // returns the samples of the added triangles, except vertices, and samples of triangles that were
+  // added before.
   const std::vector<std::uint32_t>& add(const BaseMesh& base, std::span<const float> warped,
-                                        std::span<const ScreenView> views);
+                                        std::span<const ScreenView> views, bool listsSamples);
+  // Returns what `add` returned last.
+  const std::vector<std::uint32_t>& samples() const { return samples_; }
 
   // All triangles that were added since `clear`.
   std::span<const std::uint32_t> triangles() const { return triangles_; }
 
  private:
   void markCorners(const BaseMesh& base, std::span<const float> warped, const ScreenView& view);
-  void addTriangle(const BaseMesh& base, std::uint32_t triangle);
+  void listSamples(const BaseMesh& base, std::uint32_t triangle);
 
   std::vector<std::uint32_t> triangles_, samples_;
   std::vector<bool> isAdded_, hasSamples_;  // by triangle, and by side

@@ -93,11 +93,13 @@ Staged CodeWriter::replaceLanes(StagedMask mask, Staged value, Op op, Staged x) 
   simd(wasm::AnyTrue);
   code_.byte(wasm::If);
   code_.byte(wasm::noResult);
+  isInBranch_ = true;
   const Staged other = callEachLane(op, {x, x, x});
   push(ifElse(mask, other, value));
   code_.byte(wasm::LocalSet);
   code_.number(value.place);
   code_.byte(wasm::End);
+  isInBranch_ = false;
   return value;
 }
 
@@ -173,18 +175,27 @@ WasmBytes CodeWriter::function() const {
   return body;
 }
 
+// Loads a shared number only once per function: V8 keeps the order of loads, and would start with
+// all of them, and then spill most of them, if each use were a load.
 void CodeWriter::push(Staged x) {
   if ((x.place & Staged::sharedFlag) == 0) return get(x.place);
-  get(0);
   const std::uint32_t number = x.place & ~Staged::sharedFlag;
+  const auto known = sharedLocals_.find(number);
+  if (known != sharedLocals_.end()) return get(known->second);
+  get(0);
   simd(wasm::LoadSplat, static_cast<int>(module_.sharedAt + floatBytes * number));
+  if (isInBranch_) return;
+  const std::uint32_t local = addLocal();
+  sharedLocals_[number] = local;
+  code_.byte(wasm::LocalTee);
+  code_.number(local);
 }
 
 // Pops the stack into a local.
 Staged CodeWriter::pop() {
   std::uint32_t local;
   if (free_.empty()) {
-    local = address_ + 1 + locals_++;
+    local = addLocal();
   } else {
     local = free_.back();
     free_.pop_back();

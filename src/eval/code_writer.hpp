@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include "eval/staged.hpp"
@@ -82,6 +83,7 @@ class CodeWriter {
  private:
   void push(Staged x);
   Staged pop();
+  std::uint32_t addLocal() { return address_ + 1 + locals_++; }
   void simd(wasm::Simd instruction, int offset = -1);
   void get(std::uint32_t local);
   void call(std::uint32_t function);
@@ -91,6 +93,9 @@ class CodeWriter {
   WasmBytes code_;
   std::uint32_t firstLanes_, address_, locals_ = 0;
   std::vector<std::uint32_t> free_, taken_;
+  // Maps a shared number -> the local that has it since its first use.
+  std::map<std::uint32_t, std::uint32_t> sharedLocals_;
+  bool isInBranch_ = false;  // inside a branch, where a local would be set only sometimes
 };
 
 }  // namespace warpjet

@@ -32,10 +32,11 @@ void warpSamples(Detail& detail, F&& warp) {
 
 // Returns the samples that the view shows for the first time.
 inline std::vector<std::uint32_t> show(Detail& detail, const ScreenView& view) {
-  std::vector<float> numbers;
+  std::vector<float>& numbers = detail.viewNumbers();
+  numbers.clear();
   for (int i = 0; i < 16; ++i) numbers.push_back(view.clip[i / 4][i % 4]);
   numbers.insert(numbers.end(), {view.halfSize.x, view.halfSize.y, view.facing});
-  return detail.show(numbers);
+  return detail.show();
 }
 
 // Moves the samples by `warp`, and divides the mesh for `viewAlongX` and a tolerance of a pixel.

@@ -251,7 +251,7 @@ std::set<std::array<float, 3>> placesOf(const Detail& detail,
 // other faces may need samples.
 TEST(Detail, TrianglesThatFaceAwayNeedNoSamples) {
   Detail detail = facettedTetrahedron();
-  while (detail.cut(0.1f, {}, {})) {
+  while (detail.cut(0.1f)) {
   }
   warpSamples(detail, [](float*) {});
   ScreenView front = viewAlongX();
@@ -278,7 +278,7 @@ TEST(Detail, TrianglesThatFaceAwayNeedNoSamples) {
 // The view ends at y = 0.1, or at 0.15 with its margin.
 TEST(Detail, TrianglesOutsideOfTheViewNeedNoSamples) {
   Detail detail = facettedTetrahedron();
-  while (detail.cut(0.1f, {}, {})) {
+  while (detail.cut(0.1f)) {
   }
   warpSamples(detail, [](float*) {});
   ScreenView view = viewAlongX();
@@ -293,7 +293,7 @@ TEST(Detail, TrianglesOutsideOfTheViewNeedNoSamples) {
 TEST(Detail, CutsSidesToAMaximumLengthWithoutCracks) {
   Detail detail = facettedTetrahedron();
   int passes = 0;
-  while (detail.cut(0.2f, {}, {}) && ++passes < 5) {
+  while (detail.cut(0.2f) && ++passes < 5) {
   }
   EXPECT_TRUE(divide(detail, hill));
   const std::vector<float>& p = detail.division().attributes[0].values;
@@ -313,14 +313,15 @@ TEST(Detail, CutsSidesByTheStepsOfPhases) {
   Detail detail({{3, false, {0, 0, 0, 1, 0, 0, 0, 1, 0}}}, 1, {});
   detail.givenIndices() = {0, 1, 2};
   detail.begin();
-  std::vector<float>& phases = detail.phases(1);
+  detail.setPhases({1}, {1});
+  std::vector<float>& phases = detail.phases();
   for (std::size_t i = 0; i < phases.size(); ++i) phases[i] = 6 * detail.samples()[0].values[3 * i];
-  EXPECT_TRUE(detail.cut(10, {1}, {1}));
+  EXPECT_TRUE(detail.cut(10));
   // Six pieces on two sides, one on the third.
   EXPECT_GE(detail.sampleCount(), 6u);
-  std::vector<float>& again = detail.phases(1);
+  std::vector<float>& again = detail.phases();
   for (std::size_t i = 0; i < again.size(); ++i) again[i] = 6 * detail.samples()[0].values[3 * i];
-  EXPECT_FALSE(detail.cut(10, {1}, {1}));
+  EXPECT_FALSE(detail.cut(10));
 }
 
 // Divides a mesh for a wave, and expects that it changes.
@@ -333,7 +334,7 @@ Detail cutSquare(float maxLength) {
   Detail detail({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}}}, 2, {0, 1});
   detail.givenIndices() = {0, 1, 2, 0, 2, 3};
   detail.begin();
-  while (detail.cut(maxLength, {}, {})) {
+  while (detail.cut(maxLength)) {
   }
   return detail;
 }
@@ -362,7 +363,7 @@ TEST(Detail, ASurfaceThatBendsEquallyEverywhereIsDividedUniformly) {
 TEST(Detail, APoseMovesTheVerticesOfTheCutMesh) {
   const auto map = [](float* p) { std::tie(p[0], p[1], p[2]) = std::tuple(p[1], 2 * p[2], -p[0]); };
   Detail detail = facettedTetrahedron();
-  while (detail.cut(0.3f, {}, {})) {
+  while (detail.cut(0.3f)) {
   }
   std::vector<float> expected = detail.samples()[0].values;
   const std::uint32_t count = detail.sampleCount();
@@ -381,7 +382,7 @@ TEST(Detail, APoseMovesTheVerticesOfTheCutMesh) {
 TEST(Detail, KnowsTheGivenTriangleOfEachDividedOne) {
   Detail detail = facettedTetrahedron();
   const std::vector<float> given = detail.given(0);
-  while (detail.cut(0.3f, {}, {})) {
+  while (detail.cut(0.3f)) {
   }
   divideWave(detail);
   const std::vector<std::uint32_t> origins = detail.origins();
@@ -405,7 +406,7 @@ TEST(Detail, KnowsTheGivenTriangleOfEachDividedOne) {
 
 TEST(Detail, LinesFollowTheDividedSides) {
   Detail detail = facettedTetrahedron();
-  while (detail.cut(0.3f, {}, {})) {
+  while (detail.cut(0.3f)) {
   }
   divideWave(detail);
   // The first two lines are one side, from either end. Vertices 3 and 4 are the ends of another

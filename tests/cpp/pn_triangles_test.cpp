@@ -125,7 +125,7 @@ Detail subdivide(const Prism& prism, bool isCurved) {
                 static_cast<std::uint32_t>(prism.indices.size() / 3), {}, isCurved);
   detail.givenIndices() = prism.indices;
   detail.begin();
-  for (const float length : {0.5f, 0.3f, 0.1f}) EXPECT_TRUE(detail.cut(length, {}, {}));
+  for (const float length : {0.5f, 0.3f, 0.1f}) EXPECT_TRUE(detail.cut(length));
   EXPECT_TRUE(divide(detail, hill));
   return detail;
 }

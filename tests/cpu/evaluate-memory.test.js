@@ -1,11 +1,11 @@
 // Tests that a call of `evaluate` into arrays of the caller creates no garbage, and keeps no references to them.
 import assert from 'node:assert/strict'
-import { Session } from 'node:inspector/promises'
 import { describe, test } from 'node:test'
 import { setTimeout } from 'node:timers/promises'
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
 import { compileWarp } from '../../dist/warpjet.js'
+import { bytesOf } from '../support/allocated-bytes.js'
 
 setFlagsFromString('--expose-gc')
 const collect = runInNewContext('gc')
@@ -15,34 +15,6 @@ const wave = ({ glsl, position, millis }) =>
 
 const towards = ({ position, uniforms: { center, amount } }) =>
   position.sub(center).sin().mult(amount)
-
-/**
- * Returns the bytes of JavaScript's heap that a call allocates, whether or not they are collected. It is the minimum of several rounds: the
- * engine may compile in any round, and then allocates objects of its own, but what every call allocates is in every round.
- */
-async function bytesOf(call, calls) {
-  let min = Infinity
-  for (let round = 0; round < 5 && min >= 16; round++)
-    min = Math.min(min, await bytesInRound(call, calls))
-  return min
-}
-
-/** Measures one round with the engine's sampling profiler. */
-async function bytesInRound(call, calls) {
-  const session = new Session()
-  session.connect()
-  await session.post('HeapProfiler.startSampling', {
-    samplingInterval: 256,
-    includeObjectsCollectedByMajorGC: true,
-    includeObjectsCollectedByMinorGC: true,
-  })
-  for (let i = 0; i < calls; i++) call()
-  const { profile } = await session.post('HeapProfiler.stopSampling')
-  session.disconnect()
-  const total = ({ selfSize, children }) =>
-    children.reduce((sum, child) => sum + total(child), selfSize)
-  return total(profile.head) / calls
-}
 
 const numbers = (count) => Float32Array.from({ length: count }, (_, i) => Math.sin(i))
 const arrays = (vertices) => ({ positions: numbers(3 * vertices), normals: numbers(3 * vertices) })

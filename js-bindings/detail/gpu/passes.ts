@@ -2,7 +2,7 @@
 import type { HostWarp } from '../../compile/host-warp.js'
 import { arrayNames } from '../../core/inputs/vertices.js'
 import { details } from '../../wasm/detail.js'
-import type { DetailBase } from '../detailed-mesh.js'
+import type { DetailBase } from '../detail-base.js'
 import { blockSize, constantsOf } from './common-wgsl.js'
 import { choosePass, placePass, totalPass, writePass } from './divide-wgsl.js'
 import {

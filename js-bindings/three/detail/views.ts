@@ -35,7 +35,7 @@ export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailVi
   const { camera } = render
   const instances = nearestInstances(object, camera)
   const facing = facingOf(warp, object, render, instances)
-  const views: DetailViews = []
+  const views: number[] = []
   const shadowCameras = castsShadow(object, render) ? shadowCamerasOf(render) : []
   for (const { camera: shownBy, width, height } of [...camerasOf(render), ...shadowCameras])
     for (const instance of instances) {

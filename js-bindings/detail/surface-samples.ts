@@ -1,0 +1,127 @@
+// The samples of a mesh, at which the warp and its phases are evaluated. In a frame in which only numbers change, it creates no garbage.
+import type { HostWarp, SurfacePhases } from '../compile/host-warp.js'
+import type { DrawValues } from '../compile/offset-warp.js'
+import type { VertexInput } from '../core/inputs/inputs.js'
+import { arrayNames, type Vertices } from '../core/inputs/vertices.js'
+import { copyInto, gather, scatter } from './arrays.js'
+import type { DetailBase } from './detail-base.js'
+import { LastNumbers } from './last-numbers.js'
+import type { WasmMesh } from './wasm-mesh.js'
+
+/** Transforms samples into the space of the offset. Writes positions into `positions`, and returns all arrays. */
+export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
+
+/** The phases of a warp without waves and noises. */
+export const noPhases: SurfacePhases = {
+  sizes: [],
+  steps: [],
+  size: 0,
+  writeState: () => 0,
+  evaluate: () => undefined,
+}
+
+/** For warps with fewer operations, evaluating all samples takes less time than choosing some. */
+const minOperations = 300
+
+/** All samples are warped if more than this share of them is missing in a frame. */
+const maxShare = 0.75
+
+export class SurfaceSamples {
+  /** `true` if all samples are warped in each frame, since the warp is cheap. */
+  readonly areAllWarped: boolean
+  readonly arrays: Vertices = { positions: new Float32Array() }
+  private inSpace = new Float32Array()
+  /** The samples in the space of the offset. */
+  private placed = this.arrays
+  private readonly lastPlace = new LastNumbers()
+  private readonly lastPhases = new LastNumbers()
+  private readonly phaseState: number[] = []
+  /** The values of the draw call for which samples are warped now. */
+  private given: DrawValues = {}
+  /** Samples below this index are warped whether views show them or not. */
+  private warpedFirst = 0
+  /** The other samples that are warped, one after another. */
+  private readonly chosen: Vertices = { positions: new Float32Array() }
+  private warpedChosen = new Float32Array()
+
+  constructor(
+    private readonly warp: HostWarp,
+    private readonly phases: SurfacePhases,
+    private readonly base: DetailBase,
+    private readonly mesh: WasmMesh,
+  ) {
+    this.areAllWarped = warp.operations() < minOperations
+    this.read()
+  }
+
+  /** Reads the samples after the mesh was cut or moved. */
+  read() {
+    const { arrays, chosen } = this
+    const read = (name: keyof Vertices, attribute: number) => {
+      arrays[name] = copyInto(arrays[name], this.mesh.detail.sample(attribute))
+      const { length } = arrays[name]
+      if (this.isRead(name) && chosen[name]?.length !== length)
+        chosen[name] = new Float32Array(length)
+    }
+    read('positions', 0)
+    this.base.attributes.forEach(({ input }, i) => input && read(input, i + 1))
+    const { length } = arrays.positions
+    if (this.inSpace.length !== length) {
+      this.inSpace = new Float32Array(length)
+      this.warpedChosen = new Float32Array(length)
+    }
+    this.lastPlace.forget()
+    this.lastPhases.forget()
+  }
+
+  /** Moves the samples into the space of the offset, if the numbers `place` that the transform depends on have changed. */
+  place(toSpace: ToSpace | undefined, place: readonly number[]) {
+    if (this.lastPlace.are(place)) return
+    this.placed = toSpace ? toSpace(this.arrays, this.inSpace) : this.arrays
+    this.lastPlace.set(place)
+    this.lastPhases.forget()
+  }
+
+  /** Writes the phases into the wasm. Returns `false` if it has written the same ones before. */
+  writePhases(given: DrawValues): boolean {
+    const { mesh, phases, phaseState, lastPhases } = this
+    const count = phases.writeState(given, phaseState)
+    if (lastPhases.are(phaseState, count)) return false
+    phases.evaluate(this.placed, mesh.cutSampleCount, given, mesh.phaseArray())
+    lastPhases.set(phaseState, count)
+    return true
+  }
+
+  /** Warps the samples that are warped whether views show them or not: at least the vertices. */
+  warpFirst(given: DrawValues) {
+    const { mesh } = this
+    this.given = given
+    mesh.forgetSamples()
+    this.warpUpTo(this.areAllWarped ? mesh.sampleCount : mesh.vertexCount)
+  }
+
+  /** Warps the samples that `show` has listed. */
+  warpMissing(count: number) {
+    const { mesh, chosen, warpedChosen } = this
+    const { sampleCount, words } = mesh
+    if (!count || this.warpedFirst === sampleCount) return
+    if (count > maxShare * sampleCount) return this.warpUpTo(sampleCount)
+    const at = mesh.missingSamplesAt()
+    gather(this.placed, words, at, count, chosen)
+    this.warp.evaluatePositions(chosen, count, this.given, warpedChosen)
+    scatter(warpedChosen, words, at, count, mesh.warped())
+  }
+
+  /** Warps the first `count` samples. */
+  private warpUpTo(count: number) {
+    this.warp.evaluatePositions(this.placed, count, this.given, this.mesh.warped())
+    this.warpedFirst = count
+  }
+
+  /** Tests whether the warp reads an array. */
+  private isRead(name: keyof Vertices) {
+    return Object.entries(arrayNames).some(
+      ([input, array]) => array === name && this.warp.reads(input as VertexInput),
+    )
+  }
+}
