@@ -116,9 +116,9 @@ class Allocator {
   // several results side by side, which suits derivatives; but it also interleaves the octaves of
   // a noise, and three of them then need 120 registers instead of 34.
   std::vector<std::uint32_t> chooseOrder() const {
-    std::vector<std::uint32_t> scheduled = schedule(work_), given(work_.tasks.size());
-    std::iota(given.begin(), given.end(), 0);
-    return countAlive(given) < countAlive(scheduled) ? given : scheduled;
+    std::vector<std::uint32_t> scheduled = schedule(work_), original(work_.tasks.size());
+    std::iota(original.begin(), original.end(), 0);
+    return countAlive(original) < countAlive(scheduled) ? original : scheduled;
   }
 
   // Returns the max number of values that are alive at once.

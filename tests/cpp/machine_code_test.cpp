@@ -81,18 +81,19 @@ TEST_F(MachineCodeTest, MatchesAModuleAssembledByHand) {
   const Bytes head{0, 'a', 's', 'm', 1, 0, 0, 0};
   EXPECT_TRUE(std::equal(head.begin(), head.end(), made.module.begin()));
 
-  // The address of x, four lanes of it, the constant, the sum, and four stores.
+  // The address of x, four lanes of it, the constant, which stays in a local, the sum, and four
+  // stores.
   const Bytes address{0x20, 0, 0x20, 1, 0x41, 1, 0x6c, 0x6a, 0x21, 2};
-  Bytes body{2, 1, 0x7f, 2, 0x7b};
+  Bytes body{2, 1, 0x7f, 3, 0x7b};
   const auto add = [&](const Bytes& more) { body.insert(body.end(), more.begin(), more.end()); };
   add(address);
   add({0x20, 2, 0x20, 2, 0x20, 2, 0x20, 2});
   add({0xfd, 0x5c, 2, 0, 0xfd, 0x56, 2, 4, 1, 0xfd, 0x56, 2, 8, 2, 0xfd, 0x56, 2, 12, 3});
   add({0x21, 3});
-  add({0x20, 3, 0x20, 0, 0xfd, 0x09, 2, 36, 0xfd, 0xe4, 0x01, 0x21, 4});
+  add({0x20, 3, 0x20, 0, 0xfd, 0x09, 2, 36, 0x22, 4, 0xfd, 0xe4, 0x01, 0x21, 5});
   add(address);
   for (std::uint8_t lane = 0; lane < 4; ++lane)
-    add({0x20, 2, 0x20, 4, 0xfd, 0x5a, 2, static_cast<std::uint8_t>(20 + 4 * lane), lane});
+    add({0x20, 2, 0x20, 5, 0xfd, 0x5a, 2, static_cast<std::uint8_t>(20 + 4 * lane), lane});
   add({0x0b});
   body.insert(body.begin(), static_cast<std::uint8_t>(body.size()));
   EXPECT_TRUE(contains(made.module, body));
