@@ -1,8 +1,9 @@
 // Builds with Vite, isolated from a Vite server in the same process.
 
 /**
- * Builds each config in turn. If NODE_ENV is unset, Vite sets it for its process and child processes: a build that follows a server would
- * be a development build, and a server that follows a build would serve its pages in production mode.
+ * Builds each config in turn. If NODE_ENV is unset, Vite sets it for its process and its child processes: a build that follows a server
+ * would be a development build, and a server that follows a build would serve its pages in production mode. So NODE_ENV is unset for the
+ * builds, and restored after them.
  */
 export async function viteBuild(...configs) {
   const { build } = await import('vite')

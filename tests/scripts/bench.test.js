@@ -77,10 +77,13 @@ describe('the command line', () => {
       ['--row', 'cube'],
       "Expected the name of a row, got 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
     ],
-    'zero rounds': [['--rounds', '0'], 'Expected a whole number of --rounds from 1, got 0.'],
+    'zero rounds': [
+      ['--rounds', '0'],
+      'Expected --rounds to be a whole number of at least 1, got 0.',
+    ],
     'a fractional number of rounds': [
       ['--rounds', '2.5'],
-      'Expected a whole number of --rounds from 1, got 2.5.',
+      'Expected --rounds to be a whole number of at least 1, got 2.5.',
     ],
   }
   for (const [name, [args, message]] of Object.entries(rejected))
@@ -155,11 +158,11 @@ describe('results.csv', () => {
     assert.match(readFileSync(other, 'utf8'), /^a\n1\n2,+\n$/)
   })
 
-  test('is rejected if it has other columns', () => {
+  test('is rejected if it has different columns', () => {
     const other = join(folder, 'columns.csv')
     writeFileSync(other, 'a,c\n')
     assert.throws(() => checkColumns(other), {
-      message: `${other} has other columns than the benchmark: name another file with --out.`,
+      message: `${other} has different columns from the benchmark's: name another file with --out.`,
     })
   })
 
