@@ -13,7 +13,7 @@ import {
   p5Records,
   rowRecords,
 } from '../../.scripts/bench/frames/records.mjs'
-import { aimsTable, rowTables } from '../../.scripts/bench/frames/report.mjs'
+import { createGoalsTable, rowTables } from '../../.scripts/bench/frames/report.mjs'
 import { medianRatio, quantile, shuffle, summarize } from '../../web/bench/statistics.js'
 
 describe('statistics', () => {
@@ -211,9 +211,9 @@ describe('the tables of a row', () => {
   })
 })
 
-describe('the aims', () => {
+describe('the goals', () => {
   const compare = (row, results = measured.results) =>
-    aimsTable(rowRecords(run, row, { ...measured, results }, rates))[row.name]
+    createGoalsTable(rowRecords(run, row, { ...measured, results }, rates))[row.name]
 
   test('are ratios of warpjet to the other methods', () => {
     assert.deepEqual(compare(rowOf3000Nodes), {
@@ -233,6 +233,9 @@ describe('the aims', () => {
   })
 
   test('are left out if only p5 was measured', () => {
-    assert.deepEqual(aimsTable([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]), {})
+    assert.deepEqual(
+      createGoalsTable([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]),
+      {},
+    )
   })
 })
