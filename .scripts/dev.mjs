@@ -16,7 +16,7 @@ import { setup } from './setup.mjs'
 
 const watched = ['src', 'js-bindings', 'tests', 'web', 'examples', '.scripts']
 const isCpp = (file) => /^(src|tests\/cpp)\/.*\.[ch]pp$/.test(file)
-/** How long to wait, in milliseconds, for an editor that saves several files at once. */
+/** The milliseconds between the first change and the build, since an editor may save several files at once. */
 const pause = 200
 
 const importPattern = /\b(?:from|import)\s*\(?\s*["'](\.[^"']+)["']/g

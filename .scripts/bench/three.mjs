@@ -25,7 +25,10 @@ const rays = Array.from({ length: 1000 }, (_, i) => {
 const microsecondsPerRay = (target) =>
   1000 * median(rays.map((ray) => time(() => ray.intersectObject(target))))
 
-/** Returns one row: microseconds per ray, and milliseconds of what has to be computed again after the time of the warp has changed. */
+/**
+ * Returns one row: microseconds per ray, and the milliseconds of the first ray, of bounds() and of a new bake after the time of the warp
+ * changed.
+ */
 function measureRays(segments) {
   const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, segments, 20)
   const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial())

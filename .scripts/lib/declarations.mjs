@@ -22,8 +22,8 @@ export const declarations = [
 const importDeclarations = importsIn(unbundled, '.d.ts')
 
 /**
- * Resolves imports such as `#mesh` (package.json, `imports`) to their .d.ts in `unbundled`. rolldown-plugin-dts alone would look for it in
- * js-bindings.
+ * Resolves imports such as `#mesh` (package.json, `imports`) to their .d.ts in `unbundled`. rolldown-plugin-dts alone would look for them
+ * in js-bindings.
  */
 const withImports = {
   name: 'imports-of-declarations',

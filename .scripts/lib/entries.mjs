@@ -25,7 +25,10 @@ export const singleModules = minified.filter((name) => modules.includes(name))
 /** The script for a page with p5, which is built from js-bindings/p5.global.ts. */
 export const mainScript = 'p5.warpjet'
 
-/** Scripts to load after p5.warpjet: `x` is built from js-bindings/x.ts into dist/warpjet.x.min.js, and adds its exports to the global `warpjet`. */
+/**
+ * Scripts to load after p5.warpjet: `x` is built from js-bindings/x.ts into dist/warpjet.x.min.js, and adds its exports to the global
+ * `warpjet`.
+ */
 export const scriptsBeside = minified.flatMap((name) => /^warpjet\.(.+)$/.exec(name)?.[1] ?? [])
 
 /** The bundled files of dist. */

@@ -6,7 +6,7 @@ import { openPipelines } from '../../tests/support/browser/pipelines.js'
 import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
-/** Where operations are measured. */
+/** The processor or shading language in which operations run. */
 const targets = ['CPU', 'glsl300', 'glsl100', 'wgsl']
 
 const format = (error) => (error ? error.toExponential(0) : '0')

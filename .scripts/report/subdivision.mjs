@@ -9,9 +9,9 @@ import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
 const levels = [1, 2, 3, 4, 5, 6]
-/** The main table shows the first level whose error is at most this fraction of the mesh's size. */
+/** The main table shows the first level whose error is no larger than this fraction of the mesh's size. */
 const maxRelativeError = 0.005
-/** Adaptive meshes are made with tolerances from large to small: this many, until the tolerance is half as large. */
+/** Adaptive meshes are made with falling tolerances. After this many, the tolerance is half as large. */
 const triesPerHalving = 4
 /** Tolerances in units for a cube with sides of 180 units, whose points are moved by up to 20 units by noise. */
 const tolerances = [1, 0.5, 0.25]

@@ -1,4 +1,4 @@
-// Measures the precision of the gallery's warps after a week of uptime, without and with values that are computed once per frame on the CPU.
+// Measures the precision of the gallery's warps after a week of uptime, without and with values computed once per frame on the CPU.
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import { openPipeline } from '../../tests/support/browser/transform-feedback.js'
 import { isMeasured, measureAfterAWeek } from '../../tests/support/browser/uptime.js'
