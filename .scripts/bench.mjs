@@ -1,5 +1,5 @@
 // npm run bench: measures a frame with each method of drawing a warped mesh, in headless Chromium; --help lists the options.
-// npm run bench -- evaluate | generate | …: other benchmarks, which are the files of .scripts/bench.
+// npm run bench -- evaluate | generate | …: runs another benchmark, .scripts/bench/evaluate.mjs and so on.
 import { readdirSync } from 'node:fs'
 import { helpText, readOptions } from './bench/frames/options.mjs'
 import { checkColumns } from './bench/frames/records.mjs'
@@ -10,12 +10,14 @@ import { setup } from './setup.mjs'
 
 await main(async () => {
   const args = process.argv.slice(2)
-  const other = readdirSync(path('.scripts/bench')).find((file) => file === `${args[0]}.mjs`)
-  const options = other ? {} : readOptions(args)
+  const otherBenchmark = readdirSync(path('.scripts/bench')).find(
+    (file) => file === `${args[0]}.mjs`,
+  )
+  const options = otherBenchmark ? {} : readOptions(args)
   if (options.help) return say(helpText)
   if (options.file) checkColumns(options.file)
   process.env.WARPJET_CHROMIUM = (await setup()).chromium
   await build()
-  const { measure } = await import(`./bench/${other ?? 'frames/run.mjs'}`)
-  await measure(other ? args.slice(1) : options)
+  const { measure } = await import(`./bench/${otherBenchmark ?? 'frames/run.mjs'}`)
+  await measure(otherBenchmark ? args.slice(1) : options)
 }, '--help lists the options.')

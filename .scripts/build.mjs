@@ -1,7 +1,7 @@
 // npm run build: C++ → wasm → js-bindings/generated → dist. Steps whose inputs are unchanged are skipped.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
-import { declarations, declareTypes } from './lib/declarations.mjs'
+import { bundleDeclarations, declarations } from './lib/declarations.mjs'
 import { embindTypes } from './lib/embind-types.mjs'
 import { bundles, sources as entries } from './lib/entries.mjs'
 import { path, step, walk } from './lib/files.mjs'
@@ -22,10 +22,14 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // The modules of .cmake/wasm.cmake.
-const wasm = ['core', 'evaluation', 'mesh', 'glsl', 'detail']
-// The wasm of the package mikktspace. js-bindings/wasm/mikktspace.ts replaces the package's own binding, which imports the wasm or reads it from a file.
+const wasmModules = ['core', 'evaluation', 'mesh', 'glsl', 'detail']
+// The wasm of the package mikktspace. js-bindings/wasm/mikktspace.ts replaces the JavaScript of the package, which
+// imports the wasm or reads it from a file.
 const mikktspace = 'node_modules/mikktspace/dist/module/mikktspace_module_bg.wasm'
-const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])
+const compiledFiles = wasmModules.flatMap((name) => [
+  `.build/wasm/${name}.mjs`,
+  `.build/wasm/${name}.wasm`,
+])
 
 export const build = () => withLock(buildAll)
 
@@ -43,14 +47,14 @@ async function buildAll() {
       'src',
       ...sources(/\.[ch]pp$/),
     ],
-    outputs: compiled,
+    outputs: compiledFiles,
     work: () => cmakeBuild('wasm'),
   })
 
   await step('WebAssembly as JavaScript', {
-    inputs: [...scripts, 'package.json', ...compiled, mikktspace],
+    inputs: [...scripts, 'package.json', ...compiledFiles, mikktspace],
     outputs: [
-      ...wasm.flatMap(generatedFiles),
+      ...wasmModules.flatMap(generatedFiles),
       'mikktspace-wasm.js',
       'mikktspace-wasm.d.ts',
       'version.ts',
@@ -71,22 +75,25 @@ async function buildAll() {
   await step('Types', {
     inputs,
     outputs: declarations.map((name) => `dist/types/${name}`),
-    work: declareTypes,
+    work: bundleDeclarations,
   })
 
   reportSizes()
 }
 
-/** Lists the generated files of a module: its bytes as text, Emscripten's factory, and the types of its bindings. */
+/**
+ * Lists the generated files of a module, except the .d.ts of the first two: its bytes as hexadecimal text, Emscripten's factory, and the
+ * types of its bindings.
+ */
 const generatedFiles = (name) => [`${name}-wasm.js`, `${name}.js`, `${name}-bindings.ts`]
 
 function generateModules() {
   mkdirSync(path(generated), { recursive: true })
-  for (const name of wasm) {
+  for (const name of wasmModules) {
     const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
     const bytes = readFileSync(path(`.build/wasm/${name}.wasm`))
     writeInlined(name, bytes)
-    // Every bundler accepts this: the wasm is passed in, so the URL is never read.
+    // Replaces import.meta.url, which some bundlers reject. The URL is never read, since the wasm is passed in.
     writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
     writeGenerated(
       `${name}.d.ts`,

@@ -16,7 +16,7 @@ import { setup } from './setup.mjs'
 
 const watched = ['src', 'js-bindings', 'tests', 'web', 'examples', '.scripts']
 const isCpp = (file) => /^(src|tests\/cpp)\/.*\.[ch]pp$/.test(file)
-/** How long to wait, in milliseconds, for an editor that saves several files at once. */
+/** The milliseconds between the first change and the build, since an editor may save several files at once. */
 const pause = 200
 
 const importPattern = /\b(?:from|import)\s*\(?\s*["'](\.[^"']+)["']/g
@@ -33,21 +33,23 @@ function listDependencies(test) {
   return files
 }
 
-/** Maps each source file → when it was modified. */
-const listSources = () =>
+/** Maps each source file → the time of its last change. */
+const readSourceTimes = () =>
   new Map(
     watched
       .flatMap((folder) => walk(folder))
       .filter((file) => !file.startsWith('js-bindings/generated/'))
       .map((file) => [file, statSync(path(file)).mtimeMs]),
   )
+
+/** Maps each file of dist → its content. */
 const readDist = () =>
   new Map(walk('dist', /\.js$/).map((file) => [file, readFileSync(path(file), 'utf8')]))
 
-/** Lists the tests that depend on the files in `changed`. */
-function listTests(changed, wanted) {
+/** Lists the tests that depend on the files in `changed`. `prefixes` are the starts of paths from the command line. */
+function listTests(changed, prefixes) {
   const isWanted = (test) =>
-    wanted.length ? wanted.some((start) => test.startsWith(start)) : !test.includes('.browser.')
+    prefixes.length ? prefixes.some((start) => test.startsWith(start)) : !test.includes('.browser.')
   return ['tests', 'web/tests']
     .flatMap((folder) => walk(folder, /\.test\.js$/))
     .filter(
@@ -55,7 +57,7 @@ function listTests(changed, wanted) {
     )
 }
 
-async function buildAndTest(changed, wanted) {
+async function buildAndTest(changed, prefixes) {
   const before = readDist()
   await build()
   for (const [file, text] of readDist()) if (before.get(file) !== text) changed.add(file)
@@ -63,21 +65,22 @@ async function buildAndTest(changed, wanted) {
     await cmakeBuild('native', 'warpjet_tests')
     await exitCode(path('.build/native/warpjet_tests'), ['--gtest_brief=1'])
   }
-  const tests = listTests(changed, wanted)
+  const tests = listTests(changed, prefixes)
   heading(`${tests.length} test files`)
   if (tests.length) await exitCode(process.execPath, ['--test', '--test-reporter=dot', ...tests])
 }
 
 await main(async () => {
-  const wanted = process.argv.slice(2)
+  const prefixes = process.argv.slice(2)
   process.env.WARPJET_CHROMIUM = (await setup()).chromium
   await build()
   say('\nWatching. Stop with Ctrl+C.')
-  let lastSeen = listSources()
+  let lastSeen = readSourceTimes()
+  // Ends the wait for the next change.
   let wake
   for (const folder of watched) watch(path(folder), { recursive: true }, () => wake?.())
   for (;;) {
-    const now = listSources()
+    const now = readSourceTimes()
     const changed = new Set([...now.keys()].filter((file) => now.get(file) !== lastSeen.get(file)))
     lastSeen = now
     if (!changed.size) {
@@ -87,7 +90,7 @@ await main(async () => {
     }
     heading([...changed].slice(0, 5).join(', '))
     try {
-      await buildAndTest(changed, wanted)
+      await buildAndTest(changed, prefixes)
     } catch (error) {
       if (!(error instanceof Stop)) throw error
       bad(error.message)

@@ -1,5 +1,5 @@
-// npm run fuzz: feeds the fuzz targets of tests/fuzz with new bytes for a time, under sanitizers. Inputs that reach new code are stored
-// in .build/fuzz/corpus, where the next run continues. The search of `npm test` starts from scratch each time.
+// npm run fuzz: feeds new bytes to the fuzz targets of tests/fuzz for a given time, under sanitizers. Inputs that reach new code are
+// stored in .build/fuzz/corpus, and the next run continues from them. `npm test -- --all` starts its search from scratch each time.
 import { spawn } from 'node:child_process'
 import { existsSync, mkdirSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { ownFunctions } from '../tests/glsl/own.js'
@@ -18,8 +18,8 @@ const findings = `${folder}/findings`
 const seeds = 'tests/fuzz/corpus'
 
 /**
- * Maps each target → libFuzzer's options (the max length of an input in bytes, and the words of the format) and `runs`, the inputs of a
- * repeatable search: about 20 s with all four at once on two cores.
+ * Maps each target → libFuzzer's options (the max length of an input in bytes, and the dictionary of the format) and `runs`, the
+ * number of inputs of a repeatable search. All four targets together take about 20 s on two cores.
  */
 const targets = {
   mesh: { args: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'], runs: 14_000 },
@@ -33,7 +33,7 @@ const limits = ['-timeout=10', '-rss_limit_mb=2048', '-malloc_limit_mb=1536']
 
 /**
  * Runs the same inputs each time, so that failures are reproducible. Turns off random addresses (where the system allows it), learning
- * from compared values (some of which are addresses), and rereading the corpus by the clock.
+ * from compared values (some of which are addresses), and rereading the corpus at time intervals.
  */
 export async function fuzzRepeatably() {
   rmSync(path(folder, 'scratch'), { recursive: true, force: true })
@@ -48,12 +48,15 @@ export async function fuzzRepeatably() {
   )
 }
 
-/** Runs targets in parallel, and stores new inputs in the folder `corpus`. `search` returns libFuzzer's options for a target. */
-async function runTargets(names, corpus, search, launcher = []) {
+/**
+ * Runs targets in parallel, and stores new inputs in the folder `corpus` of .build/fuzz. `searchOptions` returns libFuzzer's options for a
+ * target; `launcher` is a command line that starts the target's program.
+ */
+async function runTargets(names, corpus, searchOptions, launcher = []) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
   const results = await Promise.all(
     names.map((name) =>
-      runTarget(name, `${folder}/${corpus}/${name}`, search(targets[name]), launcher),
+      runTarget(name, `${folder}/${corpus}/${name}`, searchOptions(targets[name]), launcher),
     ),
   )
   const problems = results.filter(Boolean)
@@ -61,17 +64,23 @@ async function runTargets(names, corpus, search, launcher = []) {
 }
 
 /**
- * Runs one target. Returns null, or a message if it found something. The message contains the bytes of the input, since the machine of the
- * run may be out of reach.
+ * Runs one target. Returns a message if the target found something, otherwise null. The message contains the bytes of the input, since the
+ * machine on which the target ran may be inaccessible.
  */
-async function runTarget(name, corpus, search, launcher) {
-  for (const directory of [corpus, findings]) mkdirSync(path(directory), { recursive: true })
+async function runTarget(name, corpusFolder, searchOptions, launcher) {
+  for (const directory of [corpusFolder, findings]) mkdirSync(path(directory), { recursive: true })
   const program = `${programs}/${name}_fuzz`
   const log = `${findings}/${name}.log`
   // Lists the seeds in order, because the order of files in a folder depends on the file system.
   const seedInputs = `-seed_inputs=${walk(`${seeds}/${name}`).join(',')}`
-  const options = [seedInputs, ...search, ...limits, ...targets[name].args, '-print_final_stats=1']
-  const [command, ...args] = [...launcher, path(program), corpus, ...options]
+  const options = [
+    seedInputs,
+    ...searchOptions,
+    ...limits,
+    ...targets[name].args,
+    '-print_final_stats=1',
+  ]
+  const [command, ...args] = [...launcher, path(program), corpusFolder, ...options]
   const child = spawn(command, [...args, `-artifact_prefix=${findings}/${name}-`], {
     cwd: path(),
     stdio: ['ignore', 'ignore', openSync(path(log), 'w')],
@@ -95,7 +104,7 @@ async function runTarget(name, corpus, search, launcher) {
   return `${why}, and run it again with: ${[program, ...limits, input].join(' ')}\nIts bytes in base64: ${bytes}`
 }
 
-/** Rewrites the seeds in tests/fuzz/corpus. Inputs that fuzzing found stay there. */
+/** Rewrites the seeds in tests/fuzz/corpus. The inputs that fuzzing found, which are in the same folder, stay. */
 async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
   await run(path(programs, 'fuzz_seeds'), [seeds])
@@ -110,12 +119,12 @@ async function writeSeeds() {
   for (const [language, sources] of Object.entries({ glsl: glslSources, wgsl: ownWgslFunctions })) {
     mkdirSync(path(seeds, language), { recursive: true })
     for (const [name, text] of Object.entries(sources))
-      writeFileSync(path(seeds, language, slug(name)), text.replaceAll('\n  ', '\n') + '\n')
+      writeFileSync(path(seeds, language, toFileName(name)), text.replaceAll('\n  ', '\n') + '\n')
   }
   good(`${walk(seeds).length} files in ${seeds}`)
 }
 
-const slug = (name) => name.toLowerCase().replaceAll(/\W+/g, '-')
+const toFileName = (name) => name.toLowerCase().replaceAll(/\W+/g, '-')
 
 const usage = `
 npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
@@ -136,7 +145,9 @@ if (isMain(import.meta))
       { target: { type: 'string' }, seeds: { type: 'boolean' } },
     )
     if (target !== undefined && !targets[target])
-      throw new Stop(`Expected a target of ${Object.keys(targets).join(', ')}, got ${target}.`)
+      throw new Stop(
+        `Expected one of the targets ${Object.keys(targets).join(', ')}, got ${target}.`,
+      )
     await setup()
     if (isSeeding) return writeSeeds()
     heading(`Fuzzing for ${seconds} s`)

@@ -6,13 +6,14 @@ import { good, main } from './lib/terminal.mjs'
 await main(async () => {
   await build()
   const { goldenFolder, goldenTexts, readGoldenTexts } = await import('../tests/warps/golden.js')
-  const [texts, before] = [goldenTexts(), readGoldenTexts()]
+  const [sources, before] = [goldenTexts(), readGoldenTexts()]
   for (const file of Object.keys(before)) {
-    if (!(file in texts)) rmSync(new URL(file, goldenFolder))
+    if (!(file in sources)) rmSync(new URL(file, goldenFolder))
   }
-  for (const [file, text] of Object.entries(texts)) writeFileSync(new URL(file, goldenFolder), text)
-  const changed = Object.keys({ ...before, ...texts }).filter(
-    (file) => texts[file] !== before[file],
+  for (const [file, source] of Object.entries(sources))
+    writeFileSync(new URL(file, goldenFolder), source)
+  const changed = Object.keys({ ...before, ...sources }).filter(
+    (file) => sources[file] !== before[file],
   )
   good(changed.length ? `Changed: ${changed.join(', ')}` : 'Nothing has changed.')
 })

@@ -1,13 +1,15 @@
-// npm run pictures: draws each example as web/posters/*.webp, which the gallery shows before any script runs; the first page's warp
-// (`hero`); and the pictures of web/docs/composition.md (`composition.png`) and detail.md (`detail.webp`). With names after `--`, draws
-// only those. A simulated clock decides which moment of a sketch is drawn, so that a slow machine draws the same picture.
+// npm run pictures [-- NAME …]: draws all pictures of the site, or only those named:
+// - a poster of each example, web/posters/*.webp, which the gallery shows before any script runs;
+// - the warp of the first page (`hero`);
+// - the pictures of web/docs/composition.md (`composition.png`) and web/docs/detail.md (`detail.webp`).
+// A simulated clock decides which moment of a sketch is drawn, so that a slow machine draws the same picture.
 import { writeFileSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { createServer } from 'vite'
 import { sections } from '../web/catalogue.js'
 import { build } from './build.mjs'
-import { findBrowser } from './lib/browser.mjs'
 import { path } from './lib/files.mjs'
+import { findBrowser } from './lib/find-browser.mjs'
 import { softwareFlags } from './lib/flags.mjs'
 import { Stop, good, main } from './lib/terminal.mjs'
 import { drawDetail } from './pictures/detail.mjs'
@@ -27,8 +29,8 @@ const moments = {
 const waitOptions = { timeout: 240_000 }
 
 /**
- * Runs in the page: simulates a clock whose second frame is at `moment`, and each further one 17 ms later. Before the first frame, a sketch
- * may load a model.
+ * Runs in the page: simulates a clock that advances by 17 ms per frame, but by `moment` after the sketch's first frame. Before that frame,
+ * the sketch may load a model for any time.
  */
 function simulateClock(moment) {
   let now = 0
@@ -47,7 +49,7 @@ function simulateClock(moment) {
   }
 }
 
-/** Runs in the page: returns the picture as WebP in base64, in the best quality that fits. */
+/** Runs in the page: returns the picture as WebP in base64, in the best quality that fits `maxBytes`. */
 async function packPicture({ png, width, height, maxBytes }) {
   const image = new Image()
   image.src = `data:image/png;base64,${png}`
@@ -57,8 +59,9 @@ async function packPicture({ png, width, height, maxBytes }) {
   context.imageSmoothingQuality = 'high'
   context.drawImage(image, 0, 0, width, height)
   for (let quality = 0.86; quality > 0.1; quality -= 0.06) {
-    const address = canvas.toDataURL('image/webp', quality)
-    if (address.length * 0.75 < maxBytes) return address.split(',')[1]
+    const dataUrl = canvas.toDataURL('image/webp', quality)
+    // Base64 has 4 characters per 3 bytes.
+    if (dataUrl.length * 0.75 < maxBytes) return dataUrl.split(',')[1]
   }
 }
 
@@ -103,7 +106,7 @@ async function drawComposition(page, url) {
 
 const sketchSize = { width: 640, height: 480 }
 
-/** Maps a name → the file, the options of the page, and the function that draws the picture there. */
+/** Maps a name → the file, the options of the page, and the function that draws the picture on this page. */
 const pictures = {
   hero: {
     file: 'web/site/hero.webp',

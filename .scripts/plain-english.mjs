@@ -1,7 +1,7 @@
 // Finds wording in comments, messages, names and Markdown that a native-speaking engineer would not choose.
 //
-//   node .scripts/plain-english.mjs [--list] [FOLDER…]   counts it, in all files or those folders
-//   npm test -- language                                  rejects it where a branch adds it
+//   node .scripts/plain-english.mjs [--list] [FOLDER…]   counts such wording, in all files or in these folders
+//   npm test -- language                                  rejects such wording in lines that a branch adds
 //
 // A hit is a place to reread, not proof of a fault. If a sentence is right as it is, add it to `exceptions`.
 import { existsSync, readFileSync } from 'node:fs'
@@ -21,6 +21,7 @@ const prose = /\.md$/
 const skipped = /types\/methods\.ts|corpus|golden|plain-english/
 const isChecked = (file) => (code.test(file) || prose.test(file)) && !skipped.test(file)
 
+// Also matches strings, without a group, so that // inside a string is not taken for a comment.
 const comments =
   /\/\*\*?([\s\S]*?)\*\/|(?<![:\\'"`])\/\/([^\n]*(?:\n[ \t]*\/\/[^\n]*)*)|'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*"|`(?:\\.|[^`\\])*`/g
 const strings = /'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*"|`(?:\\.|[^`\\])*`/g
@@ -79,26 +80,27 @@ export function findWording(file, source) {
 /** Returns the hits of `after` that are not in `before`. A hit that only moved to another line or file is not new. */
 export function addedWording(before, after) {
   const keyOf = ({ rule, text }) => `${rule}\n${text}`
-  const old = before.map(keyOf)
+  const oldKeys = before.map(keyOf)
   return after.filter((hit) => {
-    const i = old.indexOf(keyOf(hit))
-    if (i >= 0) old.splice(i, 1)
+    const i = oldKeys.indexOf(keyOf(hit))
+    if (i >= 0) oldKeys.splice(i, 1)
     return i < 0
   })
 }
 
-const git = async (...args) => (await capture('git', args))?.trim() || null
-const linesOf = (text) => (text ? text.split('\n') : [])
+/** Returns the trimmed output of git; null if it is empty or if git fails. */
+const runGit = async (...args) => (await capture('git', args))?.trim() || null
+const splitLines = (text) => (text ? text.split('\n') : [])
 
-/** Returns the commit that a branch is compared with: where it left main, or on main itself the previous commit. */
+/** Returns the commit with which the current one is compared: the one at which the branch left main, or on main itself the previous one. */
 async function findBase() {
-  const head = await git('rev-parse', 'HEAD')
-  if (!head) throw new NotRun('this folder is no git repository')
-  for (const main of ['origin/main', 'main']) {
-    const fork = await git('merge-base', main, 'HEAD')
+  const head = await runGit('rev-parse', 'HEAD')
+  if (!head) throw new NotRun('this folder is not a git repository')
+  for (const branch of ['origin/main', 'main']) {
+    const fork = await runGit('merge-base', branch, 'HEAD')
     if (fork && fork !== head) return fork
   }
-  const before = await git('rev-parse', '--verify', '--quiet', 'HEAD~1')
+  const before = await runGit('rev-parse', '--verify', '--quiet', 'HEAD~1')
   if (!before) throw new NotRun('the history has no commit to compare with')
   return before
 }
@@ -108,13 +110,13 @@ const readNow = (file) => (existsSync(path(file)) ? readFileSync(path(file), 'ut
 /** Throws if a file has wording to reread that the base does not have. */
 export async function checkWording() {
   const since = await findBase()
-  const changed = await git('diff', '--name-only', '--no-renames', since, '--', ...roots)
-  const untracked = await git('ls-files', '--others', '--exclude-standard', '--', ...roots)
-  const files = [...linesOf(changed), ...linesOf(untracked)].filter(isChecked)
+  const changed = await runGit('diff', '--name-only', '--no-renames', since, '--', ...roots)
+  const untracked = await runGit('ls-files', '--others', '--exclude-standard', '--', ...roots)
+  const files = [...splitLines(changed), ...splitLines(untracked)].filter(isChecked)
   const before = []
   const after = []
   for (const file of files) {
-    before.push(...findWording(file, (await git('show', `${since}:${file}`)) ?? ''))
+    before.push(...findWording(file, (await runGit('show', `${since}:${file}`)) ?? ''))
     after.push(...findWording(file, readNow(file)).map((hit) => ({ ...hit, file })))
   }
   const added = addedWording(before, after)
@@ -126,9 +128,9 @@ export async function checkWording() {
 
 const describe = ({ file, line, rule, text }) => `${file}:${line}  ${text}\n    ${rule}`
 
-/** Prints the number of hits of each rule and of all rules; with `isListed`, also every place. */
-async function printCounts(folders, isListed) {
-  const tracked = linesOf(await git('ls-files', '--', ...(folders.length ? folders : roots)))
+/** Prints the number of hits of each rule and of all rules; with `listsPlaces`, also every place. */
+async function printCounts(folders, listsPlaces) {
+  const tracked = splitLines(await runGit('ls-files', '--', ...(folders.length ? folders : roots)))
   const files = tracked.filter((file) => isChecked(file) && existsSync(path(file)))
   const hits = files.flatMap((file) =>
     findWording(file, readNow(file)).map((hit) => ({ ...hit, file })),
@@ -137,7 +139,8 @@ async function printCounts(folders, isListed) {
   for (const hit of hits) (rules[hit.rule] ??= []).push(hit)
   for (const [rule, places] of Object.entries(rules).sort(([, a], [, b]) => b.length - a.length)) {
     say(`${String(places.length).padStart(5)}  ${rule}`)
-    if (isListed) for (const { file, line, text } of places) say(`       ${file}:${line}  ${text}`)
+    if (listsPlaces)
+      for (const { file, line, text } of places) say(`       ${file}:${line}  ${text}`)
   }
   say(`${String(hits.length).padStart(5)}  in ${files.length} files`)
 }

@@ -18,7 +18,7 @@ import { setup } from './setup.mjs'
 
 const read = (file) => (existsSync(path(file)) ? readFileSync(path(file), 'utf8') : null)
 
-/** Lists the files that differ from the tables, each with the text that it should have. */
+/** Lists the generated files that are out of date: [{ file, text }], where `text` is the new content. */
 export async function staleFiles() {
   const [table, deformers] = await Promise.all([readTable(), deformerParts()])
   const files = {
@@ -34,7 +34,7 @@ export async function staleFiles() {
     identities: identityParts(table),
     deformers,
   }
-  const texts = [
+  const contents = [
     ...Object.entries(files).map(async ([file, text]) => ({
       file,
       text: await formatAs(file, text),
@@ -44,7 +44,7 @@ export async function staleFiles() {
       return { file, text: await replaceParts(file, parts) }
     }),
   ]
-  return (await Promise.all(texts)).filter(({ file, text }) => read(file) !== text)
+  return (await Promise.all(contents)).filter(({ file, text }) => read(file) !== text)
 }
 
 if (isMain(import.meta))

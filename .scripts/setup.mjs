@@ -30,9 +30,9 @@ export async function setup() {
 
 const namesOf = (list) => list.map(({ name }) => name).join(', ')
 
-/** Searches for each requirement, prints the result, and returns those that are missing. */
+/** Searches for each requirement, stores its path in `file`, prints the result, and returns the requirements that are missing. */
 async function check(list) {
-  await Promise.all(list.map(async (each) => (each.file = await each.find())))
+  await Promise.all(list.map(async (requirement) => (requirement.file = await requirement.find())))
   for (const { name, file } of list)
     if (file) good(`${name} (${file})`)
     else bad(`${name}: not found`)
@@ -59,11 +59,11 @@ async function installPackages(packages, names) {
       `Missing: ${names}. This system has no apt-get to install them with; please install them in another way and start again (on Windows, use Debian or Ubuntu in WSL).`,
     )
   const install = ['install', '--yes', '--no-install-recommends', ...packages]
-  const typed = `sudo apt-get update && sudo apt-get ${install.join(' ')}`
-  const prefix = await requireRoot(names, typed)
+  const commandLine = `sudo apt-get update && sudo apt-get ${install.join(' ')}`
+  const prefix = await requireRoot(names, commandLine)
   heading(`Installing ${packages.join(' ')}`)
   const [command, ...args] = [...prefix, 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get']
-  // Ignores errors of foreign package sources: the install shows whether the packages are available.
+  // Ignores the exit status, which is an error if any package source fails: the install shows whether the packages are available.
   await exitCode(command, [...args, 'update'])
   await run(command, [...args, '-o', 'DPkg::Lock::Timeout=300', ...install])
 }

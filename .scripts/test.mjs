@@ -1,5 +1,5 @@
 // npm test: sets up, builds, and runs the everyday checks; `npm test -- --all` runs every check, `npm test -- js cpp` only those groups.
-// A failure does not stop the other steps.
+// A failure does not stop the other steps, except a failure of the set-up.
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { checks } from './lib/checks.mjs'
@@ -7,8 +7,8 @@ import { NotRun, Stop, bad, good, heading, main, say, seconds } from './lib/term
 import { chooseTier } from './lib/tiers.mjs'
 import { setup } from './setup.mjs'
 
-const knownGroups = [...new Set(checks.map(({ group }) => group))]
-const usage = `\n\nnpm test -- [--all] [${knownGroups.join('] [')}]`
+const groupNames = [...new Set(checks.map(({ group }) => group))]
+const usage = `\n\nnpm test -- [--all] [${groupNames.join('] [')}]`
 
 await main(async () => {
   const start = performance.now()
@@ -16,7 +16,7 @@ await main(async () => {
     options: { all: { type: 'boolean' } },
     allowPositionals: true,
   })
-  const chosen = select(groups, values.all)
+  const chosen = selectChecks(groups, values.all)
   chooseTier(values.all ? 'all' : 'everyday')
   const results = []
   const record = async (step) => results.push(await attempt(step))
@@ -40,8 +40,8 @@ await main(async () => {
   if (!withResult('NOT RUN').length) good('Everything passed.')
 }, usage)
 
-function select(groups, isAll) {
-  const unknown = groups.find((group) => !knownGroups.includes(group))
+function selectChecks(groups, isAll) {
+  const unknown = groups.find((group) => !groupNames.includes(group))
   if (unknown) throw new Stop(`There are no tests named ${unknown}.${usage}`)
   const chosen = checks.filter(({ group }) => !groups.length || groups.includes(group))
   const checksToRun = chosen.filter(({ rare }) => isAll || !rare)

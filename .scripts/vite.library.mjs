@@ -7,12 +7,12 @@ import { path } from './lib/files.mjs'
 
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
-// Users bring their own p5, three, react and decoders. The command line runs only in Node.
+// Not bundled: users install p5, three.js, React and Babylon.js themselves, and only code for Node imports its modules.
 const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, third-party notices in NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
-/** Returns a configuration. `lib` has options of Vite, `output` those of Rolldown. */
+/** Returns a configuration. `lib` and `output` are options of Vite and of Rolldown; `others` replaces options outside of `build`. */
 const createConfig = (lib, output, others) => ({
   configFile: false,
   root: path('.'),
@@ -106,7 +106,10 @@ const minified = {
   comments: false,
 }
 
-/** Returns the configuration of a single file. `wasm` names its wasm modules: the gzipped file is 1 KB smaller if they are first. */
+/**
+ * Returns the configuration of a single file. `wasm` names its wasm modules, which are imported first: that makes the gzipped file 1 KB
+ * smaller.
+ */
 const createSingleFile = (
   entry,
   fileName,
@@ -126,13 +129,13 @@ const importWasmFirst = (entry, wasm) => ({
     id === entry && wasm.length
       ? {
           code: `${wasm.map((each) => `import './generated/${each}-wasm.js'; `).join('')}${code}`,
-          // Only the first line shifts.
+          // The inserted code is in the first line, so all others keep their places.
           map: null,
         }
       : null,
 })
 
-/** `add:x` adds the exports of the entry x to the global `warpjet`. */
+/** A module with the id `add:x` adds the exports of the entry x to the global `warpjet`. */
 const additionPattern = /(?:^|\/)add:(.+)$/
 const additions = {
   name: 'additions',
@@ -146,6 +149,7 @@ const additions = {
   },
 }
 
+/** Maps a single file → the wasm modules in it. */
 const wasmOf = { warpjet: ['core', 'evaluation'], mesh: ['mesh'] }
 
 export const singleModuleBuilds = singleModules.map((name) =>
@@ -153,8 +157,8 @@ export const singleModuleBuilds = singleModules.map((name) =>
 )
 
 /**
- * Returns the configurations of files for <script> tags. Build the single modules first: the main script fetches them when a sketch needs
- * them.
+ * Returns the configurations of files for <script> tags. Build the single modules first: the main script contains the hash of
+ * mesh.min.js, which it fetches when a sketch needs it.
  */
 export const scriptBuilds = () => [
   createSingleFile(path('js-bindings/p5.global.ts'), `${mainScript}.min.js`, 'iife', {

@@ -1,6 +1,6 @@
 // npm run bench -- detail-frames [--host p5] [--warp name] [--normals vertex]: compares frames of meshes with the option `detail`, updates
-// included, with frames of a uniformly subdivided mesh of the same error: in three.js and p5 on WebGL in software, at 600 x 600 pixels,
-// for the warps of `npm run report -- detail`.
+// included, with frames of uniformly subdivided meshes of the same error, for the warps of `npm run report -- detail`. three.js and p5 draw
+// with WebGL in software, at 600 × 600 pixels.
 import { readdirSync } from 'node:fs'
 import { loadavg } from 'node:os'
 import { parseArgs } from 'node:util'
@@ -28,25 +28,26 @@ import {
 const shapes = ['box', 'sphere', 'teapot']
 
 /**
- * Returns into how many pieces each side must be split so that the uniform mesh has the same error as the divided one in the first frame.
+ * Returns into how many pieces each side must be split so that in the first frame the uniform mesh has the same error as the mesh that
+ * `detail` divides.
  */
-function countPieces(mesh, warp, uniforms, distance, size) {
+function countPieces(mesh, warp, uniforms, distance, halfSize) {
   const random = randomNumbers(7)
-  const place = new THREE.Vector3().setFromSphericalCoords(distance, 1.1, 0)
-  const view = viewFrom(place, size)
+  const cameraPosition = new THREE.Vector3().setFromSphericalCoords(distance, 1.1, 0)
+  const view = viewFrom(cameraPosition, halfSize)
   const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms }).positions
   const divided = createDetail(mesh, warp)
   divided.update(view, { uniforms })
-  const all = chooseTriangles(random, divided, Infinity)
-  const error = robustMax(screenErrors(divided, warpPositions, view, all))
+  const allTriangles = chooseTriangles(random, divided, Infinity)
+  const error = robustMax(screenErrors(divided, warpPositions, view, allTriangles))
   divided.dispose()
   return countUniformPieces(mesh, warpPositions, view, error, random)
 }
 
-/** Takes the place of node:fs in the pages. */
+/** The import map of the pages, which have no node:fs. */
 const imports = { 'node:fs': '/tests/support/browser/three/detail/page-fs.js' }
 
-/** Maps a name → a function that opens a page of that host: { page, close() }. */
+/** Maps the name of a host → a function that opens its page: { page, close() }. */
 const openHost = {
   async three() {
     const pages = await threePages()
@@ -66,18 +67,18 @@ const openHost = {
   },
 }
 
-/** Returns the cases: [{ title, settings }], where `settings` are for `measureFrames` in the page. */
-async function createCases(chosen) {
+/** Returns the cases for warps whose name contains `partOfName`: [{ title, settings }], with settings for `measureFrames` in the page. */
+async function createCases(partOfName) {
   // The lotus has a `param`, which `warp` of three.js does not support.
   const warps = (await galleryWarps()).filter(
-    ({ name }) => name !== 'lotus' && name.includes(chosen),
+    ({ name }) => name !== 'lotus' && name.includes(partOfName),
   )
   return warps.flatMap(({ name, warp, sizes, uniforms }) =>
     shapes.map((shape) => {
-      const size = Math.max(...sizes)
-      const distance = 3.2 * size
+      const halfSize = Math.max(...sizes)
+      const distance = 3.2 * halfSize
       const scaled = scale(meshes[shape], sizes)
-      const pieces = countPieces(scaled, warp, uniforms, distance, size)
+      const pieces = countPieces(scaled, warp, uniforms, distance, halfSize)
       const mesh = Object.fromEntries(Object.entries(scaled).map(([key, list]) => [key, [...list]]))
       return {
         title: `${name}, ${shape}`,
@@ -87,7 +88,7 @@ async function createCases(chosen) {
   )
 }
 
-async function measureRow(page, settings) {
+async function measureCase(page, settings) {
   const { triangles, divided, uniform, ratio } = await page.evaluate(
     (settings) => measureFrames(settings),
     settings,
@@ -122,12 +123,14 @@ export async function measure(args) {
     for (const moves of [false, true]) {
       const rows = {}
       for (const { title, settings } of cases) {
-        rows[title] = await measureRow(page, { ...settings, normals: values.normals, moves })
+        rows[title] = await measureCase(page, { ...settings, normals: values.normals, moves })
         say(`${host}, ${title}: ${rows[title].ratio}`)
       }
       console.table(rows)
       const ratio = median(Object.values(rows).map((row) => row.ratio))
-      say(`${host}, ${moves ? 'the surface moves, too' : 'the camera moves'}: median ${ratio}.`)
+      say(
+        `${host}, ${moves ? 'camera and surface move' : 'only the camera moves'}: median ${ratio}.`,
+      )
     }
     await close()
   }

@@ -1,11 +1,11 @@
 // npm run bench -- detail-gpu [--edges 100000] [--size 1024] [--frames 40] [--software]: times the compute passes of the option `detail` in
-// three.js on WebGPU, by timestamps of the GPU where it supports them, and the CPU time of render() with and without these passes.
+// three.js on WebGPU, with GPU timestamps where supported, and the CPU time of render() with and without these passes.
 import { threePagesIn } from '../../tests/support/browser/three/open.js'
 import { parseOptions } from '../lib/options.mjs'
 import { good, say } from '../lib/terminal.mjs'
 import { launchFastest } from './frames/browsers.mjs'
 
-/** The flag with which timestamps are not rounded. */
+/** The flag of Chromium with which timestamps are not rounded. */
 const exactTimes = '--enable-webgpu-developer-features'
 
 export async function measure(args) {

@@ -1,29 +1,33 @@
-// npm run bench -- evaluate: measures how many vertices per second (positions and normals) a warp moves on the CPU: with warp.evaluate,
-// with its interpreter (for engines that forbid compiling), and with the same function written by hand in JavaScript; and how long
-// generating the machine code takes. The function by hand writes into arrays of the caller, as `evaluate` does with its option `out`;
-// without it, `evaluate` creates new arrays in each call.
+// npm run bench -- evaluate: measures how many vertices per second (positions and normals) a warp moves on the CPU, and how long it takes to
+// generate the machine code. Compares four methods: `evaluate` creates new arrays in each call; with its option `out` it writes into the
+// caller's arrays; its interpreter is used in engines that forbid compiling; the same function by hand, in JavaScript, also writes into the
+// caller's arrays.
 import { compileWarp } from '../../dist/warpjet.js'
 import { median, time, timesInTurn } from '../lib/median.mjs'
 import { rows, warps } from './evaluate/rows.mjs'
 
-/** Loads the library once more and makes it interpret warps: after its own module, compiling another one throws. */
-async function interpretedLibrary(offset) {
+/**
+ * Loads the library again, and makes it interpret warps: after it has compiled its own module, compiling a module for a warp throws.
+ */
+async function loadInterpretingLibrary(offset) {
   const library = await import('../../dist/warpjet.min.js')
   const warp = library.compileWarp(offset)
-  const once = () => warp.evaluateAt([1, 2, 3], { uniforms: { millis: 0 } })
-  once()
+  const evaluateOnce = () => warp.evaluateAt([1, 2, 3], { uniforms: { millis: 0 } })
+  evaluateOnce()
   const { Module } = WebAssembly
   WebAssembly.Module = function () {
     throw new WebAssembly.CompileError('forbidden')
   }
-  once()
+  evaluateOnce()
   WebAssembly.Module = Module
   return library
 }
 
 export async function measure() {
-  const interpreted = await interpretedLibrary(warps.twist.warp)
-  console.log('Millions of vertices a second, and median ratios of neighbours.')
+  const interpreted = await loadInterpretingLibrary(warps.twist.warp)
+  console.log(
+    'Millions of vertices per second, and median ratios of measurements that follow each other.',
+  )
   console.table(rows.map((row) => measureRow(row, interpreted)))
   console.log(
     '\nMilliseconds until the first vertex is moved, and microseconds for each further one.',
@@ -42,18 +46,18 @@ function measureRow({ name, vertices, rounds }, interpreted) {
   const interpretedWarp = interpreted.compileWarp(offset)
   const mesh = createSphere(vertices)
   const uniforms = { millis: 1234 }
-  const arrays = () => ({
+  const createArrays = () => ({
     positions: new Float32Array(3 * vertices),
     normals: new Float32Array(3 * vertices),
   })
-  const results = arrays()
-  const out = arrays()
-  let moved
+  const resultsByHand = createArrays()
+  const out = createArrays()
+  let results
   const methods = {
-    evaluate: () => time(() => (moved = warp.evaluate(mesh, { uniforms }))),
+    evaluate: () => time(() => (results = warp.evaluate(mesh, { uniforms }))),
     'into out': () => time(() => warp.evaluate(mesh, { uniforms, out })),
     interpreter: () => time(() => interpretedWarp.evaluate(mesh, { uniforms })),
-    'by hand': () => time(() => byHand(mesh, 1234, results)),
+    'by hand': () => time(() => byHand(mesh, 1234, resultsByHand)),
   }
   // Warms up until the engine has used its optimizing compiler.
   for (let i = vertices > 100_000 ? 2 : 20; i > 0; i--) {
@@ -65,14 +69,15 @@ function measureRow({ name, vertices, rounds }, interpreted) {
     method,
     (vertices / median(milliseconds) / 1000).toFixed(2),
   ])
-  const ratio = (a, b) => median(times[a].map((took, i) => took / times[b][i])).toFixed(2)
+  const ratio = (a, b) =>
+    median(times[a].map((milliseconds, i) => milliseconds / times[b][i])).toFixed(2)
   return {
     warp: name,
     vertices,
     ...Object.fromEntries(speeds),
     'by hand / into out': ratio('by hand', 'into out'),
     'interpreter / into out': ratio('interpreter', 'into out'),
-    'largest difference': largestDifference(moved, results).toExponential(1),
+    'largest difference': largestDifference(results, resultsByHand).toExponential(1),
   }
 }
 
@@ -89,12 +94,12 @@ function measureStartUp(offset) {
   const keepMin = (name, value) => (best[name] = Math.min(best[name], value))
   for (let round = 0; round < 15; round++) {
     const warp = compileWarp(offset)
-    const once = () => warp.evaluateAt([1, 2, 3], options)
-    // Prepares the evaluation, so that the loop does not time it.
+    const evaluateOnce = () => warp.evaluateAt([1, 2, 3], options)
+    // Prepares the evaluation, which is not to be measured.
     warp.evaluateAt([1, 2, 3], { uniforms: options.uniforms })
-    keepMin('interpreter, ms', time(once))
-    keepMin('machine code, ms', time(once))
-    keepMin('evaluateAt, µs', 2 * time(() => { for (let i = 0; i < 500; i++) once() })) // prettier-ignore
+    keepMin('interpreter, ms', time(evaluateOnce))
+    keepMin('machine code, ms', time(evaluateOnce))
+    keepMin('evaluateAt, µs', 2 * time(() => { for (let i = 0; i < 500; i++) evaluateOnce() })) // prettier-ignore
   }
   return best
 }
@@ -114,8 +119,11 @@ function createSphere(vertices) {
 }
 
 /** Returns the largest difference of positions and normals, relative to the size of the mesh. */
-function largestDifference(moved, results) {
+function largestDifference(results, resultsByHand) {
   const maxDifference = (name, size) =>
-    results[name].reduce((max, x, i) => Math.max(max, Math.abs(moved[name][i] - x) / size), 0)
+    results[name].reduce(
+      (max, x, i) => Math.max(max, Math.abs(resultsByHand[name][i] - x) / size),
+      0,
+    )
   return Math.max(maxDifference('positions', 100), maxDifference('normals', 1))
 }

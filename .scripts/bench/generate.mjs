@@ -1,10 +1,10 @@
-// npm run bench -- generate: measures how long a warp takes to generate, for several numbers of builder nodes. The input is p5.warp's
-// "complex" stress test: sines of random coordinates with random constants, added to random components.
+// npm run bench -- generate: measures how long it takes to generate the code of warps, for several numbers of builder nodes (calls of
+// operations). The warp is p5.warp's "complex" stress test: sines of random coordinates with random constants, added to random components.
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { stackedSines } from '../../tests/warps/stress.js'
 import { medianTime } from '../lib/median.mjs'
 
-/** The number of builder nodes per sine, counted as in the paper. */
+/** The number of builder nodes per sine, counted as in the paper on p5.warp. */
 const nodesPerSine = 5
 
 function measureSize(sines, runs) {
@@ -36,7 +36,7 @@ const singleCases = {
   'a chain of 100,000 sines': [5, () => compile(repeat(100_000, (v) => v.sin()))],
 }
 
-/** Maps a number of sines → how many times it is measured. */
+/** Maps a number of sines → how many times its generation is measured. */
 const sizes = { 30: 300, 300: 100, 600: 60, 6000: 15, 60000: 5 }
 
 export async function measure() {

@@ -1,6 +1,6 @@
-// npm run bench -- glsl: compares webgl-noise's 3D simplex, translated to an offset with exact normals, with our own simplex noise: time to
-// translate, length of the shader code, time to the first frame; and times a frame of a ray-marched field lit with four evaluations and
-// with one.
+// npm run bench -- glsl: compares webgl-noise's 3D simplex noise, translated to an offset with exact normals, with our own: translation
+// time, length of the shader code, time to the first frame. Also measures a frame of a ray-marched field whose normals come from four
+// evaluations of the field or from one evaluation of its gradient.
 import { readFileSync } from 'node:fs'
 import { glslOffset } from '../../dist/glsl.js'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -30,13 +30,13 @@ export async function measure() {
     },
   })
   await measureInBrowser({
-    "webgl-noise's, as it is": { declarations: source, code: 'vec3 moved = p + offset(p), n = p;' },
-    "webgl-noise's, exact normals": shaderOf(compileSource({ surfaceVariation: false })),
-    'our own, exact normals': shaderOf(compileWarp(ourOffset, { surfaceVariation: false })),
+    'webgl-noise, unchanged': { declarations: source, code: 'vec3 moved = p + offset(p), n = p;' },
+    'webgl-noise, exact normals': writeShader(compileSource({ surfaceVariation: false })),
+    'our own, exact normals': writeShader(compileWarp(ourOffset, { surfaceVariation: false })),
   })
 }
 
-function shaderOf({ code, declarations }) {
+function writeShader({ code, declarations }) {
   const inputs = 'vec3 position = p, normal = normalize(p);'
   return {
     declarations,
@@ -53,20 +53,20 @@ async function measureInBrowser(shaders) {
 
   const field = await openPage(browser, `${server.url}/examples/ray-marched-field/index.html`)
   await field.page.waitForFunction(() => globalThis.frameCount > 1)
-  // Reads the sketch's own variables; `panel` waits for the GPU.
+  // Uses the variables of the sketch; its function `panel` waits for the GPU.
   const frames = await field.page.evaluate(`{
     noLoop()
-    const all = Array.from({ length: 9 }, () => [panel(-160, sampled), panel(160, exact)])
-    all
+    const pairs = Array.from({ length: 9 }, () => [panel(-160, sampled), panel(160, exact)])
+    pairs
   }`)
   const [four, one] = [0, 1].map((i) => median(frames.map((pair) => pair[i])))
   console.log('\nA frame of the ray-marched field, median of 9 runs in ms')
-  console.table({ 'four evaluations': four, 'one function': one })
+  console.table({ 'four evaluations': four, 'one evaluation': one })
   await browser.close()
   await server.close()
 }
 
-/** Runs in a page: measures the first draw of each shader. Each program has a different constant, so that no driver has it cached. */
+/** Runs in the page: measures the first draw with each shader. Each program has another constant, so that it is in no cache of a driver. */
 function measureFirstDraws(shaders) {
   const scene = new Scene(document.createElement('canvas'), 300)
   const version = '#version 300 es\nprecision highp float;\n'

@@ -1,6 +1,9 @@
-// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: times frames with normals at vertices, at pixels, and
-// by four evaluations at each pixel, for the warps of the gallery. `pixel` does not fade noise; `faded`, the default, does, and is
-// measured if it differs. Without a GPU, or with --software, SwiftShader draws, for which a smaller --size suffices.
+// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: times frames of the gallery's warps with four methods:
+// - `vertex`: exact normals at vertices;
+// - `pixel`: exact normals at pixels, where noise does not fade;
+// - `faded`: exact normals at pixels with the option fadeNoise, the default, if its code is different;
+// - `differences`: normals at pixels by central differences, which evaluate the offset four times.
+// Without a GPU, or with --software, SwiftShader draws, for which a smaller --size suffices.
 import { compileWarp } from '../../dist/warpjet.js'
 import { servePages } from '../../tests/support/browser/server.js'
 import { sketchWarps } from '../../tests/warps/sketches.js'
@@ -9,7 +12,7 @@ import { parseOptions } from '../lib/options.mjs'
 import { openShaderPage } from '../lib/shader-page.mjs'
 import { Stop, say } from '../lib/terminal.mjs'
 import { launchFastest } from './frames/browsers.mjs'
-import { shadersOf } from './gpu/shaders.mjs'
+import { createShaders } from './gpu/shaders.mjs'
 
 /** Offset functions of a sphere of radius 1. */
 const plainWarps = {
@@ -23,7 +26,10 @@ const plainWarps = {
   'fbm of fbm': ({ glsl, position: p }) => p.mult(glsl.fbm(p.add(glsl.fbm(p.mult(2)))).mult(0.3)),
 }
 
-/** Compiles all warps. Returns [{ name, shaders, characters, auto }]. */
+/**
+ * Compiles all warps. Returns [{ name, shaders, characters, auto }]. `characters` is the length of the fragment code, `auto` the stage that
+ * `normals: 'auto'` selects.
+ */
 async function compileAll(names) {
   const gallery = [...(await sketchWarps()), ...threeWarps()]
   const galleryWarps = gallery
@@ -34,25 +40,25 @@ async function compileAll(names) {
     const warp = compileWarp(offset, { ...options, normals: 'vertex' })
     const plain = compileWarp(offset, { ...options, normals: false })
     const faded = warp.emitFragment()
-    // Differences do not fade either.
+    // Differences do not fade noise, so they are compared with this code.
     const fragment = compileWarp(offset, { ...options, fadeNoise: false }).emitFragment()
     return {
       name,
-      shaders: shadersOf(warp, plain, fragment, faded),
+      shaders: createShaders(warp, plain, fragment, faded),
       characters: fragment.code.length + fragment.declarations.length,
       auto: compileWarp(offset, { ...options, normals: 'auto' }).normals,
     }
   })
-  // After the plain warps, the gallery's are in order of cost: if time is short, most of them are still measured.
-  const first = all.splice(0, Object.keys(plainWarps).length)
-  const sorted = [...first, ...all.sort((a, b) => a.characters - b.characters)]
+  // The warps of the gallery follow the plain ones, in order of cost, so that a run that ends early has measured most of them.
+  const plainOnes = all.splice(0, Object.keys(plainWarps).length)
+  const sorted = [...plainOnes, ...all.sort((a, b) => a.characters - b.characters)]
   const unknown = names?.filter((name) => !sorted.some((each) => each.name === name)) ?? []
   if (unknown.length) throw new Stop(`Expected names of warps for --warp, got ${unknown}.`)
   return sorted.filter(({ name }) => !names || names.includes(name))
 }
 
-/** Runs in the page, and defines `measureWarp`. */
-function prepare(size) {
+/** Runs in the page: creates the scene, and defines `measureWarp`. */
+function preparePage(size) {
   const scene = new Scene(document.createElement('canvas'), size)
   const { gl } = scene
   gl.disable(gl.DEPTH_TEST)
@@ -65,9 +71,9 @@ function prepare(size) {
       6 * i,
     )
   }
-  // The shaders compute the positions from the number of the vertex.
-  const unread = new Float32Array(3 * (cells + 1) ** 2)
-  scene.load({ positions: unread, normals: unread, indices })
+  // The shaders compute the positions from the index of the vertex.
+  const unreadValues = new Float32Array(3 * (cells + 1) ** 2)
+  scene.load({ positions: unreadValues, normals: unreadValues, indices })
 
   /** Sets all uniforms to 0.7. The cost does not depend on their values. */
   function setUniforms(program) {
@@ -75,11 +81,12 @@ function prepare(size) {
     for (let i = 0; i < count; i++) {
       const { name, type } = gl.getActiveUniform(program, i)
       const location = gl.getUniformLocation(program, name)
-      const kinds = { [gl.FLOAT]: 1, [gl.FLOAT_VEC2]: 2, [gl.FLOAT_VEC3]: 3, [gl.FLOAT_VEC4]: 4 }
-      if (kinds[type]) gl[`uniform${kinds[type]}fv`](location, Array(kinds[type]).fill(0.7))
+      const sizes = { [gl.FLOAT]: 1, [gl.FLOAT_VEC2]: 2, [gl.FLOAT_VEC3]: 3, [gl.FLOAT_VEC4]: 4 }
+      if (sizes[type]) gl[`uniform${sizes[type]}fv`](location, Array(sizes[type]).fill(0.7))
     }
   }
 
+  /** Draws `count` frames, and returns the milliseconds per frame. */
   const time = (program, count) => {
     gl.useProgram(program)
     const start = performance.now()
@@ -88,6 +95,7 @@ function prepare(size) {
     return (performance.now() - start) / count
   }
 
+  /** Returns the number of pixels that are drawn. */
   function countPixels() {
     const data = new Uint8Array(4 * size * size)
     gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, data)
@@ -100,7 +108,8 @@ function prepare(size) {
   const [batchTime, maxCount] = [50, 1000]
 
   /**
-   * Returns how many frames a batch has. Reading a pixel back takes longer than drawing a short frame, so one frame cannot be timed alone.
+   * Returns how many frames a batch has. One frame cannot be timed alone, because the pixel that is read back to wait for the GPU may take
+   * longer than the frame.
    */
   function countFrames(program) {
     let count = 1
@@ -112,6 +121,10 @@ function prepare(size) {
     }
   }
 
+  /**
+   * Maps each method → { first, frame, rounds }: the milliseconds until the first frame is drawn, the median milliseconds of a frame, and the
+   * number of rounds.
+   */
   window.measureWarp = (shaders, milliseconds) => {
     const end = performance.now() + milliseconds
     const methods = Object.entries(shaders).map(([name, sources]) => {
@@ -140,7 +153,7 @@ function prepare(size) {
 
 const round = (x) => Number(x.toPrecision(3))
 
-const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => ({
+const createRow = ({ vertex, pixel, faded, differences }, { characters, auto }) => ({
   'ms, vertex': round(vertex.frame),
   'ms, pixel': round(pixel.frame),
   ...(faded && { 'ms, faded': round(faded.frame) }),
@@ -166,7 +179,7 @@ export async function measure(args) {
   const browser = await launchFastest(software)
   const server = await servePages()
   const page = await openShaderPage(browser, server)
-  await page.evaluate(prepare, size)
+  await page.evaluate(preparePage, size)
   const all = await compileAll(names)
   const rows = {}
   for (const [i, warp] of all.entries()) {
@@ -177,13 +190,15 @@ export async function measure(args) {
       ([shaders, ms]) => measureWarp(shaders, ms),
       [warp.shaders, budget],
     )
-    rows[warp.name] = rowOf(results, warp)
+    rows[warp.name] = createRow(results, warp)
     process.stderr.write(`${i + 1}/${all.length} ${warp.name}\n`)
   }
   await browser.close()
   await server.close()
-  say(`A sheet of 20,000 triangles that covers ${size} × ${size} pixels; medians, in turn:`)
+  say(
+    `A sheet of 20,000 triangles that covers ${size} × ${size} pixels; medians of methods that were measured in turn:`,
+  )
   console.table(rows)
   const skipped = all.slice(Object.keys(rows).length).map(({ name }) => name)
-  if (skipped.length) say(`Not measured, since ${seconds} s were over: ${skipped.join(', ')}.`)
+  if (skipped.length) say(`Not measured within ${seconds} s: ${skipped.join(', ')}.`)
 }

@@ -1,11 +1,11 @@
-// npm run bench -- start-up: measures how long a page waits for warpjet: until its script has run, and until the first createWarp returns.
+// npm run bench -- start-up: measures how long a page waits for warpjet's script to run, and for the first two calls of createWarp.
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import { servePages } from '../../tests/support/browser/server.js'
 import { median } from '../lib/median.mjs'
 
 const runs = 15
 
-/** The page records the milliseconds of `WebAssembly.Module` and `WebAssembly.Instance`, too. */
+/** The page also records the milliseconds in `WebAssembly.Module` and `WebAssembly.Instance`. */
 const html = `<!doctype html>
 <meta charset="utf-8">
 <script src="/node_modules/p5/lib/p5.min.js"></script>

@@ -1,6 +1,8 @@
-// npm run bench -- three [--frames] [--rounds 100] [--copies 1] [--batch 1] [--software]: compares a ray on a warped mesh with
-// three-mesh-bvh on a baked mesh, times bounds(), and compares a frame and the first frame with the same warp and its derivatives written
-// by hand in onBeforeCompile. --frames measures only frames.
+// npm run bench -- three [--frames] [--rounds 100] [--copies 1] [--batch 1] [--software]: measures warped meshes in three.js:
+// - the intersection with a ray, compared with three-mesh-bvh on a baked mesh;
+// - bounds();
+// - a frame and the first frame, compared with the same warp and its derivatives written by hand in onBeforeCompile.
+// --frames measures only frames.
 import * as THREE from 'three'
 import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
 import { bakeWarp } from '../../dist/mesh.js'
@@ -23,7 +25,10 @@ const rays = Array.from({ length: 1000 }, (_, i) => {
 const microsecondsPerRay = (target) =>
   1000 * median(rays.map((ray) => time(() => ray.intersectObject(target))))
 
-/** Returns one row: microseconds per ray, and the milliseconds that a change of the time costs. */
+/**
+ * Returns one row: microseconds per ray, and the milliseconds of the first ray, of bounds() and of a new bake after the time of the warp
+ * changed.
+ */
 function measureRays(segments) {
   const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, segments, 20)
   const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial())
@@ -61,7 +66,7 @@ function measureRays(segments) {
   return row
 }
 
-/** On a GPU, set --copies (meshes in a draw) and --batch (frames) so high that drawing takes longer than waiting for the GPU. */
+/** On a GPU, set --copies (spheres per draw call) and --batch (frames per measurement) so high that drawing takes longer than waiting. */
 export async function measure(args) {
   const { frames, software, rounds, copies, batch } = parseOptions(
     args,

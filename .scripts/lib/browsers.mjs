@@ -1,13 +1,13 @@
-// Starts browsers that the test files share: starting one takes 2 s of a core, and there are thirty files.
+// Starts browsers that the test files share, because starting a browser takes 2 s of CPU time.
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { testFlags } from './flags.mjs'
 
-/** The environment variable that `borrow` in tests/support/browser reads: a folder of locks, and the addresses. */
-export const variable = 'WARPJET_BROWSERS'
+/** The environment variable that `borrow` in tests/support/browser reads: JSON with a folder of locks (`taken`) and the `addresses`. */
+export const browsersVariable = 'WARPJET_BROWSERS'
 
-/** Starts `count` browsers for the processes that `work` starts, and stops them after it. */
+/** Starts `count` browsers for the processes that `work` starts, and stops the browsers when `work` ends. */
 export async function withBrowsers(count, work) {
   // Imported late, because set-up may have to install it first.
   const { chromium } = await import('playwright-core')
@@ -16,14 +16,14 @@ export async function withBrowsers(count, work) {
     Array.from({ length: count }, () => chromium.launchServer(options)),
   )
   const taken = mkdtempSync(join(tmpdir(), 'warpjet-browsers-'))
-  process.env[variable] = JSON.stringify({
+  process.env[browsersVariable] = JSON.stringify({
     taken,
     addresses: servers.map((server) => server.wsEndpoint()),
   })
   try {
     return await work()
   } finally {
-    delete process.env[variable]
+    delete process.env[browsersVariable]
     rmSync(taken, { recursive: true })
     await Promise.all(servers.map((server) => server.close()))
   }

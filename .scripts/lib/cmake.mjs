@@ -7,7 +7,7 @@ import { onPath } from './which.mjs'
 
 const presets = path('CMakePresets.json')
 
-/** Returns whether CMake's cache was written for this checkout. After a checkout is copied or moved, its cache still names the old folder. */
+/** Returns whether CMake's cache was written for this checkout. In a checkout that was copied or moved, the cache still names the old folder. */
 function isOfThisCheckout(cache) {
   const [, home] = /^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$/m.exec(readFileSync(cache, 'utf8')) ?? []
   return home && existsSync(home) && realpathSync(home) === realpathSync(path())
@@ -26,6 +26,7 @@ function isConfigured(folder) {
   )
 }
 
+/** Builds the targets, or all targets if none is named. */
 export async function cmakeBuild(preset, ...targets) {
   const folder = `.build/${preset}`
   if (!isConfigured(folder)) {

@@ -1,6 +1,6 @@
-// Bundles the declarations of the package: one file per entry, and one for shared types.
+// Bundles the declarations of the package: one file per entry, and two for shared types, with and without those of three.js.
 import { copyFileSync, rmSync } from 'node:fs'
-import { declared, importsIn } from './entries.mjs'
+import { entriesWithTypes, importsIn } from './entries.mjs'
 import { path } from './files.mjs'
 import { run } from './run.mjs'
 
@@ -10,7 +10,7 @@ const unbundled = '.build/types'
 /** globals.d.ts only refers to exports of the entries. It is copied, not bundled. */
 const globals = 'globals.d.ts'
 
-const entries = declared.filter((name) => `${name}.d.ts` !== globals)
+const entries = entriesWithTypes.filter((name) => `${name}.d.ts` !== globals)
 
 export const declarations = [
   ...entries.map((name) => `${name}.d.ts`),
@@ -19,15 +19,18 @@ export const declarations = [
   globals,
 ]
 
-const declaredImports = importsIn(unbundled, '.d.ts')
+const importDeclarations = importsIn(unbundled, '.d.ts')
 
-/** Resolves `#x` to its declaration, before rolldown-plugin-dts looks for it beside the source. */
+/**
+ * Resolves imports such as `#mesh` (package.json, `imports`) to their .d.ts in `unbundled`. rolldown-plugin-dts alone would look for them
+ * in js-bindings.
+ */
 const withImports = {
   name: 'imports-of-declarations',
-  resolveId: { order: 'pre', handler: (id) => declaredImports[id] ?? null },
+  resolveId: { order: 'pre', handler: (id) => importDeclarations[id] ?? null },
 }
 
-export async function declareTypes() {
+export async function bundleDeclarations() {
   for (const folder of [unbundled, 'dist/types'])
     rmSync(path(folder), { recursive: true, force: true })
   await run(process.execPath, [

@@ -25,7 +25,7 @@ function findCycles(edges) {
 function findIncludeProblems() {
   const files = walk('src', /\.[ch]pp$/).map((file) => file.replace('src/', ''))
   const folders = [...new Set(files.map((file) => dirname(file)))]
-  // A file beside subfolders is a module by itself: it lies below them, or is their façade.
+  // A file beside subfolders is a module by itself: the subfolders include it, or it is their façade.
   const moduleOf = (file) =>
     folders.some((folder) => dirname(folder) === dirname(file))
       ? file.replace(/\.[ch]pp$/, '')
@@ -33,10 +33,10 @@ function findIncludeProblems() {
   const edges = new Map(files.map((file) => [file, new Set()]))
   const modules = new Map(files.map((file) => [moduleOf(file), new Set()]))
   for (const [file, included] of edges)
-    for (const [, other] of read(`src/${file}`).matchAll(/^#include "([^"]+)"/gm)) {
-      included.add(other)
-      if (edges.has(other) && moduleOf(other) !== moduleOf(file))
-        modules.get(moduleOf(file)).add(moduleOf(other))
+    for (const [, includedFile] of read(`src/${file}`).matchAll(/^#include "([^"]+)"/gm)) {
+      included.add(includedFile)
+      if (edges.has(includedFile) && moduleOf(includedFile) !== moduleOf(file))
+        modules.get(moduleOf(file)).add(moduleOf(includedFile))
     }
   const problems = {
     'circular includes': findCycles(edges),
@@ -56,13 +56,13 @@ const comments = /\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*/g
 const strings = /'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`/g
 
 /**
- * Matches the files that may contain shader source: adapters, since p5's and three's shaders are GLSL, compute passes, which are WGSL, and
- * types.
+ * Matches the files that may contain shader source: adapters to p5, three.js and Babylon.js, whose own shaders are source text; the compute
+ * passes in WGSL; and declarations of types.
  */
 const adapters =
   /^js-bindings\/(?:(?:p5|three|babylon)\/|glsl-source\/function-text\.ts$|detail\/gpu\/)|\.d\.ts$/
 
-/** Finds shader source outside dialects and adapters. */
+/** Returns messages about shader source in files that are not adapters. */
 const findShaderSource = () =>
   walk('js-bindings', /\.ts$/)
     .filter((file) => !adapters.test(file))
@@ -72,7 +72,10 @@ const findShaderSource = () =>
         .map((text) => `${file} contains shader source, which belongs in a dialect: ${text}`),
     )
 
-/** Rejects circular includes, circular imports, imports of an entry by a lower module, and shader source outside a dialect. */
+/**
+ * Rejects circular includes, a front end that includes a back end, circular imports, imports of an entry by a lower module, and shader
+ * source outside a dialect of the C++.
+ */
 export async function checkDependencies() {
   const problems = [...findIncludeProblems(), ...findShaderSource()]
   if (problems.length) throw new Stop(problems.join('\n'))

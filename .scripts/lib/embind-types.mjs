@@ -1,5 +1,6 @@
 // Writes TypeScript declarations of the functions that embind binds, from the module's registrations: the module is started with imports
-// that only record their arguments. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ does not register parameter names.
+// that only record their arguments. (Emscripten has done the same since 3.1.42, with --emit-tsd.) embind does not
+// register parameter names, so they are a, b, c, …
 import { setFlagsFromString } from 'node:v8'
 
 // V8 has this proposal only behind a flag: https://github.com/WebAssembly/js-types.
@@ -17,15 +18,18 @@ const typedArrays = [
   'Uint32',
   'Float32',
   'Float64',
-].map((kind) => `${kind}Array`)
+].map((element) => `${element}Array`)
 
-/** Reads the pairs of short and full names that match `pattern` in minified glue. */
+/** Maps the first group of `pattern` → its second group, for each match in minified glue. */
 const matchPairs = (glue, pattern) =>
   Object.fromEntries([...glue.matchAll(pattern)].map(([, key, value]) => [key, value]))
 
 /** Starts the module, and returns its registrations. */
 function readRegistrations(glue, module) {
-  const importNames = matchPairs(glue.match(/asmLibraryArg=\{(.*?)\}/s)[1], /"([^"]+)":(\w+)/g)
+  const fullNamesOfImports = matchPairs(
+    glue.match(/asmLibraryArg=\{(.*?)\}/s)[1],
+    /"([^"]+)":(\w+)/g,
+  )
   const registered = {
     types: new Map(),
     arrays: new Map(),
@@ -41,7 +45,7 @@ function readRegistrations(glue, module) {
     return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)))
   }
   const readList = (count, at) => [...new Uint32Array(memory.buffer, at, count)]
-  const setName = (type, spelled) => types.set(type, spelled)
+  const setName = (type, typeName) => types.set(type, typeName)
   const register = {
     void: (type) => setName(type, 'void'),
     bool: (type) => setName(type, 'boolean'),
@@ -49,8 +53,9 @@ function readRegistrations(glue, module) {
     float: (type) => setName(type, 'number'),
     std_string: (type) => setName(type, 'string'),
     emval: (type, at) => setName(type, readText(at).replace('emscripten::val', 'unknown')),
-    array: (type, item, kind) => arrays.set(type, { item, kind }),
-    memory_view: (type, kind) => setName(type, typedArrays[kind]),
+    // Our own: see js-bindings/wasm/embind.hpp. `typedArray` is an index into `typedArrays`, or another number for other arrays.
+    array: (type, item, typedArray) => arrays.set(type, { item, typedArray }),
+    memory_view: (type, typedArray) => setName(type, typedArrays[typedArray]),
     enum(type, at) {
       setName(type, readText(at))
       enums.set(type, { name: readText(at), values: [] })
@@ -67,9 +72,10 @@ function readRegistrations(glue, module) {
     },
     value_array_element: (type, element) => objects.get(type).elements.push(element),
     class(type, pointer, constPointer, ...others) {
-      const spelled = readText(others[7])
-      for (const each of [type, pointer, constPointer]) setName(each, spelled)
-      classes.set(type, { name: spelled, constructors: [], methods: [] })
+      // The name follows the base class and the signatures and functions of the casts.
+      const className = readText(others[7])
+      for (const each of [type, pointer, constPointer]) setName(each, className)
+      classes.set(type, { name: className, constructors: [], methods: [] })
     },
     class_constructor: (type, count, at) =>
       classes.get(type).constructors.push(readList(count, at)),
@@ -79,16 +85,16 @@ function readRegistrations(glue, module) {
   }
   const imports = {}
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    const [, kind] = /_embind_register_(\w+)/.exec(importNames[name]) ?? []
-    ;(imports[from] ??= {})[name] = register[kind] ?? (() => 0)
+    const [, registration] = /_embind_register_(\w+)/.exec(fullNamesOfImports[name]) ?? []
+    ;(imports[from] ??= {})[name] = register[registration] ?? (() => 0)
   }
   const { exports } = new WebAssembly.Instance(module, imports)
   memory = Object.values(exports).find((each) => each instanceof WebAssembly.Memory)
-  exports[exportNames(glue).___wasm_call_ctors]()
+  exports[shortNamesOfExports(glue).___wasm_call_ctors]()
   return registered
 }
 
-const exportNames = (glue) =>
+const shortNamesOfExports = (glue) =>
   matchPairs(glue, /Module\["(\w+)"\]=(?:asm|Module\["asm"\])\["([^"]+)"\]/g)
 
 /** Widens the type of a parameter: any array-like list is accepted, and none is modified. */
@@ -107,7 +113,7 @@ export function embindTypes(glue, wasm) {
   const { types, arrays, enums, objects, classes, functions } = registered
   const writeType = (type) => {
     const array = arrays.get(type)
-    if (array) return typedArrays[array.kind] ?? `${writeType(array.item)}[]`
+    if (array) return typedArrays[array.typedArray] ?? `${writeType(array.item)}[]`
     if (types.has(type)) return types.get(type)
     throw new Error(`A binding has a type that is not registered`)
   }
@@ -130,7 +136,7 @@ export function embindTypes(glue, wasm) {
   const signatures = new Map(
     WebAssembly.Module.exports(module).map(({ name, type }) => [name, type]),
   )
-  const plainExports = Object.entries(exportNames(glue))
+  const plainExports = Object.entries(shortNamesOfExports(glue))
     .filter(([name]) => /^_[a-z]/.test(name))
     .map(([name, short]) => {
       const { parameters, results } = signatures.get(short)

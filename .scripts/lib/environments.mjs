@@ -1,4 +1,5 @@
-// Installs the project that tests the package, with the tarball that npm would publish and the bundlers of tests/package.
+// Installs the project that tests the package, in .build/package: the tarball that npm would publish, and the bundlers of tests/package,
+// which are the environments in which the package must work.
 import {
   copyFileSync,
   cpSync,
@@ -13,6 +14,7 @@ import { capture, exitCode, run } from './run.mjs'
 import { NotRun, Stop } from './terminal.mjs'
 
 const project = path('.build/package')
+/** The files that determine which bundlers are installed. */
 const packageFiles = ['package.json', 'package-lock.json']
 
 /** Throws a NotRun if the registry is unreachable and the bundlers were not installed before. */
@@ -38,10 +40,10 @@ const isCurrent = (name) => read(`${project}/${name}`) === read(path('tests/pack
 async function installBundlers() {
   for (const name of packageFiles) copyFileSync(path('tests/package', name), `${project}/${name}`)
   const options = ['--ignore-scripts', '--prefer-offline', '--no-audit', '--no-fund']
-  // It takes half a minute, or an hour on a stalled network.
+  // An installation takes half a minute, but may hang on a stalled network, so each of two attempts gets five minutes.
   const install = () => exitCode('npm', ['ci', ...options], { cwd: project, timeout: 300_000 })
   if ((await install()) === 0 || (await install()) === 0) return
-  // Makes the next run try again.
+  // Without these files, the next run tries again.
   for (const name of packageFiles) rmSync(`${project}/${name}`)
   if ((await capture('npm', ['ping'], { timeout: 30_000 })) === null)
     throw new NotRun('the npm registry, which has the bundlers, cannot be reached')

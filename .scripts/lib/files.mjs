@@ -1,33 +1,34 @@
-// Lists files, and skips build steps whose files have not changed.
+// Lists files, and runs build steps only if their files have changed.
 import { createHash } from 'node:crypto'
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { good, heading, root, say, seconds } from './terminal.mjs'
 
+/** Returns the absolute path of a path in the repository. */
 export const path = (...parts) => join(fileURLToPath(root), ...parts)
 
-/** Returns all files below `folder` (relative to the repository) whose name matches, sorted, with '/' on every system. */
-export function walk(folder, matches = /./) {
+/** Returns all files below `folder` (relative to the repository) whose name matches `pattern`, sorted, with '/' on every system. */
+export function walk(folder, pattern = /./) {
   if (!existsSync(path(folder))) return []
   return readdirSync(path(folder), { withFileTypes: true })
     .flatMap((entry) => {
       const name = `${folder}/${entry.name}`
-      if (entry.isDirectory()) return walk(name, matches)
-      return matches.test(entry.name) ? [name] : []
+      if (entry.isDirectory()) return walk(name, pattern)
+      return pattern.test(entry.name) ? [name] : []
     })
     .sort()
 }
 
 /** Replaces each folder by the files in it. */
-const expand = (inputs) =>
+const expandFolders = (inputs) =>
   inputs.flatMap((input) =>
     existsSync(path(input)) && statSync(path(input)).isDirectory() ? walk(input) : [input],
   )
 
 function computeHash(inputs) {
   const hash = createHash('sha256')
-  for (const file of expand(inputs)) {
+  for (const file of expandFolders(inputs)) {
     hash.update(`${file}\0`)
     if (existsSync(path(file))) hash.update(readFileSync(path(file)))
   }
@@ -35,14 +36,14 @@ function computeHash(inputs) {
 }
 
 /**
- * Does `work` unless it was done for the same inputs and its outputs still exist. The stamp is written last, so that a failed step runs
- * again.
+ * Does `work`, unless it was already done for the same inputs and its outputs still exist. The stamp, a file with the hash of the inputs, is
+ * written last, so that a failed step runs again.
  */
 export async function step(title, { inputs, outputs, work }) {
   const stamp = path('.build/stamps', title.replace(/\W+/g, '-'))
-  const current = computeHash(inputs)
-  const previous = existsSync(stamp) && readFileSync(stamp, 'utf8')
-  if (previous === current && outputs.every((file) => existsSync(path(file)))) {
+  const hash = computeHash(inputs)
+  const previousHash = existsSync(stamp) && readFileSync(stamp, 'utf8')
+  if (previousHash === hash && outputs.every((file) => existsSync(path(file)))) {
     good(`${title}: up to date`)
     return
   }
@@ -50,7 +51,7 @@ export async function step(title, { inputs, outputs, work }) {
   const start = performance.now()
   await work()
   mkdirSync(path('.build/stamps'), { recursive: true })
-  writeFileSync(stamp, current)
+  writeFileSync(stamp, hash)
   good(`${title}: ${seconds(start)}`)
   say()
 }

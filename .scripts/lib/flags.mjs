@@ -1,6 +1,6 @@
 // The command-line flags of headless Chromium, for tests and benchmarks.
 
-const quiet = [
+const commonFlags = [
   '--no-sandbox',
   '--disable-quic',
   '--no-first-run',
@@ -11,7 +11,11 @@ const quiet = [
 ]
 
 /** Renders WebGL in software, with the same result on every machine. */
-export const softwareFlags = [...quiet, '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+export const softwareFlags = [
+  ...commonFlags,
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+]
 
 /** Composites pages on the CPU: compositing through software WebGL would cost as much again as drawing the canvases. */
 export const testFlags = [...softwareFlags, '--disable-gpu-compositing']
@@ -21,7 +25,7 @@ export const testFlags = [...softwareFlags, '--disable-gpu-compositing']
  * Without a GPU, Chromium may fall back to software or have no WebGL: check the renderer's name.
  */
 export const gpuFlags = [
-  ...quiet,
+  ...commonFlags,
   ...(process.platform === 'linux'
     ? ['--use-angle=vulkan', '--enable-features=Vulkan', '--disable-vulkan-surface']
     : []),

@@ -9,6 +9,7 @@ const file = path('.build/lock')
 /** Returns whether the process that wrote the lock still runs. */
 function isHeld() {
   try {
+    // Signal 0 only checks whether the process exists.
     return process.kill(Number(readFileSync(file, 'utf8')), 0)
   } catch {
     return false
@@ -18,15 +19,15 @@ function isHeld() {
 /** Does `work` while no other process works under this lock. */
 export async function withLock(work) {
   mkdirSync(path('.build'), { recursive: true })
-  for (let hasSaid = false; ; await setTimeout(500)) {
+  for (let hasReported = false; ; await setTimeout(500)) {
     try {
       writeFileSync(file, String(process.pid), { flag: 'wx' })
       break
     } catch (error) {
       if (error.code !== 'EEXIST') throw error
       if (!isHeld()) rmSync(file, { force: true })
-      else if (!hasSaid) say('Waiting for another build to end …')
-      hasSaid = true
+      else if (!hasReported) say('Waiting for another build to finish …')
+      hasReported = true
     }
   }
   try {

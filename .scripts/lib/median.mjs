@@ -8,12 +8,13 @@ export function time(work) {
   return performance.now() - start
 }
 
-/** Returns the median milliseconds of some runs. */
+/** Calls `work` `runs` times, and returns the median of the times in milliseconds. */
 export const medianTime = (runs, work) => median(Array.from({ length: runs }, () => time(work)))
 
 /**
- * Runs the functions of `works` in turn, so that other load on the machine slows all of them alike. Each returns milliseconds; the first
- * `warmUp` rounds are not recorded. Maps each name of `works` → the milliseconds of its `runs`.
+ * Calls the functions of the object `works` in turn, so that other load on the machine slows all of them alike. Each function returns
+ * milliseconds. Returns an object that maps each name in `works` → the milliseconds of `runs` rounds; the `warmUp` rounds before them are not
+ * recorded.
  */
 export function timesInTurn(works, runs, warmUp = 1) {
   const times = Object.fromEntries(Object.keys(works).map((name) => [name, []]))

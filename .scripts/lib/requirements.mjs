@@ -1,7 +1,7 @@
 // The programs and libraries that the project needs, how to find them, and the Debian packages that have them. CMake checks the versions
 // of compilers.
 import { existsSync, readdirSync } from 'node:fs'
-import { findBrowser, findFirefox, isUbuntu } from './browser.mjs'
+import { findBrowser, findFirefox, isUbuntu } from './find-browser.mjs'
 import { capture } from './run.mjs'
 import { findHeader, onPath } from './which.mjs'
 
@@ -12,7 +12,7 @@ const library = (name, apt, ...headers) => ({
   apt: [apt],
 })
 
-/** Ubuntu's packages of browsers start snaps, which cannot read /tmp, so playwright-core fetches one there. */
+/** On Ubuntu, playwright-core fetches the browser, because Ubuntu's packages of browsers start snaps, which cannot read /tmp. */
 const browser = (name, find, apt) =>
   isUbuntu()
     ? {
@@ -23,7 +23,7 @@ const browser = (name, find, apt) =>
       }
     : { name, find, apt: [apt] }
 
-/** Finds libFuzzer, which is in a package beside clang together with the sanitizers. */
+/** Finds libFuzzer. Debian has it in another package than clang, together with the sanitizers. */
 async function findFuzzer() {
   const folder = (await capture('clang++', ['--print-runtime-dir']))?.trim()
   const files = existsSync(folder) ? readdirSync(folder) : []

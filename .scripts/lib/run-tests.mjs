@@ -2,12 +2,12 @@
 //
 //   node run-tests.mjs 2 a.test.js b.test.js
 //
-// `node --test` would sort them by name, so that a long one could start last, and cores would wait for it.
+// `node --test` would sort the files by name: a long file could start last, and all but one core would be idle until it ends.
 import { compose } from 'node:stream'
 import { run } from 'node:test'
 import { spec } from 'node:test/reporters'
 
-/** Max milliseconds per file. No file takes that long; a file that hangs must fail rather than hide the results of the others. */
+/** Max milliseconds per file. No file takes that long, but a file that hangs must fail, so that the results of the others appear. */
 const timeout = 15 * 60_000
 
 /** Reports why a file failed although all its tests passed; `spec` only prints "test failed". */

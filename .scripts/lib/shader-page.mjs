@@ -9,7 +9,7 @@ import { quantile } from '/web/bench/statistics.js'
 Object.assign(window, { Scene, quantile })
 </script>`
 
-/** Opens the page, whose functions have the globals `Scene` and `quantile`. `server` is that of `servePages`. */
+/** Opens the page, which has the globals `Scene` and `quantile`. `server` is the result of `servePages`. */
 export async function openShaderPage(browser, server) {
   const { page } = await openPage(browser, server.page(html))
   await page.waitForFunction('window.Scene')

@@ -15,35 +15,36 @@ const budgets = {
 
 const compressible = /\.(?:html|css|js|json|svg)$/
 
-const sizeOf = (file) => {
+/** Returns the bytes of a file, compressed if servers compress such files. */
+const measureFile = (file) => {
   const bytes = readFileSync(path(file))
   return compressible.test(file) ? gzipSync(bytes, { level: 9 }).length : bytes.length
 }
 
 /** Lists the modules that a script imports statically. */
-function importsOf(text) {
+function listImports(text) {
   const { body } = parse(text, { ecmaVersion: 'latest', sourceType: 'module' })
   return body.map(({ source }) => source?.value).filter((url) => url?.startsWith('.'))
 }
 
-/** Lists the URLs that a file loads at once: neither links to other pages nor lazy images. */
-function loadedBy(file, text) {
+/** Lists the URLs that a file loads at once, without links to other pages and lazy images. */
+function listUrls(file, text) {
   const tags = [...text.matchAll(/<(?:script|link|img)\b[^>]*>/g)].map(([tag]) => tag)
   const early = tags.filter((tag) => !/loading="lazy"/.test(tag))
   return [
     ...early.map((tag) => /(?:src|href)="([^"]+)"/.exec(tag)?.[1]),
     ...[...text.matchAll(/\burl\('([^']+)'\)/g)].map(([, url]) => url),
-    ...(file.endsWith('.js') ? importsOf(text) : []),
+    ...(file.endsWith('.js') ? listImports(text) : []),
   ].filter((url) => url && !url.startsWith('data:') && !url.startsWith('http'))
 }
 
 /** Lists the files of `folder` that the page at `start` loads at once. */
-export function filesOf(folder, start) {
+export function listFiles(folder, start) {
   const files = new Set([start])
   for (const file of files) {
     if (!compressible.test(file)) continue
     const text = readFileSync(path(folder, file), 'utf8')
-    for (const url of loadedBy(file, text)) {
+    for (const url of listUrls(file, text)) {
       const target = join(dirname(file), url.split(/[?#]/)[0])
       if (existsSync(path(folder, target))) files.add(target)
       else throw new Stop(`${folder}/${file} refers to ${url}, which does not exist.`)
@@ -54,17 +55,17 @@ export function filesOf(folder, start) {
 
 /** Prints the sizes of the pages; throws if one exceeds its budget. */
 export function checkSite(folder) {
-  const over = []
+  const overBudget = []
   for (const [page, { bytes, requests }] of Object.entries(budgets)) {
-    const files = filesOf(folder, page)
-    const total = files.reduce((sum, file) => sum + sizeOf(join(folder, file)), 0)
+    const files = listFiles(folder, page)
+    const total = files.reduce((sum, file) => sum + measureFile(join(folder, file)), 0)
     say(
       `${page.padEnd(34)} ${(total / 1000).toFixed(1)} KB of ${bytes / 1000}, ${files.length} requests of ${requests}`,
     )
-    if (total > bytes || files.length > requests) over.push(page)
+    if (total > bytes || files.length > requests) overBudget.push(page)
   }
   const all = walk(folder)
   const siteSize = all.reduce((sum, file) => sum + readFileSync(path(file)).length, 0)
   say(`the whole site                     ${(siteSize / 1e6).toFixed(1)} MB, ${all.length} files`)
-  if (over.length) throw new Stop(`Over its budget: ${over.join(', ')}.`)
+  if (overBudget.length) throw new Stop(`Over budget: ${overBudget.join(', ')}.`)
 }

@@ -22,7 +22,7 @@ export const growthWarnings = (rows, before) =>
       return `Warning: ${file} grew by ${growth}%, to ${gzipped} bytes gzipped. If that is intended, \`npm run sizes\` records it.`
     })
 
-/** Prints the size of each file in bytes: raw for the disk, gzipped for the network. */
+/** Prints the size of each file in bytes, raw and gzipped, and the warnings. */
 export function reportSizes() {
   const rows = measureFiles()
   console.table(rows)
@@ -31,7 +31,7 @@ export function reportSizes() {
   )
 }
 
-/** Records the sizes that the next commits are compared with. */
+/** Records the sizes, with which the next builds are compared. */
 export function recordSizes() {
   const sizes = Object.fromEntries(measureFiles().map(({ file, gzipped }) => [file, gzipped]))
   writeFileSync(path(sizesFile), `${JSON.stringify(sizes, null, 2)}\n`)

@@ -2,8 +2,9 @@
 import { Stop } from './terminal.mjs'
 
 /**
- * Builds each config in turn. If NODE_ENV is unset, Vite sets it for its process and child processes: a build that follows a server would
- * be a development build, and a server that follows a build would serve its pages in production mode.
+ * Builds each config in turn. If NODE_ENV is unset, Vite sets it for its process and its child processes: a build that follows a server
+ * would be a development build, and a server that follows a build would serve its pages in production mode. So NODE_ENV is unset for the
+ * builds, and restored after them.
  * Throws the Stop of a plugin as it is.
  */
 export async function viteBuild(...configs) {

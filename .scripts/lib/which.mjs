@@ -15,17 +15,17 @@ const listPaths = (name) => (process.env[name] ?? '').split(delimiter).filter(Bo
 const findIn = (folders, names, isFound) =>
   names.flatMap((name) => folders.map((folder) => join(folder, name))).find(isFound)
 
-/** Returns the full path of the first of `names` on PATH, or `undefined`. */
+/** Returns the full path of the first of `names` that is a program on PATH; `undefined` if none is. */
 export const onPath = (...names) => findIn(listPaths('PATH'), names, isProgram)
 
-const includes = ['/usr', '/usr/local', '/opt/homebrew', '/opt/local'].map((prefix) =>
+const headerFolders = ['/usr', '/usr/local', '/opt/homebrew', '/opt/local'].map((prefix) =>
   join(prefix, 'include'),
 )
 
-/** Returns the path of the first of `names` among the compiler's headers, or `undefined`. */
+/** Returns the path of the first of `names` that is a header in the compiler's folders; `undefined` if none is. */
 export const findHeader = (...names) =>
   findIn(
-    [...listPaths('CPATH'), ...listPaths('CPLUS_INCLUDE_PATH'), ...includes],
+    [...listPaths('CPATH'), ...listPaths('CPLUS_INCLUDE_PATH'), ...headerFolders],
     names,
     existsSync,
   )

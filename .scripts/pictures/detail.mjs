@@ -23,20 +23,20 @@ const cases = [
   },
   {
     offset: () => ({ glsl, position }) => {
-      const loose = position.x().add(0.5)
+      const looseness = position.x().add(0.5)
       const wave = position.x().mult(11).add(position.y().mult(3)).sin()
-      return glsl.vec3(0, 0, wave.mult(loose).mult(30))
+      return glsl.vec3(0, 0, wave.mult(looseness).mult(30))
     },
     draw: () => (rotateX(-0.35), rotateY(0.5), plane(210, 140)),
   },
   {
     offset: () => warpjet.twist({ axis: 'y', length: 200, angle: 0.6 }),
     detail: { tolerance: 1, curved: true },
-    draw: () => (translate(-165, 45), rotateX(-0.3), rotateY(0.4), scale(3.4), model(pot)),
+    draw: () => (translate(-165, 45), rotateX(-0.3), rotateY(0.4), scale(3.4), model(coarseTeapot)),
   },
 ]
-const colours = ['#ff8a5b', '#43c6ac']
-let pot
+const colors = ['#ff8a5b', '#43c6ac']
+let coarseTeapot
 function setup() {
   pixelDensity(1)
   createCanvas(${size}, ${size}, WEBGL)
@@ -56,23 +56,24 @@ function draw() {
 }
 async function drawAll({ positions, normals, uvs, indices }, maxBytes) {
   const splitIntoTriples = (list) => list.flatMap((_, i) => (i % 3 ? [] : [list.slice(i, i + 3)]))
-  pot = new p5.Geometry(1, 1, function () {
+  coarseTeapot = new p5.Geometry(1, 1, function () {
     const vectors = (list) => splitIntoTriples(list).map((xyz) => new p5.Vector(...xyz))
     Object.assign(this, { vertices: vectors(positions), vertexNormals: vectors(normals), uvs })
-    Object.assign(this, { faces: splitIntoTriples(indices), gid: 'pot' })
+    Object.assign(this, { faces: splitIntoTriples(indices), gid: 'coarseTeapot' })
   })
   const sheet = Object.assign(document.createElement('canvas'), { width: 4 * width, height: 2 * height })
   const context = sheet.getContext('2d')
   for (const [column, { offset, detail = 1, draw }] of cases.entries())
     for (const [row, options] of [{}, { detail }].entries()) {
       const warp = createWarp(offset(), options)
-      scene = () => (fill(colours[row]), warp(), draw())
+      scene = () => (fill(colors[row]), warp(), draw())
       await redraw()
       context.drawImage(document.querySelector('canvas'), column * width, row * height)
     }
   for (let quality = 0.9; quality > 0.1; quality -= 0.05) {
-    const address = sheet.toDataURL('image/webp', quality)
-    if (address.length * 0.75 < maxBytes) return address.split(',')[1]
+    const dataUrl = sheet.toDataURL('image/webp', quality)
+    // Base64 has 4 characters per 3 bytes.
+    if (dataUrl.length * 0.75 < maxBytes) return dataUrl.split(',')[1]
   }
 }
 </script>`
@@ -84,8 +85,9 @@ function createCoarseTeapot() {
   return Object.fromEntries(Object.entries(mesh).map(([name, list]) => [name, [...list]]))
 }
 
-/** Returns the picture as WebP. `url` is the address of a server of the gallery. */
+/** Returns the picture as WebP. `url` is the URL of a gallery server. */
 export async function drawDetail(page, url) {
+  // Opens any file of the server, because the document that setContent writes keeps the origin from which relative script URLs resolve.
   await page.goto(`${url}recorder.js`)
   await page.setContent(html)
   await page.waitForFunction(() => window.done, null, { timeout: 240_000 })

@@ -3,7 +3,7 @@ import { Application, ReflectionKind } from 'typedoc'
 import { path } from '../lib/files.mjs'
 import { code, markdownTable } from './parts.mjs'
 
-/** Returns the text of a declaration's comment in one line. */
+/** Returns the comment of a declaration as one line. */
 const textOf = ({ comment }) =>
   comment?.summary
     .map(({ text }) => text)

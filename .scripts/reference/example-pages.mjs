@@ -5,11 +5,11 @@ import { pageOf } from '../../web/playground/document.js'
 import { hosts, threeStyle } from '../../web/playground/hosts.js'
 import { path } from '../lib/files.mjs'
 
-/** Returns the comment that explains the addresses of scripts. */
+/** Returns the comment that explains the URLs of the page's scripts. `elsewhere` is the end of its second sentence. */
 const commentOnCopies = (elsewhere) =>
   `<!-- These are this repository's copies. Elsewhere${elsewhere}. -->`
 
-/** Returns the import map of the modules that a sketch imports. All addons import three. */
+/** Returns the import map of the modules that a sketch imports, and of three, which all addons import. */
 const importsOf = (sketch) =>
   Object.fromEntries(
     Object.entries(hosts.three.modules).filter(
@@ -19,7 +19,7 @@ const importsOf = (sketch) =>
     ),
   )
 
-function exampleText({ name, title, scripts = [], background }, host) {
+function writePage({ name, title, scripts = [], background }, host) {
   if (host !== 'three')
     return pageOf(
       { host: 'p5', chosen: scripts },
@@ -42,13 +42,13 @@ function exampleText({ name, title, scripts = [], background }, host) {
   )
 }
 
-/** Maps the path of each page → its text. */
+/** Maps the path of each page → its HTML. */
 export const examplePages = () =>
   Object.fromEntries(
     sections.flatMap(({ examples, scripts, host }) =>
       examples.map((example) => [
         `examples/${example.name}/index.html`,
-        exampleText({ scripts, ...example }, host),
+        writePage({ scripts, ...example }, host),
       ]),
     ),
   )

@@ -9,8 +9,9 @@ const infiniteAtZero = 'At 0, value and derivative are infinite.'
 
 /**
  * Maps each operation → its row:
- * - `value`, and `by`, the derivative with respect to each operand, as JavaScript. `where` defines terms that several of them share.
- * - `plot`: the call that is plotted, and the range of x. Default: `x.name()` from -3 to 3, for operations of one operand.
+ * - `value` and `by`: JavaScript expressions of the value and of its derivatives with respect to each operand. `where` defines terms that
+ *   several of these expressions share.
+ * - `plot`: the call that is plotted, and the range of x. Default call, for operations of one operand: `x.name()`. Default range: -3 to 3.
  * - `remark`: what warpjet returns as derivative where the function is not differentiable.
  */
 export const formulas = {

@@ -1,7 +1,9 @@
-// Writes the tables of web/docs/identities.md. Each row is a row of src/graph/identities.hpp.
+// Writes the tables of web/docs/identities.md. Each row is an identity of src/graph/identities.hpp or,
+// in the table `turns`, of src/graph/rotations.hpp.
 import { Stop } from '../lib/terminal.mjs'
 import { code, markdownTable } from './parts.mjs'
 
+/** Maps the heading of each table → the operations whose identities it has. */
 const headings = {
   'Minus and not': ['neg', 'not'],
   Sums: ['add'],
@@ -23,16 +25,16 @@ const precisions = {
 export function identityParts({ identities, turns }) {
   const groups = Object.entries(headings).map(([heading, operations]) => {
     const rows = identities.filter(({ operation }) => operations.includes(operation))
-    return `## ${heading}\n\n${table(rows)}`
+    return `## ${heading}\n\n${writeTable(rows)}`
   })
-  const listed = Object.values(headings).flat()
-  const missing = identities.filter(({ operation }) => !listed.includes(operation))
+  const listedOperations = Object.values(headings).flat()
+  const missing = identities.filter(({ operation }) => !listedOperations.includes(operation))
   if (missing.length)
     throw new Stop(`.scripts/reference/identities.mjs needs a heading for ${missing[0].operation}.`)
-  return { identities: groups.join('\n\n'), turns: table(turns) }
+  return { identities: groups.join('\n\n'), turns: writeTable(turns) }
 }
 
-const table = (rows) =>
+const writeTable = (rows) =>
   markdownTable(
     ['this', 'becomes', 'if', 'which keeps'],
     rows.map(({ from, to, when, ...keeps }) => [

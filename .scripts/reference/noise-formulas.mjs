@@ -1,10 +1,13 @@
 // The formulas of noise and its derivatives, for web/docs/plots-vectors.md, in the notation of vector-formulas.mjs.
-// tests/core/noise-formulas.test.js compares them with plain noise in double.
+// tests/core/noise-formulas.test.js compares them with noise that plain JavaScript computes in double precision.
 
 const octaves =
   'Over the octaves k, from 0 on: gₖ is gain to the power of k, nₖ the noise at lacunarity to the power of k times p, shifted a little, and dnₖ its derivative'
 
-/** Maps each noise → { value, derivative, symbols, remark, call, from, to }. */
+/**
+ * Maps each noise → { value, derivative, symbols, remark, call, from, to }. `symbols` explains the letters of the formulas; the other fields
+ * are as in vector-formulas.mjs, but `from` and `to` are 0 and 6 by default.
+ */
 export const noiseFormulas = {
   noise: {
     value: 's Σ wₖ (gₖ · oₖ)',

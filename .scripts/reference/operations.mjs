@@ -1,8 +1,8 @@
-// The tables of web/docs/operations.md, one per group of operations.
+// Writes the tables of web/docs/operations.md, one per group of operations.
 import { Stop } from '../lib/terminal.mjs'
 import { code, markdownTable } from './parts.mjs'
 
-/** Returns the generated parts of the page. `page` is its text, which must mention every operation. */
+/** Returns the generated parts of the page. `page` is the text of the page, which must mention the operations in `others`. */
 export function operationParts({ operations, aliases, others, headings }, page) {
   const missing = others.filter((name) => !page.includes(`${name}(`))
   if (missing.length) throw new Stop(`web/docs/operations.md lacks ${missing.join(', ')}.`)
@@ -25,9 +25,9 @@ function writeGroup(heading, operations) {
     ['method', (operation) => code(methodForm(operation))],
     ['what it is', ({ meaning }) => meaning],
   ]
-  if (!operations.every(isByComponent)) columns.push(['operands → result', typesOf])
+  if (!operations.every(isByComponent)) columns.push(['operands → result', writeTypes])
   if (operations.some(({ missingIn }) => missingIn.length))
-    columns.push(['lowered in', ({ missingIn }) => languages(missingIn)])
+    columns.push(['lowered in', ({ missingIn }) => listLanguages(missingIn)])
   const table = markdownTable(
     columns.map(([head]) => head),
     operations.map((operation) => columns.map(([, cell]) => cell(operation))),
@@ -46,11 +46,12 @@ function methodForm(operation) {
   return `${receiver}.${operation.name}(${others.join(', ')}${furtherOperands(operation)})`
 }
 
-function typesOf({ kinds, result }) {
+function writeTypes({ kinds, result }) {
   return `${kinds.join(', ')} → ${result}`
 }
 
-const languages = (names) => (names.length === 3 ? 'all' : names.map(code).join(', '))
+/** There are three shading languages. */
+const listLanguages = (names) => (names.length === 3 ? 'all' : names.map(code).join(', '))
 
 /** Maps a heading → the note below its table. */
 const notes = {

@@ -1,4 +1,4 @@
-// The generated parts of hand-written pages: a part is between `<!-- name -->` and `<!-- end of name -->`.
+// Writes the generated parts of pages that are otherwise written by hand. A part is between `<!-- name -->` and `<!-- end of name -->`.
 import { readFileSync } from 'node:fs'
 import { path } from '../lib/files.mjs'
 import { Stop } from '../lib/terminal.mjs'
@@ -21,10 +21,11 @@ export async function formatAs(file, text) {
   return format(text, { ...(await resolveConfig(path(file))), filepath: path(file) })
 }
 
+/** Returns Markdown for code in a line. */
 export const code = (text) => `\`${text}\``
 
-/** Ends a description with a full stop, unless it has an end. */
-export const sentence = (text) => (/[.!]$/.test(text) ? text : `${text}.`)
+/** Ends a description with a full stop, unless it ends with a full stop or an exclamation mark. */
+export const endSentence = (text) => (/[.!]$/.test(text) ? text : `${text}.`)
 
 /** Returns rows of cells as a Markdown table. The columns after the first are aligned to the right if `isNumeric`. */
 export const markdownTable = (head, rows, isNumeric = false) =>

@@ -1,11 +1,11 @@
 // The sections of web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, with formulas, plots and code.
 import { Stop } from '../lib/terminal.mjs'
 import { noiseFormulas } from './noise-formulas.mjs'
-import { code, sentence } from './parts.mjs'
+import { code, endSentence } from './parts.mjs'
 import { plotAndCode } from './plots.mjs'
 import { vectorFormulas } from './vector-formulas.mjs'
 
-/** Products of matrices and vectors. The table of operations has them only as `mult` of numbers. */
+/** Maps each product of matrices and vectors → its meaning. The C++ table of operations has `mult` only for numbers. */
 const products = {
   'mult(A, B)': 'The product of two matrices.',
   'mult(A, v)': 'A matrix times a column.',
@@ -13,7 +13,8 @@ const products = {
 }
 
 /**
- * Operations that are derivatives. Those without a row in vector-formulas.mjs have no formula; a sentence describes their own derivatives.
+ * Maps each operation that returns a derivative → { text, plot, line }. `text` describes the operation and its own derivative, if it has no
+ * row in vector-formulas.mjs; `plot` is the expression that is plotted, and the range of x; `line` is the body of the example.
  */
 const derivatives = {
   derivative: {
@@ -43,7 +44,7 @@ return bump.adjustTangent(glsl.vec3(1, 0, 0), facing, position).mult(0.3)`,
   },
 }
 
-/** Returns a sentence with the formula of an operation and that of its derivative. */
+/** Returns the formula of an operation and that of its derivative, in sentences. */
 function formulaText({ form, value, derivative, where = {} }) {
   const isUsed = (name) => RegExp(`(?<![A-Za-z])${name}(?![A-Za-z])`, 'u').test(derivative)
   const parts = Object.entries(where).map(([name, text]) => code(`${name} = ${text}`))
@@ -57,7 +58,7 @@ function formulaText({ form, value, derivative, where = {} }) {
 function vectorSection(title, meaning) {
   const formula = vectorFormulas[title]
   const { remark, call, from = -3, to = 3 } = formula
-  const text = [sentence(meaning), remark].filter(Boolean).join(' ')
+  const text = [endSentence(meaning), remark].filter(Boolean).join(' ')
   return `### ${title}\n\n${text}\n\n${formulaText(formula)}\n\n${plotAndCode(call, from, to)}`
 }
 
@@ -68,7 +69,7 @@ function derivativeSection({ name, meaning }) {
   const plotComment = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
   return `### ${name}
 
-${sentence(meaning)}
+${endSentence(meaning)}
 
 ${text}
 
@@ -87,7 +88,7 @@ function noiseSection(name) {
   return `### ${name}\n\n${[text, remark].filter(Boolean).join(' ')}\n\n${plotAndCode(call, from, to)}`
 }
 
-/** Throws if a name has no row in the table of that file. */
+/** Throws if a name has no row in `table`, which is in `file`. */
 function checkRows(file, table, names) {
   const missing = names.filter((name) => !(name in table))
   if (missing.length)

@@ -2,9 +2,9 @@
 // runs. The site draws the plots (web/site/plot.js) from the values that warpjet computes.
 import { Stop } from '../lib/terminal.mjs'
 import { formulas } from './formulas.mjs'
-import { code, sentence } from './parts.mjs'
+import { code, endSentence } from './parts.mjs'
 
-const isNumeric = ({ kinds, result }) =>
+const worksOnNumbers = ({ kinds, result }) =>
   [...kinds, result].every((kind) => kind === 'number or vector')
 
 /** Returns Markdown for the plot of a call, and code of a warp that uses the call. */
@@ -20,7 +20,7 @@ createWarp(({ glsl, position }) => {
 \`\`\`
 `
 
-/** Returns the sentence with the value and the derivatives of a row of `formulas`. */
+/** Returns two sentences: the value and the derivatives of a row of `formulas`. */
 function formulaText({ value, by, where = {} }, operands) {
   const parts = Object.entries(where).map(([name, text]) => `, where ${name} is ${code(text)}`)
   const derivatives = by.map((text, i) =>
@@ -38,7 +38,7 @@ function writeSection(operation) {
   const title = titleOf(operation)
   const formula = formulas[title]
   const [call, from = -3, to = 3] = formula.plot ?? [`x.${name}()`]
-  const text = [sentence(meaning), formula.remark].filter(Boolean).join(' ')
+  const text = [endSentence(meaning), formula.remark].filter(Boolean).join(' ')
   return `### ${title}
 
 ${text}
@@ -48,7 +48,7 @@ ${formulaText(formula, operands)}
 ${plotAndCode(call, from, to)}`
 }
 
-/** Throws if an operation has no row in formulas.mjs, or an incomplete one. */
+/** Throws if an operation has no row in formulas.mjs, or an incomplete row. */
 function checkFormulas(operations) {
   const missing = operations.filter((operation) => {
     const { by, plot } = formulas[titleOf(operation)] ?? {}
@@ -62,11 +62,11 @@ function checkFormulas(operations) {
 }
 
 export function plotParts({ operations, headings }) {
-  const numeric = operations.filter(isNumeric)
-  checkFormulas(numeric)
+  const onNumbers = operations.filter(worksOnNumbers)
+  checkFormulas(onNumbers)
   const groups = headings
     .map((heading) => {
-      const inGroup = numeric.filter((operation) => operation.heading === heading)
+      const inGroup = onNumbers.filter((operation) => operation.heading === heading)
       return inGroup.length && `## ${heading}\n\n${inGroup.map(writeSection).join('\n')}`
     })
     .filter(Boolean)

@@ -34,7 +34,7 @@ Json array(const List& items, Write write) {
   return list;
 }
 
-// Lists the languages that lack this operation: there it is lowered to others.
+// Lists the languages that lack this operation. In these, it is lowered to other operations.
 Json missingIn(Op op) {
   std::vector<std::string_view> names;
   for (const Dialect* dialect : dialects()) {
@@ -43,7 +43,8 @@ Json missingIn(Op op) {
   return names;
 }
 
-// Describes an operation in the same way as a composition. The name `atan` has two forms.
+// Describes an operation with the same keys as `composition`. `kinds` has a letter per operand, see
+// Kind. atan2 is the form of `atan` with two operands.
 Json row(const ops::Title& title, Op op) {
   const ops::Declaration& info = ops::declaration(op);
   const bool isAtan2 = title.name == "atan2";

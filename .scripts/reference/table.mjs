@@ -5,7 +5,7 @@ import { path } from '../lib/files.mjs'
 import { capture } from '../lib/run.mjs'
 import { Stop } from '../lib/terminal.mjs'
 
-/** The letters of `Kind` in src/builder/compositions.hpp. */
+/** Maps the letters of `Kind` in src/builder/compositions.hpp → the names of kinds in the docs. */
 const kinds = {
   s: 'number',
   v: 'vector',
@@ -30,7 +30,7 @@ const namesIn = (files, pattern) =>
     [...readFileSync(path(file), 'utf8').matchAll(pattern)].map(([, name]) => name),
   )
 
-/** Throws if an operation lacks a row. The compiler finds that too, but cannot name the operation. */
+/** Throws if an operation lacks a row. The C++ compiler would reject that, too, but without the name of the operation. */
 function checkRows() {
   const declared = namesIn(['src/ops/declarations.hpp'], /^ {4}\w+\("(\w+)"/gm)
   for (const [files, pattern] of [
@@ -48,7 +48,7 @@ export async function readTable() {
   await cmakeBuild('native', 'warpjet_table')
   const text = await capture(path('.build/native/warpjet_table'), [])
   if (text === null) throw new Stop('.build/native/warpjet_table does not run.')
-  return arrange(JSON.parse(text))
+  return arrangeTables(JSON.parse(text))
 }
 
 /**
@@ -56,7 +56,8 @@ export async function readTable() {
  * result, meaning, isChained, takesMatrices, missingIn, heading }. `others` are the names of functions that compose vectors and matrices
  * or take them apart.
  */
-function arrange({ rows, compositions, headings, ...others }) {
+function arrangeTables({ rows, compositions, headings, ...otherTables }) {
+  // Maps the first operation under a heading → the heading.
   const unusedHeadings = new Map(headings.map(({ text, first }) => [first, text]))
   let heading
   const operations = [...rows, ...compositions]
@@ -73,6 +74,8 @@ function arrange({ rows, compositions, headings, ...others }) {
       }
     })
   if (unusedHeadings.size || !operations[0].heading)
-    throw new Stop('The headings in src/builder/operations.hpp do not fit the tables.')
-  return { ...others, operations, headings: [...new Set(headings.map(({ text }) => text))] }
+    throw new Stop(
+      'Expected each heading in src/builder/operations.hpp to name the first operation under it, and a heading for the first operation.',
+    )
+  return { ...otherTables, operations, headings: [...new Set(headings.map(({ text }) => text))] }
 }

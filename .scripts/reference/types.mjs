@@ -1,6 +1,6 @@
 // Writes js-bindings/core/types/methods.ts: every operation as a method of its first operand and as a function of the builder.
 
-// Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
+// Each signature is written as a method with its own comment. (An editor shows no comment for a property whose type has several signatures.)
 
 /**
  * The signatures of `mult` as a method of a number and as a function of the builder. A vector times square matrices is a vector.
@@ -23,7 +23,7 @@ const quotientSignatures = [
   '<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value',
 ]
 
-/** Maps an operation that the general rules do not cover → its signatures, by receiver. */
+/** Maps each operation that the general rules do not cover → its signatures in the interfaces with that name as `special`. */
 const specialSignatures = {
   mult: {
     scalar: productSignatures,
@@ -47,13 +47,14 @@ const specialSignatures = {
 }
 
 /**
- * Methods of vectors that also accept a vector as separate numbers, like p5.Vector's. Maps each → the number of operands after the vector.
+ * The methods of vectors that also accept separate numbers in place of a vector, like those of p5.Vector. Maps each name → the number of
+ * operands after the vector.
  */
 const operandsAfterVector = { mod: 0, dot: 0, cross: 0, dist: 0, distance: 0, mix: 1 }
 
 /**
- * Returns the signature for a vector or separate numbers. It is one, because TypeScript allows a call on a union of vectors only without
- * overloads.
+ * Writes one signature for a vector or separate numbers. Two overloads would not do: TypeScript allows a call on a union of vectors only if
+ * the method has no overloads.
  */
 const vectorOrNumbersSignature = (self) => (operation) => {
   const [signature] = methodSignatures(self)(operation)
@@ -64,10 +65,13 @@ const vectorOrNumbersSignature = (self) => (operation) => {
 }
 
 const isComponentwise = ({ kinds }) => kinds.every((kind) => kind === 'number or vector')
-const isOfSeveral = (operation) =>
+const hasSeveralOperands = (operation) =>
   isComponentwise(operation) && (operation.kinds.length > 1 || operation.isOptional)
 
-/** The interfaces: the operations that each contains, how it writes their signatures, and its name in `specialSignatures`. */
+/**
+ * The interfaces. `contains` selects the operations of an interface, `signaturesOf` writes the signatures of an operation, and `special` is
+ * the name of the interface in `specialSignatures`.
+ */
 const interfaces = [
   {
     head: 'AnyMethods<Self>',
@@ -78,13 +82,13 @@ const interfaces = [
   {
     head: 'ComponentMethods<Self> extends AnyMethods<Self>',
     description: 'Of numbers and vectors, by component.',
-    contains: (operation) => isComponentwise(operation) && !isOfSeveral(operation),
+    contains: (operation) => isComponentwise(operation) && !hasSeveralOperands(operation),
     signaturesOf: methodSignatures('Self'),
   },
   {
     head: 'ScalarMethods extends ComponentMethods<Scalar>',
     description: 'Of numbers. A vector and a number give a vector.',
-    contains: (operation) => operation.kinds[0] === 'number' || isOfSeveral(operation),
+    contains: (operation) => operation.kinds[0] === 'number' || hasSeveralOperands(operation),
     special: 'scalar',
     signaturesOf: (operation) =>
       isComponentwise(operation)
@@ -94,7 +98,7 @@ const interfaces = [
   {
     head: 'VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self>',
     description: 'Of vectors. A number is used for each component.',
-    contains: (operation) => operation.kinds[0] === 'vector' || isOfSeveral(operation),
+    contains: (operation) => operation.kinds[0] === 'vector' || hasSeveralOperands(operation),
     special: 'vector',
     signaturesOf: vectorOrNumbersSignature('Self'),
   },
@@ -138,7 +142,7 @@ import type {
   AnyMatrix, Expression, Mat2, Mat3, Mat4, Operand, Scalar, Vec2, Vec3, Vec4, Vector,
 } from './types.js'
 
-${interfaces.map((each) => interfaceText(each, all.filter(each.contains))).join('\n')}`
+${interfaces.map((each) => writeInterface(each, all.filter(each.contains))).join('\n')}`
 }
 
 /** Merges operations of the same name into one with optional operands. */
@@ -156,8 +160,8 @@ function resolveAlias({ name, original }, operations) {
   return { ...operation, name, forms: [{ ...operation, meaning }] }
 }
 
-function interfaceText(each, operations) {
-  const { head, description, special, signaturesOf, commentOf = methodComment } = each
+function writeInterface(definition, operations) {
+  const { head, description, special, signaturesOf, commentOf = methodComment } = definition
   const members = operations.flatMap((operation) => {
     const signatures = specialSignatures[operation.base]?.[special] ?? signaturesOf(operation)
     return signatures.map((signature) => `${commentOf(operation)}${operation.name}${signature}\n`)
@@ -190,7 +194,7 @@ const comment = (text) =>
     ? `/** ${text} */\n`
     : `/**\n${text.replace(/(.{1,92})(?: |$)/g, ' * $1\n')} */\n`
 
-/** Lists the parameters of a signature, for the operands from index `first`. `typeOf` maps the kind of an operand → its type. */
+/** Writes the parameters of a signature, for the operands from index `first` on. `typeOf` maps the kind of an operand → its type. */
 function listParameters(operation, first, typeOf, restName = 'others') {
   const { operands, kinds, isChained, isOptional } = operation
   if (isChained) return `...${restName}: (${typeOf(kinds[0])})[]`
@@ -202,19 +206,19 @@ function listParameters(operation, first, typeOf, restName = 'others') {
 }
 
 /**
- * Returns the signatures of a componentwise operation, for the operands from index `first`: numbers give a number; otherwise the result is a
- * vector, or a matrix if the operation takes them, of the size of the operands.
+ * Writes the signatures of a componentwise operation, for the operands from index `first` on. The result of numbers is a number. If an
+ * operand is a vector, or a matrix where the operation takes matrices, the result has the type of this operand.
  */
 function componentwiseSignatures(operation, first) {
   const listOf = (type) => listParameters(operation, first, () => type, 'operands')
-  const wide = operation.takesMatrices ? 'Expression' : 'Scalar | Vector'
+  const widestType = operation.takesMatrices ? 'Expression' : 'Scalar | Vector'
   return [
     `(${listOf('Operand')}): Scalar`,
-    `<Value extends ${wide}>(${listOf('Value | Operand')}): Value`,
+    `<Value extends ${widestType}>(${listOf('Value | Operand')}): Value`,
   ]
 }
 
-/** Maps the kinds of one type → that type, and the other kinds → the bound of a type parameter. */
+/** Maps each kind whose values have only one type → that type. */
 const fixedTypes = {
   number: 'Operand',
   vec3: 'Vec3',
@@ -222,6 +226,7 @@ const fixedTypes = {
   input: 'Scalar',
   'vec3 of inputs': 'Vec3',
 }
+/** Maps each other kind → the bound of its type parameter. */
 const bounds = {
   vector: 'Vector',
   'square matrix': 'Mat2 | Mat3 | Mat4',

@@ -1,4 +1,5 @@
-// The formulas of operations on vectors and matrices and of their derivatives, in the notation of textbooks, for `web/docs/plots-vectors.md`.
+// Formulas of operations on vectors and matrices, and of the derivatives of these operations, in the notation of textbooks, for
+// web/docs/plots-vectors.md.
 // tests/core/vector-formulas.test.js parses these formulas, compares each derivative with finite differences of its value, and
 // compares values and derivatives with those of warpjet. `da` is the differential of `a`.
 
@@ -9,8 +10,8 @@ const distance = {
   remark: 'Where a = b, the derivative is 0.',
 }
 
-/** Makes the formulas of a rotation of v by φ about `axis`. */
-const rotation = (name, axis, value) => ({
+/** Returns the row of a rotation of v by φ about `axis`. */
+const createRotation = (name, axis, value) => ({
   form: `${name}(φ) v`,
   value,
   derivative: `${name}(φ) dv + dφ (e × w)`,
@@ -20,7 +21,7 @@ const rotation = (name, axis, value) => ({
 /**
  * Maps each title → its formulas:
  * - `form`: the operation, with a letter for each operand.
- * - `value` and `derivative`. In `derivative`, `w` is the value. `where` defines terms of either.
+ * - `value` and `derivative`. In `derivative`, `w` is the value. `where` defines terms of both formulas.
  * - `remark`: what warpjet returns as derivative where the function is not differentiable, and other remarks.
  * - `call`, `from` and `to`: the expression that is plotted, and the range of x.
  */
@@ -112,15 +113,15 @@ export const vectorFormulas = {
     call: 'glsl.mat2(x, 1, -1, x).inverse().column(0).x()',
   },
   rotateX: {
-    ...rotation('rotateX', '(1, 0, 0)', '(v₁, v₂ cos(φ) − v₃ sin(φ), v₂ sin(φ) + v₃ cos(φ))'),
+    ...createRotation('rotateX', '(1, 0, 0)', '(v₁, v₂ cos(φ) − v₃ sin(φ), v₂ sin(φ) + v₃ cos(φ))'),
     call: 'glsl.rotateX(x).mult(glsl.vec3(0, 1, 0)).z()',
   },
   rotateY: {
-    ...rotation('rotateY', '(0, 1, 0)', '(v₁ cos(φ) + v₃ sin(φ), v₂, v₃ cos(φ) − v₁ sin(φ))'),
+    ...createRotation('rotateY', '(0, 1, 0)', '(v₁ cos(φ) + v₃ sin(φ), v₂, v₃ cos(φ) − v₁ sin(φ))'),
     call: 'glsl.rotateY(x).mult(glsl.vec3(0, 0, 1)).x()',
   },
   rotateZ: {
-    ...rotation('rotateZ', '(0, 0, 1)', '(v₁ cos(φ) − v₂ sin(φ), v₁ sin(φ) + v₂ cos(φ), v₃)'),
+    ...createRotation('rotateZ', '(0, 0, 1)', '(v₁ cos(φ) − v₂ sin(φ), v₁ sin(φ) + v₂ cos(φ), v₃)'),
     call: 'glsl.rotateZ(x).mult(glsl.vec3(1, 0, 0)).y()',
   },
   rotate: {

@@ -6,7 +6,8 @@ import { openPipelines } from '../../tests/support/browser/pipelines.js'
 import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
-const dialects = ['CPU', 'glsl300', 'glsl100', 'wgsl']
+/** The processor or shading language in which operations run. */
+const targets = ['CPU', 'glsl300', 'glsl100', 'wgsl']
 
 const format = (error) => (error ? error.toExponential(0) : '0')
 const unique = (texts) => [...new Set(texts)].join('; ')
@@ -23,7 +24,7 @@ export async function measure() {
   const bounds = [...new Set(cases.map(({ tolerance }) => tolerance))]
   return {
     operations: markdownTable(
-      ['operation', ...dialects, 'points', 'derivatives', 'left out', 'in proportion to'],
+      ['operation', ...targets, 'points', 'derivatives', 'left out', 'in proportion to'],
       rows,
     ),
     bounds: markdownTable(
@@ -33,22 +34,23 @@ export async function measure() {
   }
 }
 
-function measureIn(dialect, operation, pipelines) {
-  const isCpu = dialect === 'CPU'
-  const program = programOf(operation, isCpu ? 'glsl300' : dialect)
+function measureIn(target, operation, pipelines) {
+  const isCpu = target === 'CPU'
+  const program = programOf(operation, isCpu ? 'glsl300' : target)
   return measureOperation(operation, (points) =>
-    isCpu ? runOnCpu(program, points) : pipelines.run(dialect, program, points),
+    isCpu ? runOnCpu(program, points) : pipelines.run(target, program, points),
   )
 }
 
 async function measureRow(name, group, pipelines) {
   const cells = [`\`${name}\``]
+  // After the loop: the results in the last target, from which the row's counts are.
   let measured
-  for (const dialect of dialects) {
+  for (const target of targets) {
     measured = []
     for (const operation of group)
-      if (dialect !== 'CPU' || !operation.inShaders)
-        measured.push(await measureIn(dialect, operation, pipelines))
+      if (target !== 'CPU' || !operation.inShaders)
+        measured.push(await measureIn(target, operation, pipelines))
     const maxError = (kind) => format(Math.max(...measured.map((result) => result[kind].error)))
     cells.push(measured.length ? `${maxError('value')}, ${maxError('derivative')}` : '–')
   }

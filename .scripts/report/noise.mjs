@@ -8,28 +8,32 @@ import { markdownTable } from '../reference/parts.mjs'
 
 const kinds = ['noise', 'simplex', 'valueNoise', 'worley', 'fbm', 'ridged', 'turbulence']
 
+/** The side of a tile, and the gap between tiles, in pixels. */
 const tile = 150
 const gap = 6
-/** Cells along the side of a tile. */
+/** The side of a tile is as long as this many cells of noise. */
 const cells = 6
 
-/** Evaluates a noise at many points at once, through a warp that moves points by the noise; returns { values, slopes }. */
+/**
+ * Evaluates a noise at many points at once. One warp moves the points along x by the noise, another by its gradient. Returns
+ * { values, slopes }, where a slope is the length of a gradient.
+ */
 function sample(kind, dimensions, points) {
   const value = ({ glsl, position }) => {
     const p = [position.x(), position.xy(), position][dimensions - 1]
     return kind === 'worley' ? glsl[kind](p).x() : glsl[kind](p)
   }
-  const warp = (derive) =>
+  const compileNoise = (isGradient) =>
     compileWarp(
       (inputs) => {
         const height = value(inputs)
         const { glsl, position } = inputs
-        return derive ? glsl.gradient(height, position) : glsl.vec3(height, 0, 0)
+        return isGradient ? glsl.gradient(height, position) : glsl.vec3(height, 0, 0)
       },
       { normals: false },
     )
-  const moved = warp(false).evaluate({ positions: points }).positions
-  const derived = warp(true).evaluate({ positions: points }).positions
+  const moved = compileNoise(false).evaluate({ positions: points }).positions
+  const derived = compileNoise(true).evaluate({ positions: points }).positions
   const count = points.length / 3
   const slope = (i) => Math.hypot(...[0, 1, 2].map((k) => derived[3 * i + k] - points[3 * i + k]))
   return {
@@ -50,9 +54,12 @@ function drawPicture() {
   const bytes = new Uint8Array(width * height).fill(255)
   for (const [column, kind] of kinds.entries()) {
     const { values, slopes } = sample(kind, 3, pixels)
-    const signed = ['noise', 'simplex', 'valueNoise', 'fbm'].includes(kind)
-    const gray = [(i) => (signed ? 0.5 + 0.6 * values[i] : values[i]), (i) => slopes[i] / 4]
-    for (const [row, brightness] of gray.entries())
+    const isSigned = ['noise', 'simplex', 'valueNoise', 'fbm'].includes(kind)
+    const brightnesses = [
+      (i) => (isSigned ? 0.5 + 0.6 * values[i] : values[i]),
+      (i) => slopes[i] / 4,
+    ]
+    for (const [row, brightness] of brightnesses.entries())
       for (let i = 0; i < tile * tile; i++) {
         const x = column * (tile + gap) + (i % tile)
         const y = row * (tile + gap) + Math.floor(i / tile)

@@ -1,6 +1,8 @@
-// Measures normals at pixels: their angles to the exact normals on p5's sphere; by how much the light of coarse spheres in p5, with normals
-// at vertices and at pixels, differs from that of a sphere of two million triangles; and that of the coarsest sphere with the option
-// `detail` and curved triangles. Also draws the two pictures of the slider in web/docs/normals.md.
+// Measures normals at vertices and at pixels, for web/docs/normals.md:
+// - the angles to the exact normals on p5's sphere;
+// - how much pictures of coarse spheres in p5 differ from a picture of a sphere of two million triangles;
+// - the same difference for the coarsest sphere with the option `detail` and curved triangles.
+// Also draws the two pictures of the slider in web/docs/normals.md.
 import assert from 'node:assert/strict'
 import { writeFileSync } from 'node:fs'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
@@ -23,21 +25,21 @@ const warps = {
     position.x().mult(2).add(1.7).sin().mult(0.08))`,
 }
 
-/** Rotations about x and y. */
+/** The rotations of the sphere about x and y, in radians. */
 const views = [
   [0.5, 0.4],
   [-0.4, 2.2],
 ]
 
-/** Subdivisions with 2,000 triangles, and with 4, 16 and 64 times as many. */
+/** [columns, rows] of spheres with 2,000 triangles, and with 4, 16 and 64 times as many. */
 const coarse = [40, 25]
 const meshes = [coarse, [80, 50], [160, 100], [320, 200]]
 /** Two million triangles. */
 const reference = [1600, 625]
 
-const countOf = ([columns, rows]) => (2 * columns * rows).toLocaleString('en-US')
+const formatTriangleCount = ([columns, rows]) => (2 * columns * rows).toLocaleString('en-US')
 
-/** The outline consists of the pixels within this distance of the edge of the sphere. */
+/** The outline consists of the pixels within this distance of the edge of the sphere, in pixels along x and y. */
 const margin = 2
 
 const html = `<!doctype html><meta charset="utf-8"><body>
@@ -63,7 +65,7 @@ WebGL2RenderingContext.prototype.drawElements = function (mode, count, ...others
   triangles = Math.max(triangles, count / 3)
   return drawElements.call(this, mode, count, ...others)
 }
-function ball(offset, options, [columns, rows], [aboutX, aboutY]) {
+function drawSphere(offset, options, [columns, rows], [aboutX, aboutY]) {
   push()
   noStroke()
   lights()
@@ -77,9 +79,9 @@ function ball(offset, options, [columns, rows], [aboutX, aboutY]) {
   sphere(200, columns, rows)
   pop()
 }
-/** Returns the number of triangles. */
-async function drawBall(...args) {
-  scene = () => ball(...args)
+/** Draws a warped sphere in a picture of its own, and returns the number of its triangles. */
+async function drawPicture(...args) {
+  scene = () => drawSphere(...args)
   triangles = 0
   await redraw()
   return triangles
@@ -94,16 +96,16 @@ async function drawPair([left, right], ...args) {
     for (const [offset, x] of [[left, -1], [right, 1]]) {
       push()
       translate((x * width) / 4.2, 0)
-      ball(offset, ...args)
+      drawSphere(offset, ...args)
       pop()
     }
   }
   await redraw()
-  const address = document.querySelector('canvas').toDataURL('image/webp', 0.85)
+  const dataUrl = document.querySelector('canvas').toDataURL('image/webp', 0.85)
   resizeCanvas(width / 2, height)
   setAttributes({ antialias: false })
   for (const each in warps) delete warps[each]
-  return address.split(',')[1]
+  return dataUrl.split(',')[1]
 }
 </script>`
 
@@ -123,16 +125,16 @@ function regionsOf(images) {
 }
 
 /** Returns the mean difference of two pictures at these pixels, on a scale from 0 to 255. */
-function differenceOf(image, other, pixels) {
-  const colours = pixels.flatMap((i) => [4 * i, 4 * i + 1, 4 * i + 2])
-  const sum = colours.reduce((total, k) => total + Math.abs(image.data[k] - other.data[k]), 0)
-  return sum / colours.length
+function meanDifference(image, other, pixels) {
+  const components = pixels.flatMap((i) => [4 * i, 4 * i + 1, 4 * i + 2])
+  const sum = components.reduce((total, k) => total + Math.abs(image.data[k] - other.data[k]), 0)
+  return sum / components.length
 }
 
 async function measureView(page, name, view) {
   const draw = async (options, mesh) => {
     const args = [warps[name], options, mesh, view]
-    const triangles = await page.evaluate((args) => drawBall(...args), args)
+    const triangles = await page.evaluate((args) => drawPicture(...args), args)
     return { ...(await readPixels(page)), triangles }
   }
   const exact = await draw({ normals: 'vertex' }, reference)
@@ -144,9 +146,9 @@ async function measureView(page, name, view) {
   const { inside, outline } = regionsOf([exact, ...images.vertex, ...images.pixel, detailed])
   const differences = (pixels) => ({
     pairs: meshes.map((_, i) =>
-      ['vertex', 'pixel'].map((normals) => differenceOf(images[normals][i], exact, pixels)),
+      ['vertex', 'pixel'].map((normals) => meanDifference(images[normals][i], exact, pixels)),
     ),
-    detailed: differenceOf(detailed, exact, pixels),
+    detailed: meanDifference(detailed, exact, pixels),
     triangles: detailed.triangles,
   })
   say(`${name}: ${inside.length} pixels inside, ${outline.length} at the outline`)
@@ -184,7 +186,11 @@ export async function measure() {
   await browser.close()
   await server.close()
   assert.deepEqual(messages, [])
-  const head = ['triangles', ...meshes.map(countOf), `${countOf(coarse)}, \`detail\``]
+  const head = [
+    'triangles',
+    ...meshes.map(formatTriangleCount),
+    `${formatTriangleCount(coarse)}, \`detail\``,
+  ]
   return {
     angles: measureAngles(),
     light: markdownTable(head, rows.inside, true),

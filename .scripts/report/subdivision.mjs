@@ -9,16 +9,17 @@ import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
 const levels = [1, 2, 3, 4, 5, 6]
-/** The main table shows the first level whose error is at most this fraction of the mesh's length. */
+/** The main table shows the first level whose error is no larger than this fraction of the mesh's size. */
 const maxRelativeError = 0.005
-/** Tolerances are tried from large to small, this many per halving. */
+/** Adaptive meshes are made with falling tolerances. After this many, the tolerance is half as large. */
 const triesPerHalving = 4
-/** Tolerances for a cube of 180 units that noise moves by up to 20. */
+/** Tolerances in units for a cube with sides of 180 units, whose points are moved by up to 20 units by noise. */
 const tolerances = [1, 0.5, 0.25]
-/** The number of samples along the mesh. */
+/** The error is measured at points whose distance is the mesh's size divided by this number. */
 const samples = 64
 
-// The sizes are those of the gallery's models. The inputs of twists and the spoon are those of the moment at which they bend most.
+// Maps each warp → the name of a shape, a mesh of the size of the gallery's model, and the warp's inputs. For twists and the spoon, these
+// are the inputs at the moment at which they bend most.
 const cases = {
   'airplane-twist': ['box', box([100, 34, 98]), { millis: 1885 }],
   'bunny-twist': ['icosahedron', icosahedron(100), { millis: 1414 }],
@@ -43,7 +44,7 @@ export async function measure() {
     say(
       `${name}: ${results
         .at(-1)
-        .rows.map(({ ratio }) => format(ratio))
+        .rows.map(({ ratio }) => formatFigure(ratio))
         .join(' ')}`,
     )
   }
@@ -65,13 +66,16 @@ export async function measure() {
       results.map(({ name, shape, triangles, chosen }) => [
         `\`${name}\``,
         `${shape}, ${triangles}`,
-        ...cells(chosen),
+        ...formatCells(chosen),
       ]),
       true,
     ),
     'all levels': markdownTable(
       ['warp', ...levels],
-      results.map(({ name, rows }) => [`\`${name}\``, ...rows.map(({ ratio }) => format(ratio))]),
+      results.map(({ name, rows }) => [
+        `\`${name}\``,
+        ...rows.map(({ ratio }) => formatFigure(ratio)),
+      ]),
       true,
     ),
     nearness: markdownTable(
@@ -85,8 +89,8 @@ export async function measure() {
 /** Returns a row per kind of noise: its name, and the errors as fractions of the tolerances. */
 function measureNoiseErrors() {
   const errorOf = (warp, tolerance) => {
-    const fine = subdivide(cube, { warp, tolerance, angle: Infinity })
-    return deviation(fine, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
+    const subdivided = subdivide(cube, { warp, tolerance, angle: Infinity })
+    return deviation(subdivided, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
   }
   return Object.entries(noiseWarps).map(([name, warp]) => [
     `\`${name}\``,
@@ -94,16 +98,20 @@ function measureNoiseErrors() {
   ])
 }
 
-/** Returns a row per level: the uniform mesh, and the smallest adaptive mesh whose error is not larger. */
+/**
+ * Returns { name, shape, triangles, rows, chosen }. `triangles` are those of the mesh before subdivision. `rows` has a row per level: the
+ * uniform mesh, the smallest adaptive mesh whose error is not larger (undefined if there is none), and the ratio of their triangles.
+ * `chosen` is the row of the main table.
+ */
 function measureWarp(name, warp) {
   const [shape, mesh, uniforms] = cases[name]
-  const length = 2 * mesh.positions.reduce((max, x) => Math.max(max, Math.abs(x)), 0)
-  const measureMesh = (fine) => ({
-    triangles: fine.indices.length / 3,
-    error: deviation(fine, warp, uniforms, length / samples),
+  const size = 2 * mesh.positions.reduce((max, x) => Math.max(max, Math.abs(x)), 0)
+  const measureMesh = (subdivided) => ({
+    triangles: subdivided.indices.length / 3,
+    error: deviation(subdivided, warp, uniforms, size / samples),
   })
   // If the warp does not bend the mesh, the error is only the rounding of float32.
-  const isRounding = (error) => error < 1e-6 * length
+  const isRounding = (error) => error < 1e-6 * size
 
   const uniform = levels.map((level) => measureMesh(subdivide(mesh, { levels: level })))
   const adaptive = []
@@ -122,20 +130,20 @@ function measureWarp(name, warp) {
       .sort((a, b) => a.triangles - b.triangles)
     return { uniform: row, adaptive: best, ratio: best && best.triangles / row.triangles }
   })
-  const chosen = rows.find((row) => row.uniform.error <= maxRelativeError * length) ?? rows.at(-1)
+  const chosen = rows.find((row) => row.uniform.error <= maxRelativeError * size) ?? rows.at(-1)
   return { name, shape, triangles: mesh.indices.length / 3, rows, chosen }
 }
 
-function format(number) {
+function formatFigure(number) {
   return number === undefined ? '–' : String(Number(number.toPrecision(2)))
 }
 
-function cells({ uniform, adaptive, ratio }) {
+function formatCells({ uniform, adaptive, ratio }) {
   return [
     uniform.triangles,
-    format(uniform.error),
+    formatFigure(uniform.error),
     adaptive?.triangles ?? '–',
-    format(adaptive?.error),
-    format(ratio),
+    formatFigure(adaptive?.error),
+    formatFigure(ratio),
   ]
 }

@@ -5,7 +5,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { bundles, declared, sources } from '../../.scripts/lib/entries.mjs'
+import { bundles, entriesWithTypes, sources } from '../../.scripts/lib/entries.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
@@ -44,7 +44,7 @@ test('the package contains what users need and nothing else', () => {
   ])
   const paths = new Set(files.map(({ path }) => path))
   const ours = bundles.filter((file) => file !== 'dist/memory.js')
-  for (const file of [...ours, ...declared.map((name) => `dist/types/${name}.d.ts`)])
+  for (const file of [...ours, ...entriesWithTypes.map((name) => `dist/types/${name}.d.ts`)])
     assert.ok(paths.has(file), file)
   assert.ok(!files.some(({ path }) => path.startsWith('dist/memory.')))
 })

@@ -124,8 +124,8 @@ describe('npm run bench -- --quick', () => {
     for (const { clock } of records) assert.match(clock, /^(timer query|readback fence)$/)
   })
 
-  test('prints tables for each row, and one for the aims', () => {
-    for (const name of [...rows, 'p5', 'What we aim at'])
+  test('prints tables for each row, and one for the goals', () => {
+    for (const name of [...rows, 'p5', 'Goals'])
       assert.match(text, new RegExp(`^▸ ${name}`, 'm'), text)
     for (const method of [...methods, ...sketches])
       assert.match(text, new RegExp(`^│ +${method} +│ +[\\d.]+ `, 'm'), text)

@@ -13,7 +13,7 @@ import {
   p5Records,
   rowRecords,
 } from '../../.scripts/bench/frames/records.mjs'
-import { aimsTable, rowTables } from '../../.scripts/bench/frames/report.mjs'
+import { createGoalsTable, rowTables } from '../../.scripts/bench/frames/report.mjs'
 import { medianRatio, quantile, shuffle, summarize } from '../../web/bench/statistics.js'
 
 describe('statistics', () => {
@@ -77,10 +77,13 @@ describe('the command line', () => {
       ['--row', 'cube'],
       "Expected the name of a row, got 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
     ],
-    'zero rounds': [['--rounds', '0'], 'Expected a whole number of --rounds from 1, got 0.'],
+    'zero rounds': [
+      ['--rounds', '0'],
+      'Expected --rounds to be a whole number of at least 1, got 0.',
+    ],
     'a fractional number of rounds': [
       ['--rounds', '2.5'],
-      'Expected a whole number of --rounds from 1, got 2.5.',
+      'Expected --rounds to be a whole number of at least 1, got 2.5.',
     ],
   }
   for (const [name, [args, message]] of Object.entries(rejected))
@@ -155,11 +158,11 @@ describe('results.csv', () => {
     assert.match(readFileSync(other, 'utf8'), /^a\n1\n2,+\n$/)
   })
 
-  test('is rejected if it has other columns', () => {
+  test('is rejected if it has different columns', () => {
     const other = join(folder, 'columns.csv')
     writeFileSync(other, 'a,c\n')
     assert.throws(() => checkColumns(other), {
-      message: `${other} has other columns than the benchmark: name another file with --out.`,
+      message: `${other} has different columns from the benchmark's: name another file with --out.`,
     })
   })
 
@@ -208,9 +211,9 @@ describe('the tables of a row', () => {
   })
 })
 
-describe('the aims', () => {
+describe('the goals', () => {
   const compare = (row, results = measured.results) =>
-    aimsTable(rowRecords(run, row, { ...measured, results }, rates))[row.name]
+    createGoalsTable(rowRecords(run, row, { ...measured, results }, rates))[row.name]
 
   test('are ratios of warpjet to the other methods', () => {
     assert.deepEqual(compare(rowOf3000Nodes), {
@@ -230,6 +233,9 @@ describe('the aims', () => {
   })
 
   test('are left out if only p5 was measured', () => {
-    assert.deepEqual(aimsTable([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]), {})
+    assert.deepEqual(
+      createGoalsTable([{ method: 'p5 2.3.4, no warp', row: rowOf3000Nodes.name }]),
+      {},
+    )
   })
 })

@@ -1,11 +1,11 @@
-// The warps that `npm run bench -- evaluate` measures, and the same functions written by hand in JavaScript, with their derivatives:
-// they map { positions, normals } and the time → { positions, normals }.
+// The warps that `npm run bench -- evaluate` measures, and the same warps with normals written by hand in JavaScript. A function by hand
+// takes the vertices as { positions, normals }, the time, and the arrays `out` into which it writes the warped vertices.
 import { stackedSines, stress } from '../../../tests/warps/stress.js'
 
 const NODES_PER_SINE = 5
 const { sin, cos, sqrt } = Math
 
-/** Writes n' = cof(M) n, normalized. `m` is in column-major order. */
+/** Writes the warped normal, cof(M) n, normalized. `m` is the Jacobian matrix M of the warped position, in column-major order. */
 function transformNormal(m, normals, i, out) {
   const [a, b, c, d, e, f, g, h, k] = m
   const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]]
@@ -19,7 +19,7 @@ function transformNormal(m, normals, i, out) {
 }
 
 /** Rotates about the axis through (0, 0, -500) along x, like `twist` of tests/warps/stress.js. */
-function twist({ positions, normals }, millis, out) {
+function applyTwist({ positions, normals }, millis, out) {
   for (let i = 0; i < positions.length; i += 3) {
     const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2] + 500]
     const angle = 0.02 * x + millis / 1000
@@ -30,7 +30,7 @@ function twist({ positions, normals }, millis, out) {
     out.positions[i] = x
     out.positions[i + 1] = movedY
     out.positions[i + 2] = movedZ - 500
-    // The first column is (1, -0.02 movedZ, 0.02 movedY), the others are the rotation.
+    // The first column of the Jacobian matrix is (1, -0.02 movedZ, 0.02 movedY), the others are those of the rotation.
     const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]]
     const ty = c * ny - s * nz
     const tz = s * ny + c * nz
@@ -42,7 +42,8 @@ function twist({ positions, normals }, millis, out) {
   }
 }
 
-function sines(waves) {
+/** Returns the function by hand for a sum of waves. */
+function createSines(waves) {
   const m = new Float64Array(9)
   const moved = new Float64Array(3)
   return ({ positions, normals }, millis, out) => {
@@ -66,12 +67,12 @@ function sines(waves) {
 
 const stackSines = (nodes) => {
   const { warp, waves } = stackedSines(nodes / NODES_PER_SINE)
-  return { warp, byHand: sines(waves) }
+  return { warp, byHand: createSines(waves) }
 }
 
 /** Maps each name → { warp, byHand }. */
 export const warps = {
-  twist: { warp: stress.find(({ name }) => name === 'twist').warp, byHand: twist },
+  twist: { warp: stress.find(({ name }) => name === 'twist').warp, byHand: applyTwist },
   '150 nodes': stackSines(150),
   '1,500 nodes': stackSines(1500),
   '3,000 nodes': stackSines(3000),

@@ -1,4 +1,5 @@
-// Opens the two browsers of the benchmark: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
+// Opens the two browsers of the benchmark: one without a limit of the frame rate (uncapped) and one with vsync (capped), both on the
+// machine's GPU if it has one.
 import { chromium } from 'playwright-core'
 import { webgpuFlags } from '../../../tests/support/browser/browser.js'
 import { gpuFlags, softwareFlags, uncappedFlags } from '../../lib/flags.mjs'
@@ -11,8 +12,8 @@ const launch = (args) => chromium.launch({ executablePath: process.env.WARPJET_C
 /** Runs in the page: returns the name of the WebGL 2 renderer, or null. */
 function findRenderer() {
   const gl = document.createElement('canvas').getContext('webgl2')
-  const names = gl?.getExtension('WEBGL_debug_renderer_info')
-  return gl && gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
+  const extension = gl?.getExtension('WEBGL_debug_renderer_info')
+  return gl && gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
 }
 
 async function readRenderer(launch, flags) {
@@ -25,7 +26,7 @@ async function readRenderer(launch, flags) {
   }
 }
 
-/** Chooses the machine's GPU, or software if there is none or if `withoutGpu`. Returns { flags, renderer, isSoftware }. */
+/** Chooses the machine's GPU, or software if there is no GPU or if `withoutGpu` is true. Returns { flags, renderer, isSoftware }. */
 export async function chooseRenderer(launch, withoutGpu) {
   // A GPU whose driver crashes the browser counts as no GPU.
   const gpu = withoutGpu ? null : await readRenderer(launch, gpuFlags).catch(() => null)
@@ -37,16 +38,16 @@ export async function chooseRenderer(launch, withoutGpu) {
 }
 
 /**
- * Starts a browser that draws on the machine's GPU, if it has one, and prints the name of the renderer. `webgpu` are flags with which its
- * pages have WebGPU, too.
+ * Starts a browser that draws on the machine's GPU, if it has one, and prints the name of the renderer. If a list of further flags for
+ * WebGPU is passed, the pages of the browser have WebGPU.
  */
-export async function launchFastest(withoutGpu, webgpu) {
+export async function launchFastest(withoutGpu, moreWebgpuFlags) {
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
   good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
   const adapterFlags = isSoftware
     ? [...webgpuFlags, '--use-vulkan=swiftshader']
     : ['--enable-unsafe-webgpu']
-  return launch([...flags, ...(webgpu ? [...adapterFlags, ...webgpu] : [])])
+  return launch([...flags, ...(moreWebgpuFlags ? [...adapterFlags, ...moreWebgpuFlags] : [])])
 }
 
 /** Opens the benchmark's page twice, uncapped and capped. Returns { version, renderer, isSoftware, uncapped, capped, close() }. */

@@ -1,11 +1,12 @@
-// The command line of `npm run bench`.
+// The command line of `npm run bench`. A row of the benchmark is a workload: a mesh with an offset function, on which all methods are
+// measured.
 import { resolve } from 'node:path'
 import { workloads } from '../../../web/bench/workloads.js'
 import { path } from '../../lib/files.mjs'
 import { parseOptions } from '../../lib/options.mjs'
 import { Stop } from '../../lib/terminal.mjs'
 
-/** The row that runs p5 sketches instead of methods. */
+/** The name of the row that measures p5 sketches with and without a warp, instead of methods. */
 export const P5 = 'p5'
 
 const allRows = [...workloads.map(({ name }) => name), P5]
@@ -52,32 +53,34 @@ const options = {
 /** Normalizes a name for comparison: '14,000 × 150' is '14000x150'. */
 const normalize = (name) => name.toLowerCase().replaceAll('×', 'x').replace(/[\s,]/g, '')
 
-function findRow(wanted, rows) {
-  const found = rows.find((name) => normalize(name) === normalize(wanted))
+function findRow(nameFromUser, rows) {
+  const found = rows.find((name) => normalize(name) === normalize(nameFromUser))
   if (found) return found
-  throw new Stop(`Expected the name of a row, got '${wanted}': choose from ${rows.join('; ')}.`)
+  throw new Stop(
+    `Expected the name of a row, got '${nameFromUser}': choose from ${rows.join('; ')}.`,
+  )
 }
 
 /**
- * @returns { rows, settings, file, software, help }, where `rows` are in the benchmark's order and `file` is the CSV file to append to, or
- * undefined
+ * @returns { rows, settings, file, software, help }, where `rows` are names in the benchmark's order and `file` is the CSV file to append to
+ * (undefined if there is none)
  */
 export function readOptions(args, all = allRows) {
   const {
-    row: wanted,
+    row: namesFromUser,
     rounds,
     out,
     quick: isQuick,
     ...values
   } = parseOptions(args, { rounds: undefined }, options)
-  const chosen = wanted?.map((name) => findRow(name, all)) ?? (isQuick ? quickRows : all)
+  const chosen = namesFromUser?.map((name) => findRow(name, all)) ?? (isQuick ? quickRows : all)
   const settings = { millis: 1200, ...(isQuick ? quick : thorough) }
   if (rounds) settings.rounds = rounds
-  const table = isQuick ? undefined : path('web/bench/results.csv')
+  const defaultFile = isQuick ? undefined : path('web/bench/results.csv')
   return {
     ...values,
     rows: all.filter((name) => chosen.includes(name)),
     settings,
-    file: out ? resolve(out) : table,
+    file: out ? resolve(out) : defaultFile,
   }
 }

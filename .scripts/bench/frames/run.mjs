@@ -1,5 +1,5 @@
-// Runs the benchmark row by row in the browsers' pages, through the functions of web/bench/driven.js, and prints the table of each row as
-// soon as it is measured.
+// Measures one workload (a row of the benchmark) after another in the browsers' pages, through the functions of web/bench/driven.js, and
+// prints the tables of a workload as soon as it is measured.
 import { relative } from 'node:path'
 import { workloads } from '../../../web/bench/workloads.js'
 import { capture } from '../../lib/run.mjs'
@@ -7,7 +7,7 @@ import { good, heading, say, seconds } from '../../lib/terminal.mjs'
 import { openBrowsers } from './browsers.mjs'
 import { P5 } from './options.mjs'
 import { appendRecords, p5Records, rowRecords } from './records.mjs'
-import { aimsTable, describeRow, legend, rowTables } from './report.mjs'
+import { createGoalsTable, describeRow, legend, rowTables } from './report.mjs'
 import { serveBench } from './server.mjs'
 
 /** Returns the commit of the measured code; '' without git. */
@@ -26,22 +26,25 @@ const measureRates = async ({ uncapped, capped }, measureInPage, options) => ({
   capped: await capped.evaluate(measureInPage, options),
 })
 
-/** Measures every method in the row `name`; returns the row's records. */
-async function measureRow(browsers, run, name, settings) {
-  // Otherwise this row's peak would include the garbage of the previous row.
+/** Measures every method on the workload `name`; returns the records. */
+async function measureWorkload(browsers, run, name, settings) {
+  // Without this, the peak heap size would include garbage of the previous workload.
   await browsers.uncapped.requestGC()
   const measured = await browsers.uncapped.evaluate(
     ({ name, settings }) => window.bench.measure(name, settings),
     { name, settings },
   )
-  const steps = Object.fromEntries(measured.results.map(({ method, error }) => [method, error.h]))
+  // Maps each method of finite differences → the step `h` with the smallest error.
+  const bestSteps = Object.fromEntries(
+    measured.results.map(({ method, error }) => [method, error.h]),
+  )
   const rates = await measureRates(
     browsers,
-    ({ name, steps, duration }) => window.bench.frameRates(name, steps, duration),
-    { name, steps, duration: settings.duration },
+    ({ name, bestSteps, duration }) => window.bench.frameRates(name, bestSteps, duration),
+    { name, bestSteps, duration: settings.duration },
   )
-  const row = workloads.find((workload) => workload.name === name)
-  return rowRecords(run, row, measured, rates)
+  const workload = workloads.find((each) => each.name === name)
+  return rowRecords(run, workload, measured, rates)
 }
 
 /** Measures the p5 sketches; returns their records. */
@@ -55,12 +58,12 @@ async function measureP5(browsers, run, name, settings) {
   return p5Records(run, workloads[0], measured, rates)
 }
 
-/** Measures each row, prints its table and passes its records to `save`; returns all records. */
-async function measureRows(browsers, run, { rows, settings }, save) {
+/** Measures each workload, prints its tables and passes its records to `save`; returns all records. */
+async function measureAll(browsers, run, { rows, settings }, save) {
   const all = []
   for (const [i, name] of rows.entries()) {
     heading(`${name} (${i + 1} of ${rows.length})`)
-    const measureOne = name === P5 ? measureP5 : measureRow
+    const measureOne = name === P5 ? measureP5 : measureWorkload
     const records = await measureOne(browsers, run, name, settings)
     say(describeRow(records))
     for (const table of rowTables(records)) console.table(table)
@@ -70,7 +73,7 @@ async function measureRows(browsers, run, { rows, settings }, save) {
   return all
 }
 
-/** Measures, prints the tables, and appends the records to the file, if there is one. `options` are what readOptions returns. */
+/** Measures, prints the tables, and appends the records to the file, if there is one. `options` is the result of readOptions. */
 export async function measure(options) {
   const start = performance.now()
   const { file, settings, software } = options
@@ -86,14 +89,14 @@ export async function measure(options) {
     good(`${sizePx} × ${sizePx} pixels, ${rounds} rounds with every method in turn`)
     say(legend)
     const run = { date, commit, chromium, renderer, sizePx, rounds }
-    // Row by row, so that a measurement that is stopped loses nothing.
+    // Saves after each workload, so that a stopped run loses only the workload in progress.
     const save = (records) => file && appendRecords(file, records)
-    const aims = aimsTable(await measureRows(browsers, run, options, save))
-    if (Object.keys(aims).length) {
+    const goals = createGoalsTable(await measureAll(browsers, run, options, save))
+    if (Object.keys(goals).length) {
       heading(
-        'What we aim at: warpjet as a multiple of other methods; with few rounds, noise decides',
+        'Goals: figures of warpjet divided by those of other methods (with few rounds, mostly noise)',
       )
-      console.table(aims)
+      console.table(goals)
     }
     if (file) good(`Appended to ${relative(process.cwd(), file)}`)
     good(`Done in ${seconds(start)}`)

@@ -1,14 +1,15 @@
-// The warps of the gallery, the meshes and the views with which the option `detail` is measured.
+// The warps of the gallery, the meshes and the views with which the option `detail` is measured. (It divides the triangles of a mesh as
+// finely as the current view requires.)
 import teapot from 'teapot'
 import * as THREE from 'three'
 import { compileWarp } from '../../../dist/warpjet.js'
 import { quantile, screenErrors, splitUniformly } from '../../../tests/support/screen-error.js'
 import { sketchWarps } from '../../../tests/warps/sketches.js'
 
-/** Pictures are square. */
+/** The width and the height of a picture. */
 export const pixels = 600
 /** The max number of triangles of a uniform mesh. */
-const maxUniform = 3e5
+const maxUniformTriangles = 3e5
 
 /** Maps each warp → half of its mesh's size, as in its sketch, and its inputs at a moment at which it bends the mesh strongly. */
 const cases = {
@@ -26,7 +27,10 @@ const cases = {
   spoon: [[100, 12.5, 20.6], { millis: 2356 }],
 }
 
-/** Returns the warps with their cases: [{ name, offset, options, warp, sizes, uniforms }]. `warp` computes no normals. */
+/**
+ * Returns the warps with their cases: [{ name, offset, options, warp, sizes, uniforms }]. `warp` computes no normals; `sizes` are half of the
+ * mesh's size along x, y and z.
+ */
 export async function galleryWarps() {
   const warps = await sketchWarps()
   return warps
@@ -72,10 +76,10 @@ export const meshes = {
   teapot: arraysOf(teapotGeometry()),
 }
 
-/** Returns a view from `place` of a mesh of this size at the origin, in a square picture. */
-export function viewFrom(place, size) {
-  const camera = new THREE.PerspectiveCamera(60, 1, 0.03 * size, 20 * size)
-  camera.position.copy(place)
+/** Returns a view of a mesh at the origin, in a square picture. `halfSize` is half of the mesh's largest size along an axis. */
+export function viewFrom(cameraPosition, halfSize) {
+  const camera = new THREE.PerspectiveCamera(60, 1, 0.03 * halfSize, 20 * halfSize)
+  camera.position.copy(cameraPosition)
   camera.lookAt(0, 0, 0)
   camera.updateMatrixWorld()
   const matrix = new THREE.Matrix4().multiplyMatrices(
@@ -85,7 +89,7 @@ export function viewFrom(place, size) {
   return { matrix: matrix.elements, width: pixels, height: pixels }
 }
 
-/** Returns the indices of `max` random triangles, or of all triangles if there are no more. */
+/** Returns the indices of `max` random triangles, among which may be repetitions, or of all triangles if there are at most `max`. */
 export function chooseTriangles(random, { indices }, max) {
   const count = indices.length / 3
   if (count <= max) return Array.from({ length: count }, (_, i) => i)
@@ -93,8 +97,8 @@ export function chooseTriangles(random, { indices }, max) {
 }
 
 /**
- * Returns into how many pieces the sides of all triangles are split in the coarsest uniform mesh whose error is at most `error`; if no mesh
- * of at most `maxUniform` triangles is fine enough, as many as these allow.
+ * Finds the coarsest uniform mesh whose error is at most `error`, and returns into how many pieces it splits each side of the triangles. If
+ * no mesh with about `maxUniformTriangles` triangles is fine enough, returns the number of pieces in the finest of them.
  */
 export function countUniformPieces(mesh, warpPositions, view, error, random) {
   const isFineEnough = (n) => {
@@ -102,7 +106,7 @@ export function countUniformPieces(mesh, warpPositions, view, error, random) {
     const triangles = chooseTriangles(random, split, 10_000)
     return robustMax(screenErrors(split, warpPositions, view, triangles)) <= error
   }
-  let [low, high] = [1, Math.ceil(Math.sqrt((3 * maxUniform) / mesh.indices.length))]
+  let [low, high] = [1, Math.ceil(Math.sqrt((3 * maxUniformTriangles) / mesh.indices.length))]
   while (low < high) {
     const middle = (low + high) >> 1
     if (isFineEnough(middle)) high = middle
@@ -114,7 +118,7 @@ export function countUniformPieces(mesh, warpPositions, view, error, random) {
 /** Returns the error that only one of 10,000 points exceeds. The maximum itself depends on single points. */
 export const robustMax = (errors) => quantile(errors, 0.9999)
 
-/** Scales the positions of a mesh. Its normals stay: no figure depends on which normals it has. */
+/** Scales the positions of a mesh, but not its normals, on which no figure depends. */
 export const scale = ({ positions, ...others }, sizes) => ({
   ...others,
   positions: positions.map((x, i) => x * sizes[i % 3]),

@@ -1,4 +1,4 @@
-// Measures how far the drawn surface jumps when a mesh is divided anew, while camera and warp move slowly.
+// Measures pops: how far the drawn surface jumps when the option `detail` divides a mesh again, while camera and warp move slowly.
 import * as THREE from 'three'
 import { createDetail } from '../../../dist/detail.js'
 import { copyDivision, markPlaces, popsBetween } from '../../../tests/support/pops.js'
@@ -13,24 +13,25 @@ const maxTriangles = 300
 const steps = { millis: 16, bend: 0.005 }
 
 /**
- * Returns the view in a frame. The camera circles the mesh by half a degree per frame, and its distance changes from 4 to 2.4 times the
- * size and back.
+ * Returns the view in a frame. The camera circles the mesh by half a degree per frame, and its distance changes from 4 to 2.4 times
+ * `halfSize` and back.
  */
-function viewAt(frame, size) {
-  const distance = size * (3.2 + 0.8 * Math.cos((2 * Math.PI * frame) / frames))
+function viewAt(frame, halfSize) {
+  const distance = halfSize * (3.2 + 0.8 * Math.cos((2 * Math.PI * frame) / frames))
   const angle = (frame * Math.PI) / 360
-  return viewFrom(new THREE.Vector3().setFromSphericalCoords(distance, 1.1, angle), size)
+  return viewFrom(new THREE.Vector3().setFromSphericalCoords(distance, 1.1, angle), halfSize)
 }
 
 /**
- * Returns, in pixels, the largest jump of a point (`pop`) and the jump that only a thousandth of the points exceeds; and the number of
- * changes of the division, and of those (`pops`) in which a point jumps by more than a pixel.
+ * Returns { pop, pop999, changes, pops }. `pop` is the largest jump of a point, `pop999` the jump that only a thousandth of the points
+ * exceeds, both in pixels. `changes` counts how often the mesh was divided again, `pops` how often a point then jumped by more than a pixel.
+ * `sizes` are half of the mesh's size along x, y and z.
  */
 export function measurePops(warp, mesh, sizes, uniforms) {
   const random = randomNumbers(11)
   const detail = createDetail(markPlaces(scale(mesh, sizes)), warp)
   const choose = (division) => chooseTriangles(random, division, maxTriangles)
-  const all = []
+  const allJumps = []
   let [changes, pops] = [0, 0]
   let before
   for (let frame = 0; frame < frames; frame++) {
@@ -44,15 +45,15 @@ export function measurePops(warp, mesh, sizes, uniforms) {
       changes++
       const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms: inputs }).positions
       const jumps = popsBetween(before, after, warpPositions, view, choose)
-      for (const distance of jumps) all.push(distance)
+      for (const distance of jumps) allJumps.push(distance)
       if (quantile(jumps, 1) > 1) pops++
     }
     before = after
   }
   detail.dispose()
   return {
-    pop999: quantile(all, 0.999),
-    pop: quantile(all, 1),
+    pop999: quantile(allJumps, 0.999),
+    pop: quantile(allJumps, 1),
     changes,
     pops,
   }

@@ -1,4 +1,4 @@
-// Measures the angle between the normal with which light is computed and the exact normal, at random points of p5's sphere, on the CPU.
+// Measures the angles of interpolated and computed normals to the exact normal, at random points of p5's sphere, on the CPU.
 import { compileWarp } from '../../../dist/warpjet.js'
 import { cross, normalize, subtract } from '../../../tests/support/browser/matrix.js'
 import { angleBetween, warpVertex } from '../../../tests/support/browser/oracle.js'
@@ -8,9 +8,10 @@ import { say } from '../../lib/terminal.mjs'
 import { markdownTable } from '../../reference/parts.mjs'
 
 const pointCount = 20_000
-/** The step of the oracle's differences. */
+/** The step of the finite differences of `warpVertex`, which computes the exact normals. */
 const step = 1e-4
 
+/** Maps the name of a warp in `pixelWarps` → its title in the table. */
 const warps = {
   fbm: '`fbm` of 2p, height 0.3',
   simplex: '`simplex` of 2p, height 0.2',
@@ -19,7 +20,7 @@ const warps = {
   twist: 'twist 1.5',
 }
 
-/** The first subdivision is p5's default. */
+/** [columns, rows] of the spheres. The first subdivision is p5's default. */
 const subdivisions = [
   [24, 16],
   [60, 40],
@@ -53,7 +54,7 @@ const areaOf = ([a, b, c]) => Math.hypot(...cross(subtract(b, a), subtract(c, a)
 function randomPoints({ vertices, faces }) {
   const random = randomNumbers()
   let total = 0
-  // The sums of the areas up to the end of each face.
+  // Maps each face → the sum of the areas of all faces up to and including it.
   const ends = faces.map((face) => (total += areaOf(face.map((i) => vertices[i]))))
   return Array.from({ length: pointCount }, () => {
     const area = random() * total
@@ -69,10 +70,10 @@ function randomPoints({ vertices, faces }) {
 }
 
 /**
- * Returns the angles of interpolated normals and of those computed at the points, in degrees. Points on kinks, which have no normal, are
- * left out.
+ * Returns the angles to the exact normals in degrees: `vertex` for normals interpolated from the vertices, `pixel` for normals computed at
+ * the points. Leaves out points on kinks, which have no normal.
  */
-function anglesOf({ offset, at: evaluateOffset }, mesh) {
+function compareNormals({ offset, at: evaluateOffset }, mesh) {
   const warp = compileWarp((0, eval)(offset), { surfaceVariation: false })
   const normalsAt = (places) => {
     const positions = new Float32Array(places.flatMap(({ position }) => position))
@@ -81,7 +82,7 @@ function anglesOf({ offset, at: evaluateOffset }, mesh) {
     return places.map((_, i) => [...warped.subarray(3 * i, 3 * i + 3)])
   }
   const corners = mesh.vertices.map((p) => ({ position: p, normal: normalize(p) }))
-  const atVertices = normalsAt(corners)
+  const vertexNormals = normalsAt(corners)
   const points = randomPoints(mesh)
   const places = points.map(({ face, weights }) => {
     const position = interpolate(
@@ -90,40 +91,43 @@ function anglesOf({ offset, at: evaluateOffset }, mesh) {
     )
     return { position, normal: normalize(position) }
   })
-  const atPixels = normalsAt(places)
+  const pointNormals = normalsAt(places)
   const angles = { vertex: [], pixel: [] }
   for (const [i, { face, weights }] of points.entries()) {
     const { normal } = warpVertex(evaluateOffset, places[i], {}, step)
     if (!normal) continue
     const interpolated = interpolate(
       weights,
-      face.map((corner) => atVertices[corner]),
+      face.map((corner) => vertexNormals[corner]),
     )
     angles.vertex.push(angleBetween(interpolated, normal))
-    angles.pixel.push(angleBetween(atPixels[i], normal))
+    angles.pixel.push(angleBetween(pointNormals[i], normal))
   }
   return angles
 }
 
-const format = (x) => `${Number(x.toPrecision(2))}°`
+const formatDegrees = (x) => `${Number(x.toPrecision(2))}°`
 
+/** Returns the median and the 99th percentile. */
 function summarize(angles) {
   const sorted = angles.toSorted((a, b) => a - b)
   return [0.5, 0.99].map((fraction) => sorted[Math.floor(fraction * (sorted.length - 1))])
 }
 
 /**
- * Returns the table. Normals at vertices: median and 99th percentile per warp and subdivision; at pixels: the maximum of each over all
- * subdivisions.
+ * Returns the table, with a row per warp. A cell has the median and the 99th percentile of the angles. Normals at vertices have a column per
+ * subdivision; normals at pixels have one column, with the largest median and 99th percentile of all subdivisions.
  */
 export function measureAngles() {
   const rows = Object.entries(warps).map(([name, title]) => {
-    const measured = subdivisions.map((size) => anglesOf(pixelWarps[name], createSphere(size)))
+    const measured = subdivisions.map((size) =>
+      compareNormals(pixelWarps[name], createSphere(size)),
+    )
     const pixel = measured.map((angles) => summarize(angles.pixel))
     const largest = [0, 1].map((k) => Math.max(...pixel.map((each) => each[k])))
     const cells = measured.map((angles) => summarize(angles.vertex))
     say(`${title}: ${measured.map(({ vertex }) => vertex.length).join(', ')} points`)
-    return [title, ...[...cells, largest].map((pair) => pair.map(format).join(' / '))]
+    return [title, ...[...cells, largest].map((pair) => pair.map(formatDegrees).join(' / '))]
   })
   const heads = subdivisions.map(([columns, rows]) => `\`'vertex'\`, ${columns} × ${rows}`)
   return markdownTable(['warp', ...heads, "`'pixel'`, all four"], rows, true)

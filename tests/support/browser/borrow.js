@@ -2,11 +2,11 @@
 import { rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { chromium } from 'playwright-core'
-import { variable } from '../../../.scripts/lib/browsers.mjs'
+import { browsersVariable } from '../../../.scripts/lib/browsers.mjs'
 
 /** Returns a browser; null if there are none, or all are in use. Its `close()` closes its pages, and lets another file borrow it. */
 export async function borrow() {
-  const { taken, addresses } = JSON.parse(process.env[variable] ?? '{ "addresses": [] }')
+  const { taken, addresses } = JSON.parse(process.env[browsersVariable] ?? '{ "addresses": [] }')
   for (const [i, address] of addresses.entries()) {
     const mark = join(taken, `${i}`)
     if (!take(mark)) continue

@@ -1,6 +1,6 @@
 // A headless Chromium that draws WebGL without a GPU, and pages that record their console messages.
 import { chromium } from 'playwright-core'
-import { findBrowser } from '../../../.scripts/lib/browser.mjs'
+import { findBrowser } from '../../../.scripts/lib/find-browser.mjs'
 import { softwareFlags, testFlags } from '../../../.scripts/lib/flags.mjs'
 import { borrow } from './borrow.js'
 

@@ -1,7 +1,7 @@
 // Drives Chromium and Firefox through Puppeteer's API, since Playwright can only drive its own build of Firefox.
 import { spawn } from 'node:child_process'
 import puppeteer from 'puppeteer-core'
-import { findBrowser, findFirefox } from '../../../.scripts/lib/browser.mjs'
+import { findBrowser, findFirefox } from '../../../.scripts/lib/find-browser.mjs'
 import { testFlags } from '../../../.scripts/lib/flags.mjs'
 
 const options = { headless: true, protocolTimeout: 300_000 }

@@ -1,4 +1,4 @@
-// Finds Chromium and Firefox: CHROME_PATH and FIREFOX_PATH, the system's, or those that playwright-core has fetched.
+// Finds Chromium and Firefox: at CHROME_PATH or FIREFOX_PATH, else installed on the system, else fetched by playwright-core.
 import { existsSync, readFileSync, statSync } from 'node:fs'
 import { path } from './files.mjs'
 import { Stop } from './terminal.mjs'
@@ -8,15 +8,17 @@ export const isUbuntu = () =>
   existsSync('/etc/os-release') && /^ID=ubuntu$/m.test(readFileSync('/etc/os-release', 'utf8'))
 
 /**
- * Returns whether the program is one of the scripts that Ubuntu's packages install: Chromium's asks to install its snap,
- * Firefox's starts its snap, which cannot use a profile in /tmp.
+ * Returns whether the program is one of the scripts that Ubuntu's packages install in place of browsers. Chromium's script asks to install
+ * a snap, Firefox's starts one, and snaps cannot use a profile in /tmp.
  */
 const isStub = (file) =>
   isUbuntu() && statSync(file).size < 20_000 && /\bsnap\b/.test(readFileSync(file, 'utf8'))
 
+/** `variable` is the environment variable with the user's choice, `names` are looked up on PATH, `applications` are absolute paths. */
 async function find(variable, names, applications, playwrightName) {
   const chosen = process.env[variable]
-  if (chosen && !isProgram(chosen)) throw new Stop(`${variable} names no program: ${chosen}`)
+  if (chosen && !isProgram(chosen))
+    throw new Stop(`Expected a program in ${variable}, got ${chosen}.`)
   if (chosen) return chosen
   const installed = [...names.map((name) => onPath(name)), ...applications]
   const found = installed.find((file) => file && isProgram(file) && !isStub(file))
@@ -28,7 +30,7 @@ async function find(variable, names, applications, playwrightName) {
 export const findBrowser = () =>
   find(
     'CHROME_PATH',
-    // Debian's headless shell is first: it draws the same in three quarters of the time, and is smaller.
+    // Debian's headless shell is first: it draws the same pictures in three quarters of the time, and is smaller.
     'chromium-headless-shell chromium chromium-browser google-chrome google-chrome-stable'.split(
       ' ',
     ),
