@@ -1,5 +1,5 @@
 # WebAssembly build. Each module NAME is built as NAME.wasm, which .scripts/build.mjs inlines, and NAME.mjs, Emscripten's factory of
-# instances. js-bindings/wasm/NAME.cpp binds it by embind.
+# instances. js-bindings/wasm/NAME.cpp defines its embind bindings.
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  runs programs for many vertices
 #   mesh        mesh files and operations on meshes
@@ -53,7 +53,7 @@ function(warpjet_module name stack)
     -fno-rtti                             # chooses the variant of embind's library
     -sMODULARIZE                          # a factory: nothing happens at import, nothing global
     -sEXPORT_ES6                          # `export default factory`, for the bundler
-    -sENVIRONMENT=web                     # the JavaScript for Node does not run as an ES module in 3.1.6; that for the web runs in both if it is given the bytes
+    -sENVIRONMENT=web                     # in 3.1.6, the JavaScript for Node does not run as an ES module; that for the web also runs in Node if we pass the wasm bytes
     -sWASM_ASYNC_COMPILATION=0            # the factory returns the module itself, no promise
     -sDYNAMIC_EXECUTION=0                 # no `new Function`: pages with a strict Content-Security-Policy work
     -sINCOMING_MODULE_JS_API=wasmBinary,printErr  # the options that we pass; omits the code for others
@@ -65,8 +65,8 @@ function(warpjet_module name stack)
     -s${stack_setting}=${stack})
 endfunction()
 
-# Like warpjet_module, but a throw fails to link: no exception may leave these modules. If memory runs out, malloc aborts the
-# instance, since embind doesn't check its allocations.
+# Like warpjet_module, but code that throws does not link, since no exception may leave these modules. If memory runs out, malloc
+# aborts the instance, since embind doesn't check its allocations.
 function(warpjet_module_without_exceptions name)
   warpjet_module(${name} ${ARGN})
   target_compile_options(warpjet_${name}_wasm PRIVATE -fno-exceptions)
@@ -78,7 +78,7 @@ function(warpjet_module_without_exceptions name)
     -sJS_MATH)                            # uses JavaScript's Math for C's functions: 20 KB less than musl's, whose tables compress badly
 endfunction()
 
-# Without simd128 in this list, linking fails if a module contains SIMD code.
+# The features that modules without SIMD may use. The list lacks simd128, so that linking fails if such a module contains SIMD code.
 set(without_simd
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")
 

@@ -29,8 +29,8 @@ const moments = {
 const waitOptions = { timeout: 240_000 }
 
 /**
- * Runs in the page: simulates a clock that advances by 17 ms per frame, but by `moment` after the sketch's first frame. Before that frame,
- * the sketch may load a model for any time.
+ * Runs in the page: replaces its clock. The new one advances by 17 ms per frame; only the frame after the sketch's first one advances it by
+ * `moment`. Before its first frame, the sketch may load a model for any time.
  */
 function simulateClock(moment) {
   let now = 0
@@ -131,7 +131,7 @@ await main(async () => {
   const wanted = process.argv.slice(2)
   const unknown = wanted.find((name) => !(name in pictures))
   if (unknown)
-    throw new Stop(`Expected names of ${Object.keys(pictures).join(', ')}, got ${unknown}.`)
+    throw new Stop(`Expected one of ${Object.keys(pictures).join(', ')}, got ${unknown}.`)
   await build()
   const server = await createServer({
     configFile: path('web/vite.config.js'),

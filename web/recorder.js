@@ -1,7 +1,7 @@
 // Runs in an example's page before its sketch, in the gallery only. Records the shader code of each warp for the page around it. For
 // this, it compiles the callback a second time, with plain input names, which read better than p5's. It also leaves the mouse wheel and
 // vertical swipes to that page, so that visitors can scroll past a sketch. On a full page, the sketch keeps wheel and swipes, and its
-// picture is as large as fits.
+// canvas is as large as fits the window.
 {
   const records = (window.recordedCode = [])
   const { compile, compileWarp, gen } = warpjet

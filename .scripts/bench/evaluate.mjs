@@ -26,11 +26,11 @@ async function loadInterpretingLibrary(offset) {
 export async function measure() {
   const interpreted = await loadInterpretingLibrary(warps.twist.warp)
   console.log(
-    'Millions of vertices per second, and median ratios of measurements that follow each other.',
+    'Median speed in millions of vertices per second, and medians of the ratios of times measured in the same round.',
   )
   console.table(rows.map((row) => measureRow(row, interpreted)))
   console.log(
-    '\nMilliseconds until the first vertex is moved, and microseconds for each further one.',
+    '\nMilliseconds of the first call, which is interpreted, and of the second, which generates machine code; microseconds of each later call.',
   )
   console.table(
     Object.fromEntries(
@@ -82,7 +82,8 @@ function measureRow({ name, vertices, rounds }, interpreted) {
 }
 
 /**
- * Returns the shortest times of the first call, which is interpreted, of the second, which generates the machine code, and of later calls.
+ * Returns the shortest times of the first call with a normal, which is interpreted, of the second, which generates the machine code, and of
+ * later calls.
  */
 function measureStartUp(offset) {
   const options = { normal: [0, 1, 0], uniforms: { millis: 1234 } }
@@ -99,6 +100,7 @@ function measureStartUp(offset) {
     warp.evaluateAt([1, 2, 3], { uniforms: options.uniforms })
     keepMin('interpreter, ms', time(evaluateOnce))
     keepMin('machine code, ms', time(evaluateOnce))
+    // ms per 500 calls → µs per call
     keepMin('evaluateAt, µs', 2 * time(() => { for (let i = 0; i < 500; i++) evaluateOnce() })) // prettier-ignore
   }
   return best

@@ -29,9 +29,9 @@ export async function format() {
 }
 
 async function checkFormat() {
-  const cpp = ['clang-format', ['--dry-run', '-Werror', ...cppFiles()]]
+  const clangFormat = ['clang-format', ['--dry-run', '-Werror', ...cppFiles()]]
   const failures = await Promise.all([
-    exitCode(...cpp),
+    exitCode(...clangFormat),
     exitCode(process.execPath, prettier('--check')),
   ])
   if (failures.some(Boolean)) throw new Stop('`npm run format` fixes this.')
@@ -44,7 +44,7 @@ async function checkReference() {
   if (stale.length) throw new Stop(`Stale: ${stale.join(', ')}; \`npm run reference\` fixes this.`)
 }
 
-async function cpp(preset) {
+async function runCppTests(preset) {
   await cmakeBuild(preset)
   const parallel = ['--parallel', `${availableParallelism()}`]
   await run('ctest', ['--preset', preset, ...parallel, '--no-tests=error'])
@@ -57,7 +57,7 @@ const kindOf = (file) =>
  * Runs the test files of a kind: `x.test.js` needs only Node, `x.browser.test.js` a browser, and files in tests/package
  * installed environments. `longest` names the files that start first; `atOnce` is the number of processes.
  */
-async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
+async function runTestFiles(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
   const all = ['tests', 'web/tests']
     .flatMap((folder) => walk(folder, /\.test\.js$/))
     .filter((file) => kindOf(file) === kind && isFileRun(file))
@@ -70,7 +70,7 @@ async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] }
 
 // Tests wait for their pages: on two cores, two processes are idle for a sixth of the time, three are not.
 const browsersAtOnce = availableParallelism() + 1
-/** Files that take 40 s of a core or more, or wait for long, with those that wait placed between those that compute. */
+/** Files that take at least 40 s of CPU time or wait for long. Waiting files are placed between computing ones. */
 const longest = [
   ...['operators/sketches', 'p5/detail-compute', 'three/detail'].map((name) => `tests/${name}`),
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
@@ -87,12 +87,12 @@ const longest = [
   'web/tests/site-motion',
   'tests/p5/webgpu',
 ].map((name) => `${name}.browser.test.js`)
-const browser = () =>
-  withBrowsers(browsersAtOnce, () => nodeTests('browser', { atOnce: browsersAtOnce, longest }))
+const runBrowserTests = () =>
+  withBrowsers(browsersAtOnce, () => runTestFiles('browser', { atOnce: browsersAtOnce, longest }))
 
-async function environments() {
+async function runPackageTests() {
   await installEnvironments()
-  await nodeTests('package')
+  await runTestFiles('package')
 }
 
 const runTool =
@@ -117,11 +117,11 @@ export const checks = [
   },
   { group: 'language', title: 'Plain English in added lines', work: checkWording },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
-  { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
+  { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => runCppTests('native') },
   {
     group: 'cpp',
     title: 'C++ tests under ASan and UBSan',
-    work: () => cpp('sanitize'),
+    work: () => runCppTests('sanitize'),
     rare: 'compiling takes twice as long as for the native tests',
   },
   {
@@ -130,12 +130,12 @@ export const checks = [
     work: fuzzRepeatably,
     rare: 'it searches for 20 s on each core, and the C++ tests already run its corpus',
   },
-  { group: 'js', title: 'JavaScript tests', work: () => nodeTests('node') },
-  { group: 'browser', title: 'Browser tests', work: browser },
+  { group: 'js', title: 'JavaScript tests', work: () => runTestFiles('node') },
+  { group: 'browser', title: 'Browser tests', work: runBrowserTests },
   {
     group: 'package',
     title: 'The package in its environments',
-    work: environments,
+    work: runPackageTests,
     rare: 'it installs 900 MB of bundlers from the npm registry',
   },
 ]

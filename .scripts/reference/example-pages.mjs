@@ -42,7 +42,7 @@ function writePage({ name, title, scripts = [], background }, host) {
   )
 }
 
-/** Maps the path of each page → its HTML. */
+/** Returns an object that maps the path of each page → its HTML. */
 export const examplePages = () =>
   Object.fromEntries(
     sections.flatMap(({ examples, scripts, host }) =>

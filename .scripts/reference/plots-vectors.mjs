@@ -13,32 +13,32 @@ const products = {
 }
 
 /**
- * Maps each operation that returns a derivative → { text, plot, line }. `text` describes the operation and its own derivative, if it has no
- * row in vector-formulas.mjs; `plot` is the expression that is plotted, and the range of x; `line` is the body of the example.
+ * Maps each operation that returns a derivative → { text, plot, body }. `text` describes the operation and its own derivative, if it has no
+ * row in vector-formulas.mjs; `plot` is the expression that is plotted, and the range of x; `body` is that of the example's function.
  */
 const derivatives = {
   derivative: {
-    text: '`derivative(f, t)` is `∂f/∂t`. Its own derivative is the second one, `∂²f/∂t²`.',
+    text: '`derivative(f, t)` is `∂f/∂t`. Its own derivative is the second derivative, `∂²f/∂t²`.',
     plot: ['x.sin().derivative(x)', -3, 3],
-    line: `const height = position.y().mult(3).sin()
+    body: `const height = position.y().mult(3).sin()
 return glsl.vec3(height.derivative(position.y()).mult(0.1), 0, 0)`,
   },
   gradient: {
     text: '`gradient(f, p)` is `(∂f/∂p₁, ∂f/∂p₂, …)`. Its own derivative is `H dp`, where H has `∂²f/∂pᵢ∂pⱼ` in row i and column j.',
-    line: `const height = position.mult(2).sin().dot(position)
+    body: `const height = position.mult(2).sin().dot(position)
 return height.gradient(position).mult(0.1)`,
   },
   jacobian: {
-    text: '`jacobian(f, p)` has `∂fᵢ/∂pⱼ` in row i and column j. Its own derivative has the second ones.',
-    line: `const turned = glsl.rotateY(position.y()).mult(position)
+    text: '`jacobian(f, p)` has `∂fᵢ/∂pⱼ` in row i and column j. Its own derivative consists of the second derivatives of f.',
+    body: `const turned = glsl.rotateY(position.y()).mult(position)
 return turned.jacobian(position).column(1).mult(0.3)`,
   },
   adjustNormal: {
-    line: `const bump = glsl.vec3(0, position.x().mult(4).sin().mult(0.2), 0)
+    body: `const bump = glsl.vec3(0, position.x().mult(4).sin().mult(0.2), 0)
 return bump.adjustNormal(normal, position).mult(0.3)`,
   },
   adjustTangent: {
-    line: `const bump = glsl.vec3(0, position.x().mult(4).sin().mult(0.2), 0)
+    body: `const bump = glsl.vec3(0, position.x().mult(4).sin().mult(0.2), 0)
 const facing = bump.adjustNormal(normal, position)
 return bump.adjustTangent(glsl.vec3(1, 0, 0), facing, position).mult(0.3)`,
   },
@@ -63,7 +63,7 @@ function vectorSection(title, meaning) {
 }
 
 function derivativeSection({ name, meaning }) {
-  const { plot, line } = derivatives[name]
+  const { plot, body } = derivatives[name]
   const formula = vectorFormulas[name]
   const text = formula ? `${formulaText(formula)} ${formula.remark}` : derivatives[name].text
   const plotComment = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
@@ -75,9 +75,9 @@ ${text}
 
 ${plotComment}<!-- prettier-ignore -->
 \`\`\`js
-createWarp(({ glsl, position${line.includes('normal,') ? ', normal' : ''} }) => {
-${line.replaceAll(/^/gm, '  ')}
-}${line.includes('normal,') ? ', { surfaceVariation: true }' : ''})
+createWarp(({ glsl, position${body.includes('normal,') ? ', normal' : ''} }) => {
+${body.replaceAll(/^/gm, '  ')}
+}${body.includes('normal,') ? ', { surfaceVariation: true }' : ''})
 \`\`\`
 `
 }

@@ -21,12 +21,12 @@ createWarp(({ glsl, position }) => {
 `
 
 /** Returns two sentences: the value and the derivatives of a row of `formulas`. */
-function formulaText({ value, by, where = {} }, operands) {
+function formulaText({ value, by: derivatives, where = {} }, operands) {
   const parts = Object.entries(where).map(([name, text]) => `, where ${name} is ${code(text)}`)
-  const derivatives = by.map((text, i) =>
-    by.length > 1 ? `by ${operands[i]} ${code(text)}` : code(text),
-  )
-  return `Value: ${code(value)}${parts.join('')}. Derivative: ${derivatives.join(', ')}.`
+  const definition = `Value: ${code(value)}${parts.join('')}.`
+  if (derivatives.length === 1) return `${definition} Derivative: ${code(derivatives[0])}.`
+  const list = derivatives.map((text, i) => `${code(text)} with respect to ${operands[i]}`)
+  return `${definition} Derivatives: ${list.join(', ')}.`
 }
 
 /** Two operations have the name `atan`. The second one has two operands. */
@@ -51,9 +51,9 @@ ${plotAndCode(call, from, to)}`
 /** Throws if an operation has no row in formulas.mjs, or an incomplete row. */
 function checkFormulas(operations) {
   const missing = operations.filter((operation) => {
-    const { by, plot } = formulas[titleOf(operation)] ?? {}
+    const { by: derivatives, plot } = formulas[titleOf(operation)] ?? {}
     const count = operation.operands.length
-    return by?.length !== count || (count > 1 && !plot)
+    return derivatives?.length !== count || (count > 1 && !plot)
   })
   if (missing.length)
     throw new Stop(

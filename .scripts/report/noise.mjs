@@ -1,4 +1,4 @@
-// Draws the picture of web/docs/noise.md and measures its figures, with warpjet on the CPU.
+// Draws the picture of web/docs/noise.md and computes the numbers of its table, with warpjet on the CPU.
 import { writeFileSync } from 'node:fs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { png } from '../../tests/support/png.js'
@@ -12,7 +12,7 @@ const kinds = ['noise', 'simplex', 'valueNoise', 'worley', 'fbm', 'ridged', 'tur
 const tile = 150
 const gap = 6
 /** The side of a tile is as long as this many cells of noise. */
-const cells = 6
+const cellsPerTile = 6
 
 /**
  * Evaluates a noise at many points at once. One warp moves the points along x by the noise, another by its gradient. Returns
@@ -32,19 +32,24 @@ function sample(kind, dimensions, points) {
       },
       { normals: false },
     )
-  const moved = compileNoise(false).evaluate({ positions: points }).positions
-  const derived = compileNoise(true).evaluate({ positions: points }).positions
+  const movedByNoise = compileNoise(false).evaluate({ positions: points }).positions
+  const movedByGradient = compileNoise(true).evaluate({ positions: points }).positions
   const count = points.length / 3
-  const slope = (i) => Math.hypot(...[0, 1, 2].map((k) => derived[3 * i + k] - points[3 * i + k]))
+  const slope = (i) =>
+    Math.hypot(...[0, 1, 2].map((k) => movedByGradient[3 * i + k] - points[3 * i + k]))
   return {
-    values: Float32Array.from({ length: count }, (_, i) => moved[3 * i] - points[3 * i]),
+    values: Float32Array.from({ length: count }, (_, i) => movedByNoise[3 * i] - points[3 * i]),
     slopes: Float32Array.from({ length: count }, (_, i) => slope(i)),
   }
 }
 
 const pixels = Float32Array.from({ length: 3 * tile * tile }, (_, i) => {
   const pixel = Math.floor(i / 3)
-  return [((pixel % tile) * cells) / tile, (Math.floor(pixel / tile) * cells) / tile, 0.37][i % 3]
+  return [
+    ((pixel % tile) * cellsPerTile) / tile,
+    (Math.floor(pixel / tile) * cellsPerTile) / tile,
+    0.37,
+  ][i % 3]
 })
 
 /** Draws values above and slopes below, one column per kind, in gray. */
@@ -70,7 +75,7 @@ function drawPicture() {
 }
 
 /** Returns the range of 100,000 values, the range of the middle nine tenths of them, and the root mean square of the slopes. */
-function measureFigures(kind, dimensions) {
+function computeStatistics(kind, dimensions) {
   const random = randomNumbers()
   const count = 100_000
   const points = Float32Array.from({ length: 3 * count }, () => 4091 * (random() - 0.5))
@@ -81,13 +86,14 @@ function measureFigures(kind, dimensions) {
   return [`${quantile(0)} to ${quantile(1)}`, `${quantile(0.05)} to ${quantile(0.95)}`, slope]
 }
 
+/** Returns the table that replaces the part `figures` of web/docs/noise.md. */
 export function measure() {
   writeFileSync(path('web/docs/noise.png'), drawPicture())
   const rows = kinds.flatMap((kind) =>
     [2, 3].map((dimensions) => [
       `\`${kind}\``,
       `${dimensions}D`,
-      ...measureFigures(kind, dimensions),
+      ...computeStatistics(kind, dimensions),
     ]),
   )
   const head = ['noise', 'dimensions', 'min to max', 'middle nine tenths', 'typical slope']

@@ -67,7 +67,7 @@ export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Em
     emitFragment(given = target!, names) {
       if (!normals)
         throw fragmentPlace.error(
-          'the warp was compiled with "normals: false", which leaves normals out; compile it without.',
+          'the warp was compiled with "normals: false", which leaves normals out; compile it without this option.',
         )
       const target = targetKind.read(given, fragmentPlace.part('the target'))
       const options = textOptions.read(names, fragmentPlace)

@@ -25,8 +25,8 @@ class Differentiator {
   explicit Differentiator(Graph& graph) : graph_(graph) {}
 
   // Returns d root / d input, where `input` is a component of an input. Treats other inputs as
-  // constant. Calls of host functions that `root` depends on must have their partials, and `root`
-  // must not read the variable of a loop outside of its fold.
+  // constant. Calls of host functions that `root` depends on must have their partials. `root` may
+  // read the variables of a loop only through folds of that loop.
   NodeId derivative(NodeId root, NodeId input);
 
   // From now on, new nodes are recorded in `log`.
@@ -36,9 +36,10 @@ class Differentiator {
   std::size_t bytes() const { return bytes_; }
 
  private:
-  // A node's derivative as a product: the base is the derivative of an earlier node, the factor is
-  // the product of the chain rule since then. If all components of an input act through that node,
-  // the factor is the same for each of them, so the columns of a Jacobian share it.
+  // A node's derivative, as factor × base: `base` is the derivative of an earlier node m (or of the
+  // node itself, with the factor 1), and `factor` is ∂node/∂m. If the node depends on all
+  // components of an input only through m, `factor` is the same for each component, so the columns
+  // of a Jacobian share it.
   struct Tangent {
     NodeId factor = noNode, base = noNode;
   };

@@ -10,7 +10,8 @@
 
 namespace warpjet {
 
-// Returns the variable of the state that is more than 0.5 once no further step changes any state.
+// Finds the flag for the end of a loop: returns the variable of the state that is more than 0.5
+// once no further step changes any state, or nullopt if there is none.
 std::optional<NodeId> earlyEnd(const Graph& graph, std::span<const State> states);
 
 }  // namespace warpjet

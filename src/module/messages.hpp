@@ -12,7 +12,7 @@ namespace warpjet {
 // Returns "a single number", "a vec3", "a mat3", "a matrix of 2 columns and 3 rows", and so on.
 std::string shapeName(Shape shape);
 
-// Returns "no arguments", "1 argument", "3 arguments", and so on.
+// Describes a number of arguments: returns "no arguments", "1 argument", "3 arguments", and so on.
 std::string argumentCount(int count);
 
 inline constexpr std::string_view notFinite =
@@ -24,7 +24,7 @@ inline constexpr std::string_view tooLarge =
     "order.";
 inline constexpr std::string_view tooHighOrder =
     "derivatives of noise and textures are limited to order three; a warp's normal takes one "
-    "derivative, and so does each normal that a chain passes on.";
+    "derivative; in a chain of warps, each normal that a later warp reads takes another.";
 
 inline constexpr std::string_view onlyInItsBody =
     "the states and the step number of a repeat can be used only in its function; use the result "
@@ -33,7 +33,7 @@ inline constexpr std::string_view afterRepeat =
     "derivatives of a state of a repeat are known only after its end; differentiate the result of "
     "repeat.";
 
-// Quotes a text from outside, shortened to a single line.
+// Quotes user input, shortened to a single line.
 std::string quoteShort(std::string_view text);
 
 }  // namespace warpjet

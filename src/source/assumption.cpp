@@ -37,6 +37,7 @@ void Assumption::addParts(Fact fact) {
   if (areAllKnown || truth(parts[0]) == !fact.isTrue) add(parts[1], fact.isTrue);
 }
 
+// Finds the truth of a condition: true or false if it follows from the facts, otherwise nullopt.
 std::optional<bool> Assumption::truth(Id condition) const {
   if (recorder_.at(condition).code == Code::Not) {
     const auto negated = truth(recorder_.operands(condition)[0]);

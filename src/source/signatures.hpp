@@ -2,10 +2,15 @@
 //
 // A signature consists of a letter for the result and one per parameter; a parameter after `>` is
 // an out parameter.
-//   G float or vec2 to vec4, all of the same size; F float; I int or ivec likewise, i int; U, u
-//   uint; B bool and bvec, b bool; V vec2 to vec4; W ivec; X uvec; Y bvec; 2 3 4 vec2 …; M any
-//   matrix; Q a square matrix; S sampler2D; k ivec2; n ivec4; m uvec4; T the transpose of M; O the
-//   matrix of an outer product, whose operands may differ in size
+//   F i u b   float, int, uint, bool
+//   G I U B   a scalar or vector of float, int, uint, bool
+//   V W X Y   a vector of float, int, uint, bool
+//             (all of G I U B V W X Y in one signature have the same size)
+//   2 3 4     vec2, vec3, vec4
+//   k n m     ivec2, ivec4, uvec4
+//   M Q T     any matrix, a square matrix, the transpose of M
+//   O         the matrix of an outer product, whose operands may differ in size
+//   S         sampler2D
 #pragma once
 
 #include <cstddef>

@@ -25,11 +25,6 @@ describe("'auto' computes normals at pixels", () => {
     )
   })
 
-  test('but not for waves that the zeros of a uniform vector remove', () => {
-    const offset = (inputs) => waves(inputs).mult(inputs.uniforms.only)
-    assert.equal(stageOf(offset, { uniforms: { only: [0, 0, 1e-3] } }), 'vertex')
-  })
-
   test('for waves times a uniform, whatever its value is when the warp is made', () => {
     const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)
     assert.equal(stageOf(offset, { uniforms: { strength: 0 } }), 'pixel')
@@ -60,6 +55,11 @@ describe("'auto' computes normals at vertices", () => {
       stageOf(({ glsl }) => glsl.vec3(0)),
       'vertex',
     )
+  })
+
+  test('for waves that a uniform vector multiplies by 0 and 0.001', () => {
+    const offset = (inputs) => waves(inputs).mult(inputs.uniforms.only)
+    assert.equal(stageOf(offset, { uniforms: { only: [0, 0, 1e-3] } }), 'vertex')
   })
 
   test('for noise that takes more than 4,000 operations', () => {
@@ -129,7 +129,7 @@ describe('the code for pixels', () => {
   test('throws if normals are left out', () => {
     throwsWarpError(
       () => compileWarp(waves, { normals: false }).emitFragment(),
-      /^emitFragment: the warp was compiled with "normals: false", which leaves normals out; compile it without\.$/,
+      /^emitFragment: the warp was compiled with "normals: false", which leaves normals out; compile it without this option\.$/,
     )
   })
 })

@@ -356,7 +356,7 @@ describe('noise throws for wrong arguments:', () => {
     ],
     [
       (glsl, p) => range(4).reduce((value) => glsl.derivative(value, p.x()), p.noise()),
-      /^derivative: derivatives of noise and textures are limited to order three; a warp's normal takes one derivative, and so does each normal that a chain passes on\.$/,
+      /^derivative: derivatives of noise and textures are limited to order three; a warp's normal takes one derivative; in a chain of warps, each normal that a later warp reads takes another\.$/,
     ],
     [
       (glsl) =>

@@ -1,5 +1,5 @@
-// Runs the output of `differentiate` on every pipeline: compares gradients and Jacobians with finite differences in double precision, by an
-// interpreter with an independent parser.
+// Runs the output of `differentiate` on every pipeline: compares gradients and Jacobians with finite differences that an interpreter
+// with its own parser computes in double precision.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { differentiate } from '../../dist/glsl.js'
@@ -90,8 +90,8 @@ const sizes = { float: 1, vec2: 2, vec3: 3, vec4: 4 }
 const points = pointsOfCube(40)
 
 /** Returns the value and the finite differences of `f` at a point. Changes the argument rather than the point. */
-function expectedAt(text, by, operands, p) {
-  const f = walk(text, 'f')
+function expectedAt(source, by, operands, p) {
+  const f = walk(source, 'f')
   const args = operands.map(({ numbersAt }) => numbersAt(p))
   const value = f(...args)
   const at = ({ numbers }) => f(...args.map((arg, i) => (i === by ? numbers : arg)))
@@ -101,8 +101,8 @@ function expectedAt(text, by, operands, p) {
   return { value, columns }
 }
 
-for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
-  const [, type, list] = /(\w+) f\((.*?)\) \{/.exec(text)
+for (const [name, [source, by, operands, hasBits]] of Object.entries(cases)) {
+  const [, type, list] = /(\w+) f\((.*?)\) \{/.exec(source)
   const parameter = list.split(', ')[by].split(' ')
   const [from, to] = [sizes[parameter[0]], sizes[type]]
   const isGradient = to === 1
@@ -111,7 +111,7 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
       target === 'glsl100' && (hasBits || (!isGradient && from > 1 && from !== to))
     if (!isUnsupported)
       test(`${name}: derivatives equal finite differences, in ${target}`, async () => {
-        const declarations = differentiate(text, { function: 'f', by: parameter[1], target })
+        const declarations = differentiate(source, { function: 'f', by: parameter[1], target })
         const isWgsl = target === 'wgsl'
         const args = operands.map((operand) => (isWgsl && operand.wgsl) || operand.glsl).join(', ')
         const result = `f${isGradient ? 'Gradient' : 'Jacobian'}(${args})`
@@ -136,7 +136,7 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
         )
         let compared = 0
         points.forEach((p, i) => {
-          const { value, columns } = expectedAt(text, by, operands, p)
+          const { value, columns } = expectedAt(source, by, operands, p)
           const expected = [
             ...(isGradient ? value.map((number) => ({ value: number, error: 0 })) : []),
             ...columns.flat(),
@@ -146,7 +146,7 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
             if (!(error <= 1e-4)) return
             compared++
             const isNear = Math.abs(values[i][k] - value) <= 2e-3 * Math.max(1, Math.abs(value))
-            assert.ok(isNear, `number ${k} at ${p}: ${values[i][k]}, not ${value}`)
+            assert.ok(isNear, `number ${k} at ${p}: expected ${value}, got ${values[i][k]}`)
           })
         })
         const all = points.length * (isGradient ? from + 1 : from * to)

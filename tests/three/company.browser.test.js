@@ -1,6 +1,6 @@
-// Tests 'warpjet/three' together with other code: what users, three's passes and three's examples do with objects, materials and shaders.
-// Each row draws a warped object and one whose vertices are moved on the CPU: at most 5 pixels of 25,600 may differ by more than 12 of 255
-// in a channel.
+// Tests 'warpjet/three' in company, which means together with other code: what users, three's passes and three's examples do with objects,
+// materials and shaders. Each row draws a warped object and one whose vertices are moved on the CPU: at most 5 pixels of 25,600 may differ by
+// more than 12 of 255 in a channel.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'

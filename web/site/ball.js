@@ -2,13 +2,13 @@
 
 /**
  * Builds points and triangles of a ball of radius 1 from the faces of a cube, so that there are no crowded poles. `detail` must be even.
- * The first `coarse` numbers of `triangles` are a ball of every second point, the others are a ball of all points.
+ * The first `coarse` indices in `triangles` are a ball of every second point, the others are a ball of all points.
  */
 export function buildBall(detail) {
   const side = detail + 1
   const points = new Float32Array(6 * side * side * 3)
-  const coarse = 6 * (detail / 2) ** 2 * 6
-  const triangles = new Uint16Array(coarse + 6 * detail * detail * 6)
+  const coarseIndexCount = 6 * (detail / 2) ** 2 * 6
+  const triangles = new Uint16Array(coarseIndexCount + 6 * detail * detail * 6)
   const places = Float64Array.from({ length: side }, (_, k) =>
     Math.tan((k / detail - 0.5) * (Math.PI / 2)),
   )
@@ -38,5 +38,5 @@ export function buildBall(detail) {
           for (const next of quads[((i + j) / step) % 2])
             triangles[corner++] = (face * side + i) * side + j + next
   }
-  return { points, triangles, coarse }
+  return { points, triangles, coarse: coarseIndexCount }
 }

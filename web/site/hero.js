@@ -1,5 +1,5 @@
 /** Draws the first page's warped ball in plain WebGL 2. Without WebGL 2 the picture below it stays visible. */
-import text from 'virtual:hero-text'
+import shaderCode from 'virtual:hero-text'
 import { buildBall } from './ball.js'
 import { finishFrame, sleep } from './pace.js'
 
@@ -10,13 +10,13 @@ uniform float uMillis, strength, aspect;
 uniform vec3 pointer;
 out vec3 vNormal;
 out float vHeight;
-${text.declarations}
+${shaderCode.declarations}
 void main() {
-  ${text.code}
+  ${shaderCode.code}
   vNormal = warpedNormal;
   vHeight = length(warpedPosition) - 1.0;
-  vec3 seen = warpedPosition - vec3(0.0, 0.0, 4.2);
-  gl_Position = vec4(seen.x * 3.2 / aspect, seen.y * 3.2, -seen.z - 2.0, -seen.z);
+  vec3 viewPosition = warpedPosition - vec3(0.0, 0.0, 4.2);
+  gl_Position = vec4(viewPosition.x * 3.2 / aspect, viewPosition.y * 3.2, -viewPosition.z - 2.0, -viewPosition.z);
 }`
 
 const fragment = `#version 300 es
@@ -76,7 +76,7 @@ export async function startHero(place) {
   const program = await linkProgram(gl)
   if (!program) return
   await sleep(0)
-  const { points, triangles, coarse } = buildBall(102)
+  const { points, triangles, coarse: coarseIndexCount } = buildBall(102)
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer())
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW)
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
@@ -95,7 +95,7 @@ export async function startHero(place) {
 
   const target = { pointer: [0.35, 0.4, 0.85], strength: 0.22 }
   const current = { pointer: [...target.pointer], strength: target.strength }
-  // Start with the coarse ball: without a GPU, its frames take a quarter of the time of the fine one's.
+  // Start with the coarse ball: without a GPU, its frames take a quarter of the time of the fine ball's frames.
   let isFine = false
   let last = performance.now()
   function draw(time) {
@@ -118,11 +118,11 @@ export async function startHero(place) {
     if (isFine)
       gl.drawElements(
         gl.TRIANGLES,
-        triangles.length - coarse,
+        triangles.length - coarseIndexCount,
         gl.UNSIGNED_SHORT,
-        coarse * triangles.BYTES_PER_ELEMENT,
+        coarseIndexCount * triangles.BYTES_PER_ELEMENT,
       )
-    else gl.drawElements(gl.TRIANGLES, coarse, gl.UNSIGNED_SHORT, 0)
+    else gl.drawElements(gl.TRIANGLES, coarseIndexCount, gl.UNSIGNED_SHORT, 0)
   }
 
   place.append(canvas)
@@ -146,18 +146,18 @@ export async function startHero(place) {
   })
   let isSeen = false
   let isRunning = false
-  let heavyFrames = 0
+  let slowFrames = 0
   let mayBeFine = true
   async function run() {
     if (isRunning) return
     isRunning = true
     while (isSeen) {
       draw(await new Promise(requestAnimationFrame))
-      const isLight = await finishFrame(gl)
-      heavyFrames = isLight ? 0 : heavyFrames + 1
+      const isFast = await finishFrame(gl)
+      slowFrames = isFast ? 0 : slowFrames + 1
       // After ten slow frames in a row, return to the coarse ball for good.
-      if (isFine && heavyFrames === 10) mayBeFine = isFine = false
-      else if (isLight) isFine = mayBeFine
+      if (isFine && slowFrames === 10) mayBeFine = isFine = false
+      else if (isFast) isFine = mayBeFine
     }
     isRunning = false
   }

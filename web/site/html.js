@@ -1,4 +1,5 @@
-/** Converts between text and HTML. */
+// Converts between text and HTML.
+
 const entities = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
 
 export const escapeHtml = (text) => String(text).replaceAll(/[&<>"]/g, (sign) => entities[sign])

@@ -36,12 +36,12 @@ export class UvTriangles {
     const [ax, ay] = [this.corner(triangle, 0, 0), this.corner(triangle, 0, 1)]
     const [ux, uy] = [this.corner(triangle, 1, 0) - ax, this.corner(triangle, 1, 1) - ay]
     const [vx, vy] = [this.corner(triangle, 2, 0) - ax, this.corner(triangle, 2, 1) - ay]
-    const area = ux * vy - uy * vx
-    if (area === 0) return false
-    forms[4] = vy / area
-    forms[5] = -vx / area
-    forms[7] = -uy / area
-    forms[8] = ux / area
+    const doubleArea = ux * vy - uy * vx
+    if (doubleArea === 0) return false
+    forms[4] = vy / doubleArea
+    forms[5] = -vx / doubleArea
+    forms[7] = -uy / doubleArea
+    forms[8] = ux / doubleArea
     forms[1] = -forms[4]! - forms[7]!
     forms[2] = -forms[5]! - forms[8]!
     // At corner 0 the barycentric coordinates are 1, 0 and 0.
@@ -50,7 +50,10 @@ export class UvTriangles {
     return true
   }
 
-  /** Returns the coordinate of a column (axis 0) or row (axis 1) in the repetition of the image that is nearest to the triangle. */
+  /**
+   * The image repeats every `size` texels. Returns the coordinate of that copy of a column (axis 0) or row (axis 1) that is nearest to the
+   * middle of the triangle's range.
+   */
   nearestRepetition(triangle: number, columnOrRow: number, axis: 0 | 1): number {
     const [min, max] = this.range(triangle, axis)
     return columnOrRow + this.size * Math.round(((min + max) / 2 - columnOrRow) / this.size)

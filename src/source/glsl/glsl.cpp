@@ -6,8 +6,8 @@
 
 namespace warpjet::source::glsl {
 
-Parsed parse(std::string_view text) {
-  Parsed parsed{std::make_unique<const Lines>(text), {}, {}};
+Parsed parse(std::string_view source) {
+  Parsed parsed{std::make_unique<const Lines>(source), {}, {}};
   const Lines& lines = *parsed.source;
   PreprocessedSource preprocessed =
       preprocess(readTokens(lines.joined, parsed.problems, lines.joins), parsed.problems);

@@ -7,6 +7,6 @@
 
 namespace warpjet::source::glsl {
 
-Parsed parse(std::string_view text);
+Parsed parse(std::string_view source);
 
 }  // namespace warpjet::source::glsl

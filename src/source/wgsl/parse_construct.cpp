@@ -6,10 +6,11 @@
 
 namespace warpjet::source::wgsl {
 
-// Parses the arguments of a call, from the parenthesis to its counterpart.
+// Parses the arguments of a call, from the opening to the closing parenthesis.
 Parser::Operands Parser::arguments() {
   Operands all;
-  expect("(", "this");
+  // All other callers have already seen the parenthesis.
+  expect("(", "bitcast<…>");
   while (!peek().is(")") && !problems_.any()) {
     all.push_back(value());
     if (!accept(",")) break;
@@ -45,7 +46,7 @@ Operand Parser::construct(Location location) {
   return constructType(parsed, std::move(operands), location);
 }
 
-// Returns the type of numbers that all operands have or can get; nullopt if there is none.
+// Returns the number type that all operands have or can be converted to; nullopt if there is none.
 std::optional<Type> Parser::commonType(const Operands& operands) const {
   std::optional<Type> common;
   for (const Operand& each : operands)
@@ -63,6 +64,7 @@ std::optional<Type> Parser::commonType(const Operands& operands) const {
   return common;
 }
 
+// Constructs a vector or matrix whose name lacks the type of its components, as in vec3(…).
 Operand Parser::inferred(const Token& word, int columns, int rows, Operands operands) {
   const std::string name(word.text);
   if (operands.empty()) {
@@ -70,7 +72,8 @@ Operand Parser::inferred(const Token& word, int columns, int rows, Operands oper
     return abstractOf(vectorType(Base::Int, rows),
                       std::vector<double>(static_cast<std::size_t>(rows)), word.location);
   }
-  // A vector of other numbers is converted only if the type has a name.
+  // Without a component type in the name, only abstract numbers are converted: vec3f(v) accepts a
+  // vec3i, but vec3(1f, 2i, 3) is an error.
   const auto common = commonType(operands);
   if (!common)
     return failOperand(word.location, "expected numbers of one type for " + name + ", got (" +
@@ -92,6 +95,7 @@ Operand Parser::inferred(const Token& word, int columns, int rows, Operands oper
   return abstractOf(type, std::move(numbers), word.location);
 }
 
+// Constructs array(…), whose type and length follow from its operands.
 Operand Parser::inferredArray(Operands operands, Location location) {
   if (operands.empty())
     return failOperand(location, "an empty array needs its type: write array<f32, 4>()");
@@ -108,8 +112,8 @@ Operand Parser::inferredArray(Operands operands, Location location) {
     std::vector<double> numbers;
     for (const Operand& each : operands) {
       if (each.type.rows != element.rows)
-        return failOperand(
-            location, "the elements of an array have one type, got (" + typesOf(operands) + ")");
+        return failOperand(location,
+                           "expected array elements of one type, got (" + typesOf(operands) + ")");
       numbers.insert(numbers.end(), each.known.begin(), each.known.end());
     }
     return abstractOf(arrayOf(element, length), std::move(numbers), location);
@@ -143,17 +147,18 @@ Operand Parser::constructScalar(Type type, const Operand& operand, Location loca
 Operand Parser::constructType(Type type, Operands operands, Location location) {
   const std::string name = nameOf(type);
   std::vector<ExpressionId> parts;
-  const auto wantsEach = [&](std::size_t wanted, const auto& typeAt, const char* what) -> Operand {
-    if (operands.size() != wanted)
-      return failOperand(location, "expected " + std::to_string(wanted) + " " + what +
-                                       (wanted == 1 ? "" : "s") + " for " + name + ", got " +
+  const auto constructFromParts = [&](std::size_t partCount, const auto& typeOfPart,
+                                      const char* partName) -> Operand {
+    if (operands.size() != partCount)
+      return failOperand(location, "expected " + std::to_string(partCount) + " " + partName +
+                                       (partCount == 1 ? "" : "s") + " for " + name + ", got " +
                                        std::to_string(operands.size()));
-    for (std::size_t i = 0; i < wanted; ++i) {
-      if (!canConvert(operands[i], typeAt(i)))
-        return failOperand(location, "expected " + describe(typeAt(i)) + " as " + what + ' ' +
-                                         std::to_string(i + 1) + " of " + name + ", got " +
+    for (std::size_t i = 0; i < partCount; ++i) {
+      if (!canConvert(operands[i], typeOfPart(i)))
+        return failOperand(location, "expected " + describe(typeOfPart(i)) + " as " + partName +
+                                         ' ' + std::to_string(i + 1) + " of " + name + ", got " +
                                          describe(operands[i]));
-      parts.push_back(convert(operands[i], typeAt(i), location));
+      parts.push_back(convert(operands[i], typeOfPart(i), location));
     }
     return make({.kind = Code::Construct,
                  .type = type,
@@ -162,17 +167,19 @@ Operand Parser::constructType(Type type, Operands operands, Location location) {
   };
   if (type.isArray()) {
     if (type.length == 0)
-      return failOperand(location, "this array needs a length: write " + nameOf(type.element()) +
-                                       ", " + std::to_string(operands.size()) + " in its < >");
+      return failOperand(location, "this array needs a length: write array<" +
+                                       nameOf(type.element()) + ", " +
+                                       std::to_string(operands.size()) + ">(…)");
     Type element = type.element();
-    if (element.isStruct() && tree_.types.structure(element).name.empty())
-      element = tree_.types.structure(element).fields[0].type;
-    return wantsEach(
+    // An array in an array is stored as the only field of a structure without a name (see arrayOf).
+    const bool isWrappedArray = element.isStruct() && tree_.types.structure(element).name.empty();
+    if (isWrappedArray) element = tree_.types.structure(element).fields[0].type;
+    return constructFromParts(
         static_cast<std::size_t>(type.length), [&](std::size_t) { return element; }, "element");
   }
   if (type.isStruct()) {
     const std::vector<Field> fields = tree_.types.structure(type).fields;
-    return wantsEach(
+    return constructFromParts(
         fields.size(), [&](std::size_t i) { return fields[i].type; }, "field");
   }
   for (const Operand& each : operands)
@@ -186,9 +193,9 @@ Operand Parser::constructType(Type type, Operands operands, Location location) {
     return constructScalar(type, operands[0], location);
   }
   const Operand& first = operands[0];
-  const bool isAlone = operands.size() == 1;
+  const bool isSingle = operands.size() == 1;
   // Converts a vector or matrix of the same size.
-  if (isAlone && !first.isAbstract() && first.type.layout() == type.layout())
+  if (isSingle && !first.isAbstract() && first.type.layout() == type.layout())
     return make(
         {.kind = Code::Construct, .type = type, .location = location, .operands = {first.id}});
   int count = 0;
@@ -203,12 +210,13 @@ Operand Parser::constructType(Type type, Operands operands, Location location) {
     count += each.type.components();
     parts.push_back(convert(each, part, location));
   }
-  const bool isSplat = isAlone && first.type.isScalar() && type.isVector();
-  const bool mixes = type.isMatrix() && !areColumns && count != static_cast<int>(operands.size());
+  const bool isSplat = isSingle && first.type.isScalar() && type.isVector();
+  const bool mixesColumns =
+      type.isMatrix() && !areColumns && count != static_cast<int>(operands.size());
   if (count != type.components() && !isSplat)
     return failOperand(location, "expected " + std::to_string(type.components()) +
                                      " components for " + name + ", got " + std::to_string(count));
-  if (mixes)
+  if (mixesColumns)
     return failOperand(location, name + " is constructed from its columns, or from numbers");
   return make(
       {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});

@@ -7,6 +7,6 @@
 
 namespace warpjet::source::wgsl {
 
-Parsed parse(std::string_view text);
+Parsed parse(std::string_view source);
 
 }  // namespace warpjet::source::wgsl

@@ -1,11 +1,14 @@
 // The exact normals at corners of triangles in a picture of a warped shape: finds which corners are visible and where, and computes their
-// normals from finite differences, in double, of the shapes of p5-surfaces.js.
+// normals from finite differences, in double precision, of the shapes of p5-surfaces.js.
 import * as m from './matrix.js'
 
 /** The size of the picture, and the distance of the eye, in pixels. */
 export const [size, distance] = [520, 1500]
 
-/** The `grain` of p5's own shapes, which have size 1 in local space (see p5-surfaces.js). */
+/**
+ * The `grain` of p5's own shapes, which have size 1 in local space. A grain says how an offset is scaled to the size of a shape (see
+ * `surfaces` in p5-surfaces.js).
+ */
 export const unit = { height: 1, length: 1, normals: 1 }
 
 /** Parametrizes a flat triangle: a constant normal, and positions and uvs interpolated between its corners. */
@@ -22,7 +25,7 @@ function parametrizeTriangle([a, b, c], [n], [ta, tb, tc]) {
 
 /**
  * Returns for each triangle its corners as { vertex, p, n, side, where }: `side` is the smooth part of the surface that contains the
- * triangle, and `where` the parameters of the corner on it.
+ * triangle, and `where` the two parameters of the corner on that part.
  */
 export function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
   return faces.map((face) => {
@@ -44,8 +47,8 @@ export function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
     return [0, 1, 2].map((j) => {
       const { p, n } = corner(j)
       for (const side of sides) {
-        const where = side.parametersOf(p, m.normalize(n), uvPairs[j])
-        if (where) return { ...corner(j), side, where }
+        const parameters = side.parametersOf(p, m.normalize(n), uvPairs[j])
+        if (parameters) return { ...corner(j), side, where: parameters }
       }
       throw new Error(`no side has the normal ${n}`)
     })
@@ -69,13 +72,16 @@ function trueNormal({ side, where: [u, v], n }, move, turn) {
   )
 }
 
-/** Tests whether a corner is where u has no derivative, so that an offset that depends on u tears the surface. */
+/**
+ * Tests whether a corner is at a pole, an apex or the centre of a cap. There u has no derivative, so an offset that depends on u tears the
+ * surface.
+ */
 export const isTorn = ({ side, where: [, v] }) =>
   side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
 
 /**
- * Tests for torn corners whose normal cannot be compared, since it depends on the direction of approach. At the apex of p5's own cones,
- * which have several sides, it can.
+ * Tests whether the normal at a torn corner depends on the direction of approach, so that it cannot be compared. It can be compared on p5's
+ * own shapes of several sides: at the apex of a cone.
  */
 const isAmbiguous = (corner, { isBuilt, sides }) =>
   isTorn(corner) && (isBuilt || sides.length === 1)
@@ -120,8 +126,12 @@ const pixelsAcross = (...ends) => [
 ]
 
 /**
- * Finds a point near each corner of each visible triangle, in the picture of the shape rotated about x and y by these angles, if the pixels
- * around it show one smooth surface. Returns these points with normals that are interpolated from the exact ones of the corners.
+ * Finds the visible triangles in the picture of the shape, rotated by `aboutX` and `aboutY`. Returns a point near each of their corners,
+ * with the normal that is interpolated from the exact normals of the triangle's corners. Leaves out triangles with an ambiguous corner, and
+ * points
+ * - around which pixels show anything but one smooth surface,
+ * - where the normals change too much from pixel to pixel,
+ * - whose normal has a component of at most 0.1, since the normal material shows only positive components.
  */
 export function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
   const { grain = unit, scale = [1, 1, 1] } = shape

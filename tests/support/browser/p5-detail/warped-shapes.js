@@ -9,7 +9,7 @@ const offsets = {
     return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
   },
   flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30)),
-  // Bends more on one side. Otherwise the CPU would divide uniformly, which passes cannot do.
+  // Bends more on one side. Otherwise the CPU would divide uniformly, which compute passes cannot do.
   bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.03).exp().mult(10), 0),
   noise: ({ normal, position, uniforms }) =>
     normal.mult(
@@ -43,7 +43,7 @@ const balls = new WeakMap()
 /** Returns an octahedron of radius 1 that is divided three times. Spheres of p5 have a seam whose two sides differ by rounding. */
 function ballOf(p) {
   if (balls.has(p)) return balls.get(p)
-  const places = [0, 1, 2].flatMap((axis) =>
+  const positions = [0, 1, 2].flatMap((axis) =>
     [1, -1].map((sign) => [0, 1, 2].map((i) => (i === axis ? sign : 0))),
   )
   let faces = [0, 1].flatMap((x) =>
@@ -53,8 +53,8 @@ function ballOf(p) {
   const middleOf = (a, b) => {
     const key = `${Math.min(a, b)} ${Math.max(a, b)}`
     if (!middles.has(key)) {
-      const sum = places[a].map((x, i) => x + places[b][i])
-      middles.set(key, places.push(sum.map((x) => x / Math.hypot(...sum))) - 1)
+      const sum = positions[a].map((x, i) => x + positions[b][i])
+      middles.set(key, positions.push(sum.map((x) => x / Math.hypot(...sum))) - 1)
     }
     return middles.get(key)
   }
@@ -70,9 +70,9 @@ function ballOf(p) {
     })
   const ball = new p5.Geometry(1, 1, function () {
     this.gid = 'ball'
-    this.vertices = places.map((place) => p.createVector(...place))
-    this.vertexNormals = places.map((place) => p.createVector(...place))
-    this.uvs = places.flatMap(() => [0, 0])
+    this.vertices = positions.map((position) => p.createVector(...position))
+    this.vertexNormals = positions.map((position) => p.createVector(...position))
+    this.uvs = positions.flatMap(() => [0, 0])
     this.faces = faces
   })
   balls.set(p, ball)
@@ -92,8 +92,8 @@ export function boxOf(p) {
 }
 
 /**
- * Returns a sketch that draws a shape with detail at each of `places`, which are functions of p and the index of the picture. If
- * `isInside`, it draws them into a framebuffer, and then the framebuffer.
+ * Returns a sketch that draws a shape with detail once per function in `places`. Each of these functions calls rotateX(), translate() and
+ * the like for picture i. If `isInside`, the sketch draws the shapes into a framebuffer, which it then draws.
  */
 export function sketch({
   shape,
@@ -101,8 +101,8 @@ export function sketch({
   space,
   detail = 1,
   look,
-  places = [turn],
-  isInside,
+  places: transforms = [turn],
+  isInside: usesFramebuffer,
   ...others
 }) {
   let warp, framebuffer
@@ -114,7 +114,7 @@ export function sketch({
         ...{ space, detail, normals: 'pixel' },
         ...(initialUniforms && { uniforms: initialUniforms }),
       })
-      if (isInside) framebuffer = p.createFramebuffer()
+      if (usesFramebuffer) framebuffer = p.createFramebuffer()
       others.setup?.(p)
     },
     draw(p, i) {
@@ -125,9 +125,9 @@ export function sketch({
       p.fill(255, 127, 80)
       look?.(p, i)
       warp(uniforms[name]?.(i))
-      for (const place of places) {
+      for (const transform of transforms) {
         p.push()
-        place(p, i)
+        transform(p, i)
         const draw = typeof shape === 'function' ? shape : shapes[shape]
         draw(p, i)
         p.pop()
@@ -147,7 +147,7 @@ export function turn(p, i) {
   p.scale(0.8 + ((i * 0.382) % 1) / 2)
 }
 
-/** Several places in a picture, near and far. */
+/** Transforms for `places` of a sketch: draw a shape near and far in one picture, at different sizes. */
 export const around = [
   [0, 60, 0, 1],
   [60, 40, -100, 1.2],

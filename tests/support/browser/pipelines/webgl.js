@@ -27,12 +27,12 @@ export function link(gl, vertexSource, fragmentSource, prepare = () => {}) {
   return program
 }
 
-const floatAt = (i) => `given${i >> 2}.${'xyzw'[i & 3]}`
+const floatAt = (i) => `input${i >> 2}.${'xyzw'[i & 3]}`
 
 /**
- * Returns the parts of a vertex shader for a program: `attributes` are the names of its inputs, four floats each; `body` reads them, runs
- * the code, and assigns `width` vec4s of the outputs, starting with number `pass * width`, to the variables `result0`, `result1`, …;
- * `passes` is the number of passes that return all outputs.
+ * Returns the parts of a vertex shader for a program. `width` is the number of vec4s that one pass returns. `attributes` are the names of
+ * the inputs, four floats each. `body` reads them, runs the code, and assigns the vec4s of one pass to `result0`, `result1`, …; the caller
+ * declares the uniform `pass`, the index of this pass. `passes` is the number of passes that return all outputs.
  */
 export function vertexParts({ code, inputs, outputs }, width) {
   const vectors = outputVectors('glsl', outputs, 'vec4')
@@ -44,7 +44,7 @@ export function vertexParts({ code, inputs, outputs }, width) {
     return `if (pass == ${pass}) {\n${assignments.join('\n')}\n}`
   })
   return {
-    attributes: Array.from({ length: Math.ceil(totalSize(inputs) / 4) }, (_, i) => `given${i}`),
+    attributes: Array.from({ length: Math.ceil(totalSize(inputs) / 4) }, (_, i) => `input${i}`),
     body: [declareInputs('glsl', inputs, floatAt), code, ...choices].join('\n'),
     passes,
   }
@@ -78,7 +78,7 @@ export const declareImages = (images) =>
     .map((name) => `uniform sampler2D ${name};\nuniform vec2 ${name}Size;`)
     .join('\n')
 
-/** Binds the images, with WebGL's default filter, to the current program. Returns a function that unbinds them. */
+/** Binds the images, with linear filtering, to the current program. Returns a function that deletes them. */
 export function bindImages(gl, program, images) {
   const textures = Object.entries(images).map(([name, { width, height, data }], unit) => {
     const texture = gl.createTexture()
@@ -102,14 +102,15 @@ export function bindImages(gl, program, images) {
     gl.uniform2f(gl.getUniformLocation(program, `${name}Size`), width, height)
     return texture
   })
+  // A texture that the caller binds from now on must not replace an image.
   gl.activeTexture(gl.TEXTURE0 + textures.length)
   return () => textures.forEach((texture) => gl.deleteTexture(texture))
 }
 
-/** Collects the floats of each point; `take(point, vector, k)` returns component k of one of its vec4s. */
-export function collectResults(count, size, take) {
+/** Collects the floats of each point; `readComponent(point, vector, k)` returns component k of one of its vec4s. */
+export function collectResults(count, size, readComponent) {
   const results = new Float32Array(count * size)
   for (let point = 0; point < count; point++)
-    for (let k = 0; k < size; k++) results[point * size + k] = take(point, k >> 2, k & 3)
+    for (let k = 0; k < size; k++) results[point * size + k] = readComponent(point, k >> 2, k & 3)
   return results
 }
