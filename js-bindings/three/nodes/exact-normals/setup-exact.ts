@@ -194,6 +194,6 @@ function warn({ warned }: ExactNodeMaterial, { object, material }: Builder, mess
     '',
   )
   console.warn(
-    `${method}: the normals of ${nameOfMaterial(material)} of ${nameOf(object)} stay as they are. ${reason}`,
+    `${method}: the normals of ${nameOfMaterial(material)} of ${nameOf(object)} stay as they are: ${reason}`,
   )
 }
