@@ -5,7 +5,7 @@ import { details, type Detail, type DetailModule } from '../wasm/detail.js'
 import { Views } from '../wasm/views.js'
 import type { DetailBase } from './detail-base.js'
 
-/** What must be freed. */
+/** A mesh in the wasm, which must be freed with the `WasmMesh` that owns it. */
 interface Owned {
   readonly bound: DetailModule
   readonly detail: Detail

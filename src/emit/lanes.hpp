@@ -40,7 +40,7 @@ struct Lanes {
 // Records which nodes are statements, and which statements are packed into one.
 class Packs {
  public:
-  // How lanes are written: as one number for all of them, as components of an existing vector, as
+  // The ways to write lanes: as one number for all of them, as components of an existing vector, as
   // an operation on vectors, or as a list of numbers.
   enum class Form : std::uint8_t { Number, Part, Operation, Row };
   // Lanes are written as an operand, or as the expression that a statement computes.

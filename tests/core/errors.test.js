@@ -12,25 +12,28 @@ const zeroOffset = ({ glsl }) => glsl.vec3(0, 0, 0)
 afterEach(() => assert.match(compileWarp(zeroOffset).code, /warpedPosition/))
 
 /** Returns a function that compiles an offset function. */
-const compiling = (offset) => () => compileWarp(offset)
+const compileLater = (offset) => () => compileWarp(offset)
 
 test('rejects wrong results of the offset function', () => {
   throwWarpErrors([
-    [compiling(() => undefined), /must return a vec3.*undefined/],
-    [compiling(() => 5), /must return a vec3.*the number 5/],
-    [compiling(({ glsl }) => glsl.vec2(1, 2)), /must return a vec3.*a vec2/],
-    [compiling(({ millis }) => millis), /must return a vec3.*a single number/],
-    [compiling(() => [0, 0, 0]), /must return a vec3.*an array of 3/],
-    [compiling(({ glsl }) => glsl.vec3(NaN, 0, 0)), /vec3: argument 1 is NaN/],
-    [compiling(({ glsl }) => glsl.vec3(0, 1 / 0, 0)), /vec3: argument 2 is Infinity/],
+    [compileLater(() => undefined), /must return a vec3.*undefined/],
+    [compileLater(() => 5), /must return a vec3.*the number 5/],
+    [compileLater(({ glsl }) => glsl.vec2(1, 2)), /must return a vec3.*a vec2/],
+    [compileLater(({ millis }) => millis), /must return a vec3.*a single number/],
+    [compileLater(() => [0, 0, 0]), /must return a vec3.*an array of 3/],
+    [compileLater(({ glsl }) => glsl.vec3(NaN, 0, 0)), /vec3: argument 1 is NaN/],
+    [compileLater(({ glsl }) => glsl.vec3(0, 1 / 0, 0)), /vec3: argument 2 is Infinity/],
   ])
 })
 
 test("rejects JavaScript's operators on expressions", () => {
   throwWarpErrors([
-    [compiling(({ position }) => position.x() * 2), /own \+ - \* \/ .* do not work on expressions/],
     [
-      compiling(({ position }) => (position.x() > 0 ? position : position.neg())),
+      compileLater(({ position }) => position.x() * 2),
+      /own \+ - \* \/ .* do not work on expressions/,
+    ],
+    [
+      compileLater(({ position }) => (position.x() > 0 ? position : position.neg())),
       /do not work on expressions/,
     ],
   ])
@@ -60,8 +63,8 @@ test('rejects expressions of another copy of warpjet', async () => {
   other.compileWarp(({ position }) => (foreign = position))
   const message = /was made by another copy of warpjet; this page loads two copies, so load all/
   throwWarpErrors([
-    [compiling(() => foreign), message],
-    [compiling(({ position }) => position.add(foreign)), message],
+    [compileLater(() => foreign), message],
+    [compileLater(({ position }) => position.add(foreign)), message],
   ])
 })
 
@@ -81,7 +84,7 @@ test('rejects values that are not offset functions', () => {
 })
 
 test('rejects invalid operands', () => {
-  const add = (operand) => compiling(({ position }) => position.add(operand))
+  const add = (operand) => compileLater(({ position }) => position.add(operand))
   throwWarpErrors([
     [add(undefined), /add: expected a number or an expression for argument 1, got undefined/],
     [add('1'), /add: expected .* for argument 1, got the text "1"/],
@@ -90,10 +93,10 @@ test('rejects invalid operands', () => {
     [add(NaN), /add: argument 1 is NaN/],
     [add(1e-60), /add: argument 1 is 1e-60, too close to zero/],
     [add(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/],
-    [compiling(({ millis }) => millis.add()), /add: expected 1 argument, got 0/],
-    [compiling(({ glsl }) => glsl.sum()), /sum: expected 2 arguments, got 0/],
+    [compileLater(({ millis }) => millis.add()), /add: expected 1 argument, got 0/],
+    [compileLater(({ glsl }) => glsl.sum()), /sum: expected 2 arguments, got 0/],
     [
-      compiling(({ glsl, millis }) => glsl.max(millis, null)),
+      compileLater(({ glsl, millis }) => glsl.max(millis, null)),
       /max: expected .* for argument 2, got null/,
     ],
   ])
@@ -101,15 +104,15 @@ test('rejects invalid operands', () => {
 
 test('rejects vectors of different sizes', () => {
   throwWarpErrors([
-    [compiling(({ position, uv }) => position.add(uv)), /add: a vec3 and a vec2 do not fit/],
-    [compiling(({ uv }) => uv.z()), /z: a vec2 has no such components/],
-    [compiling(({ uv }) => uv.scale(uv)), /scale: expected a single number as argument 1/],
+    [compileLater(({ position, uv }) => position.add(uv)), /add: a vec3 and a vec2 do not fit/],
+    [compileLater(({ uv }) => uv.z()), /z: a vec2 has no such components/],
+    [compileLater(({ uv }) => uv.scale(uv)), /scale: expected a single number as argument 1/],
   ])
 })
 
 test('rejects divisions by zero', () => {
   throwsWarpError(
-    compiling(({ position }) => position.div(0)),
+    compileLater(({ position }) => position.div(0)),
     /div: a divisor is zero/,
   )
 })
@@ -118,8 +121,11 @@ test('rejects expressions of another warp', () => {
   let stolen
   compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
   throwWarpErrors([
-    [compiling(() => stolen), /comes from another warp/],
-    [compiling(({ position }) => position.add(stolen)), /add: argument 1 comes from another warp/],
+    [compileLater(() => stolen), /comes from another warp/],
+    [
+      compileLater(({ position }) => position.add(stolen)),
+      /add: argument 1 comes from another warp/,
+    ],
     [() => stolen.add(1), /add: the function that made this expression is over/],
   ])
 })
@@ -150,7 +156,7 @@ test('rejects invalid options', () => {
 
 test('rejects results requested by .output(…) outside of gen', () => {
   const withSlope = (write) =>
-    compiling(({ glsl, millis, position }) => {
+    compileLater(({ glsl, millis, position }) => {
       const slope = glsl.fn({
         name: 'slope',
         arity: 1,
@@ -208,7 +214,7 @@ test('rejects a class instead of a function', () => {
     })
   throwWarpErrors([
     [
-      compiling(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
+      compileLater(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
       /^slope: expected a number or an expression for derivative 1, got a class/,
     ],
     [
@@ -241,7 +247,7 @@ test('rejects invalid names of results', () => {
 })
 
 test('rejects invalid names of parameters', () => {
-  const param = (name) => compiling(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
+  const param = (name) => compileLater(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
   throwWarpErrors([
     [param('for'), /"for" cannot be read in a shader: "for" is a reserved word of GLSL/],
     [param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/],
@@ -382,7 +388,7 @@ test('reports constants whose product, which only the derivative computes, is in
 
 test('stops an endless loop with a message', { timeout: 60_000 }, () => {
   throwsWarpError(
-    compiling(({ millis }) => {
+    compileLater(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)
     }),
     /more than four million operations; check for an endless loop/,

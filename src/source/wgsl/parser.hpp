@@ -142,7 +142,7 @@ class Parser {
   StatementId forStatement();
   StatementId whileStatement();
   StatementId continuing(ExpressionId& breakIf);
-  // How many expressions and statements the tree has.
+  // The numbers of expressions and statements in the tree.
   struct TreeSize {
     std::size_t expressions, statements;
   };

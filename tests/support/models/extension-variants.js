@@ -47,7 +47,7 @@ const quaternions = [
   [0, 0, Math.SQRT1_2, Math.SQRT1_2],
   [1, 0, 0, 0],
 ]
-/** The same rotations as functions. */
+/** Functions that compute the same rotations. */
 const rotations = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
 
 /**
