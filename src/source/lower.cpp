@@ -46,7 +46,7 @@ Lowered Lowering::lower(FunctionId number) {
   }
   if (!problems_.any()) exceedsLimits(function.location);
   return {std::move(recorder_), std::move(results), function.type, std::move(externals_),
-          std::move(routines_)};
+          std::move(routines_), std::move(cutOff_)};
 }
 
 // Allocates the slots of all variables, which are fixed, since no function calls itself, and

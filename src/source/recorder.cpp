@@ -135,7 +135,7 @@ Id Recorder::fold(std::uint32_t number, std::uint32_t steps, std::span<const Id>
   loop.steps = steps;
   if (loop.outer) {
     std::uint32_t& inner = loops_[loop.outer - 1].inner;
-    inner = std::max(inner, steps * loop.inner);
+    inner = std::max(inner, (loop.isCounted() ? steps : 1) * loop.inner);
   }
   std::vector<Id> operands(starts.begin(), starts.end());
   operands.insert(operands.end(), nexts.begin(), nexts.end());

@@ -31,13 +31,19 @@ struct Operation {
   double value = 0;
 };
 
+// The number of iterations of a loop that ends by itself. It has that many only on paper: no vertex
+// shader runs so many, and float32 counts them exactly. The builder has the same number.
+inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
+
 // A loop of the shader. Loop numbers start at 1.
 struct Loop {
   std::uint32_t outer;      // the number of the enclosing loop; 0 if there is none
   std::uint32_t steps = 0;  // the number of iterations
   // Iterations of the nested loops per iteration of this loop: the maximum of steps * inner over
-  // its nested loops; 1 if there are none.
+  // its nested loops, where the steps of uncounted ones are omitted; 1 if there are none.
   std::uint32_t inner = 1;
+
+  bool isCounted() const { return steps != uncountedSteps; }
 };
 
 class Recorder {
@@ -94,7 +100,8 @@ class Recorder {
     return leaf(Code::State, static_cast<int>(loop), static_cast<int>(i));
   }
   // Closes a loop and returns its operation. `starts` are the initial values of its states, which
-  // are floats, and `nexts` their values after each step.
+  // are floats, and `nexts` their values after each step. The first state of an uncounted loop
+  // becomes 1 where the loop ends; from then on, no state changes.
   Id fold(std::uint32_t loop, std::uint32_t steps, std::span<const Id> starts,
           std::span<const Id> nexts);
   // Returns the final value of a state.
