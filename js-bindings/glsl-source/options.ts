@@ -30,7 +30,7 @@ export interface LoopOptions {
   maxIterations?: number
 }
 
-/** As `maxIterations`: loops run until they end. Equal to `untilEnd` in loops.hpp. */
+/** The value of `maxIterations` for loops that run until they end. Equal to `untilEnd` in loops.hpp. */
 export const untilEnd = -1
 
 export const loopKinds = { maxIterations: maxIterationsOr(untilEnd) } satisfies KindsOf<LoopOptions>

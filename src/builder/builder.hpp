@@ -81,8 +81,8 @@ class Builder {
                                     std::span<const std::uint32_t> words);
   [[gnu::noinline]] int callRecorded(int function);
 
-  // As the number of steps: the loop runs until its first state is more than 0.5, from which on no
-  // step may change any state.
+  // The `steps` of a loop that runs until its first state is more than 0.5. From then on, no step
+  // may change any state.
   static constexpr int untilEnd = -1;
   // Opens a loop of `steps` iterations; the values pushed are the initial states. Returns the
   // handle of the step number, followed by the handles of the states. `closeRepeat` takes the new

@@ -11,9 +11,9 @@ namespace warpjet {
 
 namespace {
 
-// The CPU evaluates that many operations in about 0.1 ms per vertex. Nested uncounted loops would
+// The CPU evaluates that many operations in about 1 ms per vertex. Nested uncounted loops would
 // otherwise multiply their steps.
-constexpr std::size_t maxUncountedNodes = 65'536;
+constexpr std::size_t maxUncountedNodes = std::size_t{1} << 18;
 
 class Inliner {
  public:

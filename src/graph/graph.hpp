@@ -102,8 +102,7 @@ inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
 // A loop: its number of iterations and of variables. Variable 0 is the step number, counted from 0;
 // the others are states.
 struct Loop {
-  // Where the number of iterations is unknown, the CPU runs at most this many, and estimates assume
-  // it.
+  // The number of iterations of an uncounted loop that estimates assume, and the max on the CPU.
   static constexpr std::uint32_t assumedSteps = 256;
 
   std::uint32_t steps;

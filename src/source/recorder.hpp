@@ -31,8 +31,8 @@ struct Operation {
   double value = 0;
 };
 
-// The number of iterations of a loop that ends by itself. It has that many only on paper: no vertex
-// shader runs so many, and float32 counts them exactly. The builder has the same number.
+// The number of iterations of a loop that ends by itself: a number that no vertex shader reaches,
+// and that float32 counts exactly. The builder has the same number.
 inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
 
 // A loop of the shader. Loop numbers start at 1.

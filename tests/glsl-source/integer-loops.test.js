@@ -8,7 +8,7 @@ import { compile } from '../../dist/warpjet.js'
 const add = (a, b) => (a + b) >>> 0
 const multiply = (a, b) => Math.imul(a, b) >>> 0
 
-/** The same loop in GLSL, WGSL and JavaScript. It adds to a sum s, depends on p and on a uniform n, and returns s. */
+/** Loops in GLSL, WGSL and JavaScript. Each adds terms to a sum s, which depends on p and on a uniform n. */
 const loops = {
   'a u32 counter that a break ends': {
     glsl: 'for (uint i = 0u; i < 400u; i++) { if (s > 30.0 * p.y) break; s += sin(p.x * float(i)) + 0.75; }',

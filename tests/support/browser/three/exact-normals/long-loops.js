@@ -6,7 +6,7 @@ const { Break, Fn, If, Loop, cos, float, int, positionLocal, sin, uint, uniform,
 
 /** Moves vertices in the plane, too, so that the outline shows wrong positions. */
 const raise = (height) => positionLocal.add(vec3(height.mul(0.3), 0, height))
-const raised =
+const moveBy =
   (height) =>
   ([x, y, z]) => [x + 0.3 * height(x, y), y, z + height(x, y)]
 
@@ -24,7 +24,7 @@ export const longLoops = {
         })
         return raise(sum)
       })(),
-    move: raised((x, y) => {
+    move: moveBy((x, y) => {
       let [sum, reached] = [0, 0]
       for (let i = 0; reached < 700 + 150 * x; i++) {
         reached += 0.85
@@ -51,7 +51,7 @@ export const longLoops = {
         })
         return raise(sum)
       })(),
-    move: raised((x, y) => {
+    move: moveBy((x, y) => {
       let sum = 0
       for (let i = 0; i < 300; i++)
         for (let j = 0; j < 5; j++)
@@ -73,8 +73,8 @@ export const manyStates = {
       })
       return raise(vectors.reduce((sum, each) => sum.add(each)).x)
     })(),
-  moveBy: (iterations) =>
-    raised((x) => {
+  moveAfter: (iterations) =>
+    moveBy((x) => {
       let sum = 0
       for (let i = 0; i < iterations; i++) sum += 0.008 * Math.sin(3 * x + 0.02 * i) + 8e-7 * i
       return sum

@@ -68,7 +68,7 @@ async function drawCase(
 async function measure(name, settings) {
   const { iterations } = settings
   const displacement = iterations
-    ? { ...manyStates, move: manyStates.moveBy(iterations) }
+    ? { ...manyStates, move: manyStates.moveAfter(iterations) }
     : (displacements[name] ?? longLoops[name])
   const { move, ignoresPose } = displacement
   const { renderer, material, object, geometry, view, shown } = await drawCase(

@@ -1,15 +1,8 @@
 // A page that compares the normals that `exactNormals` computes for displacements with finite differences in double precision.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
-import {
-  chunks,
-  customShaderMaterials,
-  longLoops,
-  manyStates,
-  objects,
-  shaderMaterials,
-  unsupported,
-} from './cases.js'
+import { chunks, customShaderMaterials, objects, shaderMaterials, unsupported } from './cases.js'
+import { longLoops, manyStates } from './glsl-loops.js'
 import { habits, measureHabit } from './habits.js'
 import { measure } from './measure.js'
 import * as meshes from './meshes.js'
