@@ -46,6 +46,9 @@ struct Loop {
   bool isCounted() const { return steps != uncountedSteps; }
 };
 
+// Converts a value to its representation in that type: rounds floats, and wraps integers around.
+double representAs(Base base, double value);
+
 class Recorder {
  public:
   static constexpr std::size_t maxOperations = std::size_t{1} << 20;

@@ -443,6 +443,13 @@ TEST(GlslFold, IntegersOf32BitsCanBeStates) {
   }
 }
 
+TEST(GlslFold, TheNumberOfStepsFollowsFromIntegersThatWrapAround) {
+  const Listing listing = lowerToListing(sourceWithLoop("for (int i = 5; i * 2 / 3 > -4; i--)"), 0);
+  const Interpreter run(listing, {0.7});
+  EXPECT_EQ(run.steps, 11u);
+  EXPECT_NEAR(run.results.at(0), runLoop(0.7, 11, never), 1e-12);
+}
+
 TEST(GlslFold, LoopsCanBeNested) {
   const std::string text =
       "float f(float x) { float s = 0.0; for (int i = 0; i < 9; i++) { float t = s * 0.5; "

@@ -68,7 +68,7 @@ for (const backend of ['webgl', 'webgpu'])
       assert.equal(messages.length, 1, messages.join('\n'))
       assert.match(
         messages[0],
-        /^exactNormals: the MeshNormalNodeMaterial of this Mesh cuts off a loop: only the shader knows .* after 256 iterations; .* maxIterations \(1 to 4096\)\.\n\s+for /,
+        /^exactNormals: the MeshNormalNodeMaterial cuts off a loop: only the shader knows .* after 256 iterations; .* maxIterations \(1 to 4096\)\.\n\s+for /,
       )
       // The original loop moves the vertices of the other picture further.
       assert.ok(cut.moved > 0, `${cut.moved} pixels`)

@@ -42,7 +42,7 @@ export function displaceExactly(
       if (!(error instanceof WarpError)) throw error
       warnOnce(
         exact,
-        `the normals of ${nameOfDrawn(builder)} stay as they are: ${withoutPlace(error.message)}`,
+        `the normals of ${nameOfMaterial(builder.material)} of ${nameOf(builder.object)} stay as they are: ${withoutPlace(error.message)}`,
       )
     }
   }
@@ -61,7 +61,10 @@ function moveExactly(
   const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)
   if (warp.cutOff)
-    warnOnce(exact, `${nameOfDrawn(builder)} cuts off a loop: ${withoutPlace(warp.cutOff)}`)
+    warnOnce(
+      exact,
+      `${nameOfMaterial(builder.material)} cuts off a loop: ${withoutPlace(warp.cutOff)}`,
+    )
   if (warp.varies) ensureVariation(builder)
   for (const node of source.updated) {
     builder.addNode(node)
@@ -190,9 +193,6 @@ function ensureVariation({ geometry }: Builder) {
   if (!geometry.hasAttribute(variationAttribute('normalXGradient')))
     addVariation(geometry, surfaceVariation)
 }
-
-const nameOfDrawn = ({ object, material }: Builder) =>
-  `${nameOfMaterial(material)} of ${nameOf(object)}`
 
 /** Removes the name of the method, and the line and column, since three.js has written the code. */
 const withoutPlace = (message: string) =>
