@@ -1,5 +1,6 @@
 // The options of all functions that read source in GLSL or WGSL.
-import { kind, optional, text, wholeNumber } from '../options/kinds.js'
+import { maxIterationsOr } from '../options/iterations.js'
+import { kind, optional, text } from '../options/kinds.js'
 import type { KindsOf } from '../options/schema.js'
 
 export interface GlslOptions {
@@ -9,31 +10,11 @@ export interface GlslOptions {
   maxIterations?: number
 }
 
-const maxIterationsOr = (missing: number) =>
-  wholeNumber({ min: 1, max: maxIterationLimit, default: missing })
-
-export const maxIterationLimit = 4096
-
 export const glslKinds = {
   function: optional(text('the name of a function')),
   /** 0 if the option is missing. */
   maxIterations: maxIterationsOr(0),
 } satisfies KindsOf<GlslOptions>
-
-/** The option of functions that read shaders whose loops need no known end. */
-export interface LoopOptions {
-  /**
-   * Max number of iterations, from 1 to 4096, of a loop whose end only the shader knows. Default: such a loop runs until it ends. If it
-   * cannot stay a loop in the shader, for example because it changes more than 32 numbers, it is cut off after 256 iterations, and a
-   * console warning says which loop that is.
-   */
-  maxIterations?: number
-}
-
-/** The value of `maxIterations` for loops that run until they end. Equal to `untilEnd` in loops.hpp. */
-export const untilEnd = -1
-
-export const loopKinds = { maxIterations: maxIterationsOr(untilEnd) } satisfies KindsOf<LoopOptions>
 
 const isFileName = (value: unknown) =>
   typeof value === 'string' && /^[\w./\\-]+\.\w+$/.test(value.trim())

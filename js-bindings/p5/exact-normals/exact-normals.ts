@@ -4,7 +4,7 @@
  * transform the normal by that exact derivative.
  */
 import { WarpError } from '../../errors/errors.js'
-import { loopKinds, type LoopOptions } from '../../glsl-source/options.js'
+import { loopKinds, type LoopOptions } from '../../options/iterations.js'
 import { Place } from '../../options/place.js'
 import { object, type KindsOf } from '../../options/schema.js'
 import { normalMatrices } from '../hooks/struct-hooks.js'
@@ -34,7 +34,7 @@ const normalHooks = ['vec3 getLocalNormal', 'vec3 getWorldNormal']
 
 export type ExactNormalsOptions = LoopOptions
 
-const optionsKind = object({ ...loopKinds } satisfies KindsOf<ExactNormalsOptions>)
+const optionsKind = object(loopKinds satisfies KindsOf<ExactNormalsOptions>)
 
 /**
  * Returns the shader with exact normals, if its hooks move positions. If a hook is unsupported, for example because its position depends

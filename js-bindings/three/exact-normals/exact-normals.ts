@@ -2,7 +2,7 @@
 import type { Material, Mesh } from 'three'
 import { normalsKinds } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
-import { loopKinds, type LoopOptions } from '../../glsl-source/options.js'
+import { loopKinds, type LoopOptions } from '../../options/iterations.js'
 import { kind, optional } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { object, type KindsOf } from '../../options/schema.js'
@@ -30,7 +30,7 @@ const optionKinds = object({
       advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',
     }),
   ),
-  ...loopKinds,
+  maxIterations: loopKinds.maxIterations,
 } satisfies KindsOf<ExactNormalsOptions>)
 
 /**

@@ -2,7 +2,7 @@
 import type { Material } from 'three'
 import type { NodeMaterial } from 'three/webgpu'
 import { normalsKinds, type NormalsOption } from '../../../compile/hosts.js'
-import { loopKinds, type LoopOptions } from '../../../glsl-source/options.js'
+import { loopKinds, type LoopOptions } from '../../../options/iterations.js'
 import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
@@ -21,7 +21,7 @@ export interface ExactNormalsOptions extends LoopOptions {
 const place = new Place('exactNormals')
 const optionsKind = object({
   normals: normalsKinds.normals,
-  ...loopKinds,
+  maxIterations: loopKinds.maxIterations,
 } satisfies KindsOf<ExactNormalsOptions>)
 
 /** Returns settings for the warp that is read from a positionNode. */

@@ -5,7 +5,7 @@ import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
 import { WarpError, describe } from '../../../errors/errors.js'
 import { markLibraryFunction } from '../../../errors/operators.js'
 import { readOffset } from '../../../glsl-source/offset.js'
-import { loopKinds, type LoopOptions } from '../../../glsl-source/options.js'
+import { loopKinds, type LoopOptions } from '../../../options/iterations.js'
 import { callback, oneOf } from '../../../options/kinds.js'
 import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
@@ -36,7 +36,7 @@ export interface TslOffset {
 const place = new Place('tslOffset')
 const optionsKind = object({
   returns: oneOf(['offset', 'position'], 'offset'),
-  ...loopKinds,
+  maxIterations: loopKinds.maxIterations,
 } satisfies KindsOf<TslOffsetOptions>)
 
 /**

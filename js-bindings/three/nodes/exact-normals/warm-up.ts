@@ -6,7 +6,7 @@
 import { startCompiler } from '../../../compile/hosts.js'
 import { startFrontEnd } from '../../../glsl-source/listing.js'
 import { readOffset } from '../../../glsl-source/offset.js'
-import { untilEnd } from '../../../glsl-source/options.js'
+import { untilEnd } from '../../../options/iterations.js'
 import { Place } from '../../../options/place.js'
 import { functionFor } from '../function.js'
 import { tsl, type AnyNode } from '../tsl.js'
