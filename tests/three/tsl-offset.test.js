@@ -122,11 +122,7 @@ test('messages of exactNormals', () => {
     [undefined, {}, /^exactNormals: expected a node material, .* got undefined/],
     [new THREE.MeshBasicMaterial(), {}, /expected a node material, .* got a MeshBasicMaterial/],
     [node, {}, /expected a material with a positionNode, got one without/],
-    [
-      { ...node, positionNode: {}, vertexNode: {} },
-      {},
-      /a vertexNode, which replaces the position/,
-    ],
+    [{ ...node, vertexNode: {} }, {}, /a vertexNode, which replaces the position/],
     [{ ...node, positionNode: {} }, { normals: 'pixels' }, /the option "normals"/],
   ])
     assert.throws(() => exactNormals(material, options), { name: 'WarpError', message })
