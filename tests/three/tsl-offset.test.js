@@ -179,11 +179,7 @@ test('messages of exactNormals', () => {
     [undefined, {}, /^exactNormals: expected a node material, .* got undefined/],
     [new THREE.MeshBasicMaterial(), {}, /expected a node material, .* got a MeshBasicMaterial/],
     [node, {}, /expected a material with a positionNode, got one without/],
-    [
-      { ...node, positionNode: {}, vertexNode: {} },
-      {},
-      /a vertexNode, which replaces the position/,
-    ],
+    [{ ...node, vertexNode: {} }, {}, /a vertexNode, which replaces the position/],
     [{ ...node, positionNode: {} }, { normals: 'pixels' }, /the option "normals"/],
     [{ ...node, positionNode: {} }, { maxIterations: 0.5 }, /from 1 to 4096 for the option/],
   ])

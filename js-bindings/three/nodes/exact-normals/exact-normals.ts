@@ -58,12 +58,12 @@ export function exactNormals<Kind extends Material>(
     throw place
       .part('the material')
       .expected('a node material, such as a MeshStandardNodeMaterial,', describeOfThree(material))
-  if (!positionNode)
-    throw place.expected('a material with a positionNode', 'one without', 'set positionNode before')
   if (vertexNode)
     throw place.error(
       'expected a material that moves its vertices by positionNode, got one with a vertexNode, which replaces the position.',
     )
+  if (!positionNode)
+    throw place.expected('a material with a positionNode', 'one without', 'set positionNode before')
   const { normals, maxIterations } = optionsKind.read(options, place)
   addExact(material, settingsWith(normals, maxIterations))
   material.needsUpdate = true
