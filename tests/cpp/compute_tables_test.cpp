@@ -53,7 +53,7 @@ TEST(ComputeTables, TessellationsHaveTheirWeights) {
   for (int i = 0; i <= 333; ++i) table.makeNext();
   const Words& words = table.words();
   const std::uint32_t first = words[666], counts = words[667];
-  EXPECT_EQ(counts, 3u << 16 | 16u);
+  EXPECT_EQ(counts, 3u << 21 | 16u);
   ASSERT_EQ(words.size(), first + 9 + 16);
   std::multiset<float> weights;
   for (std::uint32_t i = 0; i < 9; ++i) {
@@ -63,6 +63,21 @@ TEST(ComputeTables, TessellationsHaveTheirWeights) {
   }
   EXPECT_EQ(weights.count(0.25f), 6u);
   EXPECT_EQ(weights.count(0.5f), 3u);
+}
+
+// The tessellation with 3, 3 and 1 pieces is number 220. It has two quadrilaterals between the long
+// sides, whose diagonals can be flipped, and the triangle at the corner between them.
+TEST(ComputeTables, TessellationsHaveTheirFlips) {
+  TessellationTable table;
+  for (int i = 0; i <= 220; ++i) table.makeNext();
+  const Words& words = table.words();
+  const std::uint32_t first = words[440], counts = words[441];
+  EXPECT_EQ(counts, 2u << 11 | 5u);
+  ASSERT_EQ(words.size(), first + 5 + 2 * 3);
+  std::set<std::uint32_t> corners;
+  for (std::uint32_t i = 0; i < 2; ++i) corners.insert(words[first + 4] >> 10 * i & 0x3ff);
+  corners.insert(words[first + 4] >> 20);
+  EXPECT_EQ(corners, (std::set<std::uint32_t>{2, 3, 4}));
 }
 
 }  // namespace
