@@ -39,7 +39,7 @@ const minPiecesAcross = 8
 const maxPasses = 12
 
 /**
- * Where fronts move over a mesh, they leave cuts behind. The mesh is cut anew, from the given one, if it has more than this many times as
+ * Fronts that move over a mesh leave cuts behind. So the mesh is cut anew, from the given one, if it has more than this many times as
  * many samples as after it was cut first, or if it was cut this many times since.
  */
 const [maxGrowth, maxLaterCuts] = [1.5, 32]

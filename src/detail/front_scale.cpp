@@ -11,8 +11,12 @@ namespace {
 // The part of a step that a triangle may contain.
 constexpr double shareOfStep = 0.5;
 
-// Wider steps, as a share of the range on the mesh, show at the samples of an uncut mesh.
+// Wider steps, as a share of the range on the mesh, show at the samples of an uncut mesh, and so do
+// the peaks of an exponential whose exponent has a shorter range, and of the inverse of numbers with
+// a smaller quotient. With both, exp(-x^2) and 1 / (1 + x^2) are as wide as an eighth of the mesh.
 constexpr double maxWidth = 0.125;
+constexpr double minExponents = 16;
+constexpr double minQuotient = 16;
 
 // A peak f is measured by the root of f / max f, since then a part of the scale anywhere errs about
 // equally if it is drawn straight: f'' is proportional to f for an exponential.
@@ -56,15 +60,16 @@ FrontScale::FrontScale(const Front& front, const ValueRange& estimated, const Va
       break;
     case Profile::Exponential:
       second_ = first_ > 0 ? estimated.high : estimated.low;
+      isUsed_ = std::abs(first_) * estimated.length() > minExponents;
       break;
     case Profile::Power:
       if (first_ > 0) {
         second_ = estimated.high;
         break;
       }
-      isUsed_ = sampled.low > minShare * sampled.high;
       // The estimate of a number that is not quadratic can be too low, even negative.
       second_ = std::max(estimated.low, sampled.low / 4);
+      isUsed_ = sampled.low > minShare * sampled.high && estimated.high > minQuotient * second_;
       break;
     case Profile::Arctangent:
       break;

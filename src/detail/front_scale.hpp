@@ -7,7 +7,7 @@
 namespace warpjet {
 
 // Maps the number of a front monotonically to a scale, on which it may change by 1 within a
-// triangle: so much of the profile shows at the samples. Where the profile hardly changes, the
+// triangle: such a part of the profile shows at the samples. Where the profile hardly changes, the
 // scale doesn't either.
 class FrontScale {
  public:

@@ -16,7 +16,7 @@ constexpr double endOfTanh = 3;
 constexpr double endOfSigmoid = 2 * endOfTanh;
 
 // Powers with exponents from 0 to this have no narrow peak.
-constexpr double minExponent = 4;
+constexpr double minExponent = 8;
 
 std::optional<double> known(const Graph& graph, NodeId id) {
   return graph.isConstant(id) ? std::optional(graph.value(id)) : std::nullopt;

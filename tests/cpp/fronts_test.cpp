@@ -174,7 +174,7 @@ TEST(Detail, CutsAtAPeakInsideOfATriangle) {
 
 TEST(Detail, CutsAlongAStepAndNotElsewhere) {
   const Detail detail = cutAt({Profile::Step, 0.4, 0.42}, [](float x, float) { return x; });
-  // Within the step, x changes by at most half of it.
+  // Within the step, no triangle contains more than half of it.
   for (const Corners& t : detail.base().triangles()) {
     float low = 1, high = 0;
     for (const std::uint32_t corner : t) {

@@ -18,7 +18,7 @@ export interface ComputedFrame {
   readonly instances: number
 }
 
-/** After compute passes had to give a mesh back because it was too coarse, they take it over again when it has not been cut for so many frames. */
+/** After the CPU had to cut a mesh, compute passes take it over again when this many frames have left it uncut. */
 const framesAfterCut = 4
 
 interface Current {
