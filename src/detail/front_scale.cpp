@@ -12,8 +12,9 @@ namespace {
 constexpr double shareOfStep = 0.5;
 
 // Wider steps, as a share of the range on the mesh, show at the samples of an uncut mesh, and so do
-// the peaks of an exponential whose exponent has a shorter range, and of the inverse of numbers with
-// a smaller quotient. With both, exp(-x^2) and 1 / (1 + x^2) are as wide as an eighth of the mesh.
+// the peaks of an exponential whose exponent has a shorter range, and of the inverse of numbers
+// with a smaller quotient. With both, exp(-x^2) and 1 / (1 + x^2) are as wide as an eighth of the
+// mesh.
 constexpr double maxWidth = 0.125;
 constexpr double minExponents = 16;
 constexpr double minQuotient = 16;

@@ -18,6 +18,6 @@ struct FrontAt {
 
 // Returns the front that an operation makes of one of its operands; empty for operations that make
 // none.
-std::optional<FrontAt> frontOf(const Graph& graph, NodeId id);
+std::optional<FrontAt> frontOf(Graph& graph, NodeId id);
 
 }  // namespace warpjet

@@ -63,7 +63,7 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   std::vector<FrontAt> fronts;
   for (const NodeId id : reachable(graph, module.roots(results))) {
     dependence.add(id);
-    const std::optional<FrontAt> front = frontOf(graph, id);
+    const std::optional<FrontAt> front = frontOf(module.graph, id);
     if (front && isVarying(front->argument) &&
         std::find(fronts.begin(), fronts.end(), *front) == fronts.end())
       fronts.push_back(*front);
