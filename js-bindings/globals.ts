@@ -57,5 +57,8 @@ declare global {
    * Makes a shader of `modify()` or `buildMaterialShader()` transform normals to match the positions that its hooks move. Needs
    * warpjet.glsl.min.js. If that is impossible, the console says why, and the shader is returned unchanged.
    */
-  function exactNormals<Shader extends object>(shader: Shader): Shader
+  function exactNormals<Shader extends object>(
+    shader: Shader,
+    options?: { maxIterations?: number },
+  ): Shader
 }

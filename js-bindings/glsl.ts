@@ -7,7 +7,7 @@ import { registerExactNormals } from './p5/exact-normals/register.js'
 
 export { WarpError } from './errors/errors.js'
 export { differentiate, type DifferentiateOptions } from './glsl-source/differentiate.js'
-export { exactNormals } from './p5/exact-normals/exact-normals.js'
+export { exactNormals, type ExactNormalsOptions } from './p5/exact-normals/exact-normals.js'
 export {
   glslOffset,
   wgslOffset,

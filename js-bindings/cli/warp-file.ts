@@ -6,7 +6,7 @@ import { inputSizes } from '../core/inputs/inputs.js'
 import type { OffsetFunction, UniformOptions } from '../core/types/types.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { glslOffset, wgslOffset } from '../glsl-source/offset.js'
-import { maxIterationLimit } from '../glsl-source/options.js'
+import { maxIterationLimit } from '../options/iterations.js'
 import { optional, wholeNumber } from '../options/kinds.js'
 import { numeric } from './usage.js'
 

@@ -3,7 +3,7 @@ import { hostWarp, type CompiledWarp } from '../compile/compile-warp.js'
 import { missingInput } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
 import { isList } from '../options/guards.js'
-import { boolean, kind, record } from '../options/kinds.js'
+import { boolean, kind } from '../options/kinds.js'
 import { describeNumber, finiteFloat, firstWrong } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -63,7 +63,19 @@ const place = new Place('createDetail')
 const sizes = { normals: 3, uvs: 2, colors: 4, tangents: 4 } as const
 
 const meshOptions = object({ curved: boolean(false) } satisfies KindsOf<DetailMeshOptions>)
-const meshKind = record<DetailMesh>('a mesh such as { positions, normals, indices }')
+const isBufferGeometry = (value: unknown) =>
+  (value as { isBufferGeometry?: unknown } | undefined)?.isBufferGeometry === true
+const meshKind = kind<DetailMesh>(
+  'a mesh such as { positions, normals, indices }',
+  (value) =>
+    typeof value === 'object' && value !== null && !isList(value) && !isBufferGeometry(value),
+  {
+    advice: (value) =>
+      isBufferGeometry(value)
+        ? "fromBufferGeometry of 'warpjet/three' makes one of a geometry of three.js"
+        : undefined,
+  },
+)
 const listKind = kind<ArrayLike<number>>('a flat array of numbers, such as a Float32Array,', isList)
 const warpKind = kind<CompiledWarp>(
   'a result of compileWarp',

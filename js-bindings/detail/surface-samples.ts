@@ -6,10 +6,11 @@ import { arrayNames, type Vertices } from '../core/inputs/vertices.js'
 import { copyInto, gather, scatter } from './arrays.js'
 import type { DetailBase } from './detail-base.js'
 import { LastNumbers } from './last-numbers.js'
+import { arraysInSpace, type InSpace } from './transform.js'
 import type { WasmMesh } from './wasm-mesh.js'
 
-/** Transforms samples into the space of the offset. Writes positions into `positions`, and returns all arrays. */
-export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
+/** Transforms samples into the space of the offset: see `transformSamples`. */
+export type ToSpace = (samples: Vertices, to: InSpace) => Vertices
 
 /** The phases of a warp without waves, noises and fronts. */
 export const noPhases: SurfacePhases = {
@@ -31,7 +32,7 @@ export class SurfaceSamples {
   /** `true` if all samples are warped in each frame, since the warp is cheap. */
   readonly areAllWarped: boolean
   readonly arrays: Vertices = { positions: new Float32Array() }
-  private inSpace = new Float32Array()
+  private inSpace: InSpace | undefined
   /** The samples in the space of the offset. */
   private placed = this.arrays
   private readonly lastPlace = new LastNumbers()
@@ -71,10 +72,7 @@ export class SurfaceSamples {
     read('positions', 0)
     this.base.attributes.forEach(({ input }, i) => input && read(input, i + 1))
     const { length } = arrays.positions
-    if (this.inSpace.length !== length) {
-      this.inSpace = new Float32Array(length)
-      this.warpedChosen = new Float32Array(length)
-    }
+    if (this.warpedChosen.length !== length) this.warpedChosen = new Float32Array(length)
     this.lastPlace.forget()
     this.lastPhases.forget()
   }
@@ -82,7 +80,8 @@ export class SurfaceSamples {
   /** Moves the samples into the space of the offset, if the numbers `place` that the transform depends on have changed. */
   place(toSpace: ToSpace | undefined, place: readonly number[]) {
     if (this.lastPlace.are(place)) return
-    this.placed = toSpace ? toSpace(this.arrays, this.inSpace) : this.arrays
+    if (toSpace) this.inSpace = arraysInSpace(this.arrays, this.inSpace)
+    this.placed = toSpace ? toSpace(this.arrays, this.inSpace!) : this.arrays
     this.lastPlace.set(place)
     this.lastPhases.forget()
   }

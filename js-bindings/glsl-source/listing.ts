@@ -66,7 +66,7 @@ export class OpenSource {
     )
   }
 
-  /** Lowers a function. `maxIterations` is the option of this name, or 0. */
+  /** Lowers a function. `maxIterations` is the option of this name, 0 or `untilEnd`. */
   list(head: FunctionHead, maxIterations = 0): Listing {
     const listing = this.source.lower(head.number, maxIterations)
     this.throwProblem()

@@ -74,42 +74,55 @@ const offsetOf = <Uniforms extends UniformValues>(
   language: SourceLanguage,
   source: string,
   options: GlslOffsetOptions | undefined,
-): GlslOffset<Uniforms> => readOffset<Uniforms>(place, language, source, options).offset
+): GlslOffset<Uniforms> =>
+  readOffset<Uniforms>(place, language, source, offsetOptions.read(options, place)).offset
 
-/** Returns the offset function of a source, and the uniforms and attributes of this source. */
+/** Valid options; `maxIterations` may be `untilEnd`. */
+interface ReadOptions {
+  function: string | undefined
+  maxIterations: number
+}
+
+/**
+ * Returns the offset function of a source, and the uniforms and attributes of this source. `cutOff` is the message about a loop that is
+ * cut off before its end; empty if there is none.
+ */
 export function readOffset<Uniforms extends UniformValues>(
   place: Place,
   language: SourceLanguage,
   source: string,
-  options: GlslOffsetOptions | undefined,
-): { offset: GlslOffset<Uniforms>; externals: readonly External[] } {
-  const { returns } = offsetOptions.read(options, place)
-  const { numbersFor, externals } = readNumbers(place, language, source, options, 'vec3')
+  { returns, ...options }: ReadOptions & Required<Pick<GlslOffsetOptions, 'returns'>>,
+): { offset: GlslOffset<Uniforms>; externals: readonly External[]; cutOff: string } {
+  const { numbersFor, externals, cutOff } = readNumbers(place, language, source, options, 'vec3')
   const offset: GlslOffset<Uniforms> = markLibraryFunction((inputs) => {
     const result = vectorOf(inputs, numbersFor(inputs as unknown as WarpInputs))
     return returns === 'position' ? result.sub(inputs.position) : result
   })
-  return { offset, externals }
+  return { offset, externals, cutOff }
 }
 
 /**
- * Reads a source whose function returns a mat4, with the new position in its first three numbers. Returns a function that computes the
- * offset, and `others`, the remaining 13 numbers.
+ * Reads a source whose function returns a mat4, with the new position in its first three numbers. `read` computes the offset and
+ * `others`, the remaining 13 numbers; `cutOff` is as for `readOffset`.
  */
 export function readPositionWithOthers(
+  place: Place,
   language: SourceLanguage,
   source: string,
-  options: GlslOptions,
-): (inputs: WarpInputs) => { offset: Vec3; others: readonly Expression[] } {
-  const place = new Place(`${language}Offset`)
-  const { numbersFor } = readNumbers(place, language, source, options, 'mat4')
-  return (inputs) => {
+  options: ReadOptions,
+): {
+  read: (inputs: WarpInputs) => { offset: Vec3; others: readonly Expression[] }
+  cutOff: string
+} {
+  const { numbersFor, cutOff } = readNumbers(place, language, source, options, 'mat4')
+  const read = (inputs: WarpInputs) => {
     const numbers = numbersFor(inputs)
     return {
       offset: vectorOf(inputs, numbers.slice(0, 3)).sub(inputs.position),
       others: numbers.slice(3),
     }
   }
+  return { read, cutOff }
 }
 
 const vectorOf = ({ glsl }: Pick<WarpInputs, 'glsl'>, numbers: readonly Expression[]) =>
@@ -120,11 +133,10 @@ function readNumbers(
   place: Place,
   language: SourceLanguage,
   source: string,
-  options: GlslOffsetOptions | undefined,
+  { function: name, maxIterations }: ReadOptions,
   type: 'vec3' | 'mat4',
 ) {
   const text = sourceKinds[language].read(source, place.part('the source'))
-  const { function: name, maxIterations } = offsetOptions.read(options, place)
   const listing = withSource(place, { text, language }, (openSource) => {
     const head = openSource.find(name)
     rejectOtherHead(place, language, head, type)
@@ -138,7 +150,7 @@ function readNumbers(
     const externals = bindExternals(place, glsl, listing.externals, inputs)
     return replay(glsl, listing, { arguments: operands, ...externals })
   }
-  return { numbersFor, externals: listing.externals }
+  return { numbersFor, externals: listing.externals, cutOff: listing.cutOff }
 }
 
 const isInput = (name: string) => name in inputTypes

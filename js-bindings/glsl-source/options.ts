@@ -1,5 +1,6 @@
 // The options of all functions that read source in GLSL or WGSL.
-import { kind, optional, text, wholeNumber } from '../options/kinds.js'
+import { maxIterationsOr } from '../options/iterations.js'
+import { kind, optional, text } from '../options/kinds.js'
 import type { KindsOf } from '../options/schema.js'
 
 export interface GlslOptions {
@@ -9,12 +10,10 @@ export interface GlslOptions {
   maxIterations?: number
 }
 
-export const maxIterationLimit = 4096
-
 export const glslKinds = {
   function: optional(text('the name of a function')),
   /** 0 if the option is missing. */
-  maxIterations: wholeNumber({ min: 1, max: maxIterationLimit, default: 0 }),
+  maxIterations: maxIterationsOr(0),
 } satisfies KindsOf<GlslOptions>
 
 const isFileName = (value: unknown) =>

@@ -7,7 +7,7 @@ import { Place } from '../options/place.js'
 /** Calls the recorded function in the session of a builder, and returns its results, one expression per number. */
 export type Routine = (glsl: Builder, operands: Expression[]) => Expression[]
 
-const sessionOf = (glsl: Builder) => glsl.val!(0).session as Session
+export const sessionOf = (glsl: Builder) => glsl.val!(0).session as Session
 
 /**
  * Records a function by running `body` once, in a session whose inputs are the arguments: `size` numbers, of which the first `variables`

@@ -5,7 +5,10 @@ import type { Expression } from '../core/expression/expression.js'
 import { glsl as wasm } from '../wasm/glsl.js'
 import { Columns, Halves, halfOf, halvesOf, recombine, type GlslValue } from './halves.js'
 import type { Listing } from './listing.js'
-import { record, type Routine } from './record.js'
+import { record, sessionOf, type Routine } from './record.js'
+
+/** Equal to Builder::untilEnd in C++. */
+const untilEnd = -1
 
 /** Maps codes → the builder's names of operations, or the names of leaves and instructions; see codes.hpp. */
 let operationNames: string[] | undefined
@@ -53,15 +56,16 @@ export function replay(glsl: Builder, listing: Listing, inputs: ReplayInputs): E
       routines.push(record(glsl, listing.routines[routines.length]!, size, variables, replayBody))
     }
     const repeat = (steps: number, count: number) => {
-      const stateOf = (numbers: Expression[]) =>
-        Object.fromEntries(numbers.map((number, i) => [`state${i}`, number]))
-      const body = (states: object, step: Expression) => {
-        values.push(step, ...(Object.values(states) as Expression[]))
-        runUntil('next')
-        return stateOf(nextOperands(count))
-      }
-      const finalStates = glsl.repeat!(steps, stateOf(nextOperands(count)), body)
-      values.push(...(Object.values(finalStates) as Expression[]))
+      const finalStates = sessionOf(glsl).repeat(
+        steps || untilEnd,
+        nextOperands(count),
+        (states, step) => {
+          values.push(step, ...states)
+          runUntil('next')
+          return nextOperands(count)
+        },
+      )
+      values.push(...finalStates)
     }
     const runOperation = (name: string): Expression | undefined => {
       switch (name) {

@@ -60,7 +60,7 @@ export function fillOf(material: Material | Material[]): number[] {
 }
 
 /** Transforms vertices to world space as the shader does: see weave.ts. */
-export function inWorld(vertices: Vertices, toWorld: Matrix4): Vertices {
+function inWorld(vertices: Vertices, toWorld: Matrix4): Vertices {
   const covariant = new Matrix3().getNormalMatrix(toWorld)
   const { positions, normals, ...others } = vertices as unknown as Arrays
   const uvGradients = gradientsOfUvs.flatMap((name) => {

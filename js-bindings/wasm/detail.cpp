@@ -57,8 +57,8 @@ std::uint32_t vertexCount(const Detail& detail) {
 }
 std::vector<float> criterionNumbers() {
   const Criterion& c = criterion;
-  return {c.margin,     c.nearest, c.aside, c.away,       c.beyondCells,
-          c.beyondFlat, c.error,   c.aim,   c.hysteresis, c.lowest};
+  return {c.margin, c.nearest, c.aside,      c.away,   c.beyondCells, c.beyondFlat,
+          c.error,  c.aim,     c.hysteresis, c.lowest, c.minGain};
 }
 Words pieceNumbers() { return {pieceCounts.begin(), pieceCounts.end()}; }
 

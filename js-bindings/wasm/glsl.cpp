@@ -64,7 +64,8 @@ EMSCRIPTEN_BINDINGS(glsl) {
       .field("constants", &Listing::constants)
       .field("results", &Listing::results)
       .field("externals", &Listing::names)
-      .field("routines", &Listing::routines);
+      .field("routines", &Listing::routines)
+      .field("cutOff", &Listing::cutOff);
 
   class_<Source>("Source")
       .constructor(&openSource, allow_raw_pointers())

@@ -81,6 +81,9 @@ class Builder {
                                     std::span<const std::uint32_t> words);
   [[gnu::noinline]] int callRecorded(int function);
 
+  // The `steps` of a loop that runs until its first state is more than 0.5. From then on, no step
+  // may change any state.
+  static constexpr int untilEnd = -1;
   // Opens a loop of `steps` iterations; the values pushed are the initial states. Returns the
   // handle of the step number, followed by the handles of the states. `closeRepeat` takes the new
   // states from the values pushed and returns the handle of the first outcome; the other handles

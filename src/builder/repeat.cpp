@@ -16,9 +16,12 @@ constexpr std::string_view repeatMethod = "repeat";
 
 int Builder::openRepeat(int steps) {
   const std::vector<Value> start = std::exchange(operands_, {});
-  std::uint64_t totalSteps = static_cast<std::uint64_t>(steps);
-  for (const Repeat& repeat : repeats_)
-    totalSteps *= std::max(graph_.loop(repeat.fold.loop).steps, 1u);
+  const bool isCounted = steps != untilEnd;
+  std::uint64_t totalSteps = isCounted ? static_cast<std::uint64_t>(steps) : 1;
+  for (const Repeat& repeat : repeats_) {
+    const Loop& loop = graph_.loop(repeat.fold.loop);
+    if (loop.isCounted()) totalSteps *= std::max(loop.steps, 1u);
+  }
   if (totalSteps > maxSteps) {
     reject(repeatMethod, {"expected at most ", std::to_string(maxSteps),
                           " steps, where those of nested repeats are multiplied, got ",
@@ -36,7 +39,8 @@ int Builder::openRepeat(int steps) {
     repeat.shapes.push_back(value.shape());
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   }
-  repeat.fold = openFold(graph_, static_cast<std::uint32_t>(steps), nodes);
+  repeat.fold =
+      openFold(graph_, isCounted ? static_cast<std::uint32_t>(steps) : uncountedSteps, nodes);
   const int step = values_.add(repeat.fold.step);
   addAll(repeat.shapes, repeat.fold.states);
   repeats_.push_back(std::move(repeat));

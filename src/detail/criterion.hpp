@@ -29,15 +29,17 @@ struct Criterion {
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
-  // Uniform divisions use the samples of all triangles, and aim at the tolerance.
   float aim = 0.8f;
   // The number of pieces is lowered only to a number that would suffice for this many times the
   // need.
-  float hysteresis = 1.25f;
+  float hysteresis = 1.1f;
   // The min height of a triangle, as a share of its sides. Slivers are treated as if they were this
   // high: second differences of floats, divided by the square of almost no height, would be
   // rounding errors.
   float lowest = 0.01f;
+  // A diagonal is flipped if the other one is shorter by at least this share, so that rounding
+  // doesn't decide.
+  float minGain = 0.01f;
 };
 
 inline constexpr Criterion criterion;

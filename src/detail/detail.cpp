@@ -152,7 +152,7 @@ std::uint32_t Detail::chooseUniform() {
   const auto givenTriangles =
       static_cast<double>(makeInterpolationOfGiven().base().triangles().size());
   const double uniformTriangles = givenTriangles * pieces * pieces;
-  const double advantage = uniformPieces_ != 0 ? 1.1 : 0.9;
+  const double advantage = uniformPieces_ != 0 ? 1.2 : 1;
   return uniformTriangles < advantage * adaptiveTriangles ? pieces : 0;
 }
 
@@ -185,11 +185,11 @@ void Detail::divideBase() {
 void Detail::write() {
   if (uniformPieces_ == 0) {
     pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
+    division_.write(makeInterpolation(), pieces_, tessellations_, needs_.squaredSides());
   } else {
     pieces_.assign(makeInterpolationOfGiven().base().edgeCount(), uniformPieces_);
+    division_.write(makeInterpolationOfGiven(), pieces_, tessellations_);
   }
-  division_.write(uniformPieces_ == 0 ? makeInterpolation() : makeInterpolationOfGiven(), pieces_,
-                  tessellations_);
   indices_.clear();
   for (const Corners& corners : division_.triangles)
     indices_.insert(indices_.end(), corners.begin(), corners.end());

@@ -24,7 +24,7 @@ SidePieces piecesOf(const BaseMesh& base, std::size_t triangle,
 }
 
 void Division::write(const Interpolation& interpolation, std::span<const std::uint32_t> pieces,
-                     Tessellations& tessellations) {
+                     Tessellations& tessellations, std::span<const SquaredSides> sides) {
   const std::span<const Attribute> baseAttributes = interpolation.base().attributes();
   attributes.resize(baseAttributes.size());
   for (std::size_t i = 0; i < attributes.size(); ++i) {
@@ -34,7 +34,7 @@ void Division::write(const Interpolation& interpolation, std::span<const std::ui
     attributes[i].values.assign(values.begin(), values.end());
   }
   writeSides(interpolation, pieces);
-  writeTriangles(interpolation, pieces, tessellations);
+  writeTriangles(interpolation, pieces, tessellations, sides);
 }
 
 void Division::writeSides(const Interpolation& interpolation,
@@ -53,7 +53,8 @@ void Division::writeSides(const Interpolation& interpolation,
 }
 
 void Division::writeTriangles(const Interpolation& interpolation,
-                              std::span<const std::uint32_t> pieces, Tessellations& tessellations) {
+                              std::span<const std::uint32_t> pieces, Tessellations& tessellations,
+                              std::span<const SquaredSides> sides) {
   const BaseMesh& base = interpolation.base();
   triangles.clear();
   firstTriangles.clear();
@@ -76,8 +77,11 @@ void Division::writeTriangles(const Interpolation& interpolation,
       points.push_back(vertex++);
       interpolation.appendInside(attributes, t, weights);
     }
-    for (const Corners& each : tessellation.triangles)
+    const SquaredSides squares = sides.empty() ? SquaredSides{} : sides[t];
+    for (std::size_t i = 0; i < tessellation.triangles.size(); ++i) {
+      const Corners each = flipped(tessellation.triangles, tessellation.flips, i, squares);
       triangles.push_back({points[each[0]], points[each[1]], points[each[2]]});
+    }
   }
   firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));
 }

@@ -23,13 +23,15 @@ struct Division {
   std::vector<std::uint32_t> firstVertices;
 
   // `pieces` has the number of pieces of each edge: all are from `pieceCounts`, or all are equal.
+  // `sides` has the squared sides of each triangle in the metric of its bend, by which diagonals
+  // are flipped; if it is empty, none is.
   void write(const Interpolation& interpolation, std::span<const std::uint32_t> pieces,
-             Tessellations& tessellations);
+             Tessellations& tessellations, std::span<const SquaredSides> sides = {});
 
  private:
   void writeSides(const Interpolation& interpolation, std::span<const std::uint32_t> pieces);
   void writeTriangles(const Interpolation& interpolation, std::span<const std::uint32_t> pieces,
-                      Tessellations& tessellations);
+                      Tessellations& tessellations, std::span<const SquaredSides> sides);
 };
 
 // Returns the numbers of pieces of the sides of a triangle; `pieces` are by edge.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include "detail/criterion.hpp"
 #include "detail/tessellation.hpp"
@@ -77,30 +76,49 @@ Directions directionsOf(const PlanarTriangle& triangle, const Patch* patch) {
   return directions;
 }
 
-using Squares = std::array<float, std::tuple_size_v<Directions>>;
+// Returns the error of a flat triangle, whose sides have these squares in the metric of its bend:
+// half of the squared radius of the smallest circle around it. That is the circle through its
+// corners, unless an angle is obtuse.
+float errorOf(float a, float b, float c) {
+  const float longest = std::max({a, b, c});
+  const float others = a + b + c - longest;
+  if (others <= longest) return longest / 8;
+  const float squaredArea = 4 * (a * b + b * c + c * a) - (a + b + c) * (a + b + c);  // times 16
+  return a * b * c / squaredArea / 2;
+}
 
-// Returns the squares of the numbers of pieces that lines in these directions need for an error of
-// one pixel.
-Squares squaredNeeds(const PlanarTriangle& triangle, const Directions& directions,
-                     const TriangleOnScreen& screen) {
-  Squares max{}, sum{};
+// What a triangle needs for an error of one pixel.
+struct TriangleNeeds {
+  // The squares of the numbers of pieces of its sides.
+  SquaredSides sides{};
+  // The square of the number of pieces per side, if all sides of the given mesh have the same.
+  float uniform = 0;
+};
+
+TriangleNeeds needsOf(const PlanarTriangle& triangle, const Directions& directions,
+                      const TriangleOnScreen& screen) {
+  SquaredSides sum{};
+  TriangleNeeds needs;
   for (const Cell& cell : cells) {
     std::array<vec2, 3> alongSides = screen.secondDifferences(cell);
     for (vec2& along : alongSides) along *= float{sampleIntervals * sampleIntervals};
     const Quadratic bend = bendOf(triangle, alongSides);
     // A flat cell has no bend, but NaN: a root of zero divided by zero.
     if (!std::isfinite(bend.xx + bend.xy + bend.yy)) continue;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
       const float along = bend.along(directions[i]);
-      max[i] = std::max(max[i], along);
+      needs.sides[i] = std::max(needs.sides[i], along);
       sum[i] += along;
     }
+    needs.uniform = std::max(
+        needs.uniform,
+        errorOf(bend.along(directions[3]), bend.along(directions[4]), bend.along(directions[5])));
   }
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const float mean = sum[i] / static_cast<float>(cells.size());
-    max[i] = (max[i] + criterion.beyondCells * (max[i] - mean)) * criterion.error;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const float max = needs.sides[i], mean = sum[i] / static_cast<float>(cells.size());
+    needs.sides[i] = (max + criterion.beyondCells * (max - mean)) * criterion.error;
   }
-  return max;
+  return needs;
 }
 
 }  // namespace
@@ -122,6 +140,7 @@ bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
   const float aim = criterion.aim * tolerance;
   needs_.assign(base.edgeCount(), 0);
   float squaredUniformNeed = 0;
+  squaredSides_.assign(base.triangles().size(), {});
   pieces_.resize(base.edgeCount(), 1);
   for (const std::uint32_t t : mesh.triangles) {
     const Samples samples = samplesOf(base, t, mesh.warped);
@@ -142,11 +161,12 @@ bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
       }
       const auto [a, b, c] = base.triangles()[t];
       const PlanarTriangle planar(place(a), place(b), place(c));
-      const Squares squares = squaredNeeds(
-          planar, directionsOf(planar, patches.empty() ? nullptr : &patches[t]), screen);
-      for (int i = 0; i < 3; ++i) {
-        if (!isFine) raise(i, squares[i] / aim);
-        squaredUniformNeed = std::max(squaredUniformNeed, squares[3 + i] / tolerance);
+      const TriangleNeeds needs =
+          needsOf(planar, directionsOf(planar, patches.empty() ? nullptr : &patches[t]), screen);
+      squaredUniformNeed = std::max(squaredUniformNeed, needs.uniform / tolerance);
+      for (int i = 0; i < 3 && !isFine; ++i) {
+        raise(i, needs.sides[i] / aim);
+        squaredSides_[t][i] = std::max(squaredSides_[t][i], needs.sides[i]);
       }
     }
   }

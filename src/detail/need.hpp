@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "detail/base_mesh.hpp"
+#include "detail/flips.hpp"
 #include "detail/interpolation.hpp"
 #include "detail/triangle_on_screen.hpp"
 
@@ -32,12 +33,16 @@ class Needs {
   bool update(const WarpedMesh& mesh, std::span<const ScreenView> views, float tolerance);
 
   std::span<const std::uint32_t> pieces() const { return pieces_; }
+  // The squared sides of each triangle in the metric of its bend; zeros for triangles that are
+  // close to all of their samples.
+  std::span<const SquaredSides> squaredSides() const { return squaredSides_; }
   // The number of pieces, not rounded, that would suffice if all sides of the given mesh had the
   // same number.
   float uniformNeed() const { return uniformNeed_; }
 
  private:
   float uniformNeed_ = 0;
+  std::vector<SquaredSides> squaredSides_;
   std::vector<float> needs_;           // by edge: the square of the number of pieces
   std::vector<std::uint32_t> pieces_;  // by edge
 };

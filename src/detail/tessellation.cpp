@@ -13,12 +13,13 @@ using glm::dvec2, glm::dvec3;
 const double heightOfRow = std::sqrt(0.75);
 
 // Places the corners such that the sides have these lengths, counterclockwise from the start of the
-// longest. The number of pieces of each side is the largest that is needed anywhere along it, so
-// the three numbers may be lengths of the sides of a degenerate triangle, or of none. Therefore,
-// the triangle is at least as high as one whose shortest side is at 60 degrees to the longest.
+// longest. The number of pieces of each side is the largest that is needed anywhere along it, and
+// rounded up, so the three numbers may be lengths of the sides of a degenerate triangle, or of
+// none. Therefore, the longest side is at most as long as both others, with pieces shorter than 1,
+// and the triangle is at least as high as one whose shortest side is at 60 degrees to the longest.
 std::array<dvec2, 3> cornersFor(const SidePieces& pieces, int longest) {
-  const double base = pieces[longest];
   const double right = pieces[(longest + 1) % 3], left = pieces[(longest + 2) % 3];
+  const double base = std::min<double>(pieces[longest], left + right);
   const double x = (base * base + left * left - right * right) / (2 * base);
   const double y = std::sqrt(std::max(0.0, left * left - x * x));
   std::array<dvec2, 3> corners{dvec2(0), dvec2(0), dvec2(0)};
@@ -27,7 +28,22 @@ std::array<dvec2, 3> cornersFor(const SidePieces& pieces, int longest) {
   return corners;
 }
 
-// Lists the weights of inner points in rows parallel to the longest side.
+// Lists the points of the sides, as weights of the corners.
+std::vector<dvec3> pointsOfSides(const SidePieces& pieces) {
+  std::vector<dvec3> points;
+  for (int side = 0; side < 3; ++side) {
+    for (std::uint32_t i = 0; i < pieces[side]; ++i) {
+      const double along = static_cast<double>(i) / pieces[side];
+      dvec3 weights(0);
+      weights[side] = 1 - along;
+      weights[(side + 1) % 3] = along;
+      points.push_back(weights);
+    }
+  }
+  return points;
+}
+
+// Lists inner points in rows parallel to the longest side, as weights of the corners.
 std::vector<dvec3> rowsOfPoints(double length, double height, int longest) {
   std::vector<dvec3> points;
   const int rows = static_cast<int>(std::lround(height / heightOfRow));
@@ -46,6 +62,18 @@ std::vector<dvec3> rowsOfPoints(double length, double height, int longest) {
     }
   }
   return points;
+}
+
+// Returns how far a point of a side is moved outwards: the sides bulge a little, so that their
+// points are the corners of a convex polygon.
+dvec2 bulgeAt(const dvec3& weights, const std::array<dvec2, 3>& corners, double scale) {
+  dvec2 sum(0);
+  for (int side = 0; side < 3; ++side) {
+    const dvec2 along = corners[(side + 1) % 3] - corners[side];
+    if (weights[(side + 2) % 3] == 0)
+      sum += dvec2(along.y, -along.x) / length(along) * (weights[side] * weights[(side + 1) % 3]);
+  }
+  return scale * sum;
 }
 
 bool areEqual(const SidePieces& pieces) { return pieces[0] == pieces[1] && pieces[1] == pieces[2]; }
@@ -83,27 +111,23 @@ Tessellation makeTessellation(const SidePieces& pieces) {
   const int longest =
       static_cast<int>(std::max_element(pieces.begin(), pieces.end()) - pieces.begin());
   const std::array<dvec2, 3> corners = cornersFor(pieces, longest);
-  const double height = corners[(longest + 2) % 3].y;
-
-  // The sides bulge a little, so that their points are the corners of a convex polygon.
-  std::vector<dvec2> points;
-  for (int side = 0; side < 3; ++side) {
-    const dvec2 start = corners[side], along = corners[(side + 1) % 3] - start;
-    const dvec2 outward = dvec2(along.y, -along.x) / length(along);
-    for (std::uint32_t i = 0; i < pieces[side]; ++i) {
-      const double t = static_cast<double>(i) / pieces[side];
-      const double bulge = 0.08 * t * (1 - t) * std::min(1.0, height);
-      points.push_back(start + along * t + outward * bulge);
-    }
-  }
+  const double base = corners[(longest + 1) % 3].x, height = corners[(longest + 2) % 3].y;
+  std::vector<dvec3> points = pointsOfSides(pieces);
   const std::size_t hullSize = points.size();
   Tessellation tessellation;
-  for (const dvec3& w : rowsOfPoints(pieces[longest], height, longest)) {
-    points.push_back(corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2]);
+  for (const dvec3& w : rowsOfPoints(base, height, longest)) {
+    points.push_back(w);
     tessellation.inner.push_back(
         {static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2])});
   }
-  tessellation.triangles = triangulate(points, hullSize);
+  std::vector<dvec2> placed;
+  for (const dvec3& w : points)
+    placed.push_back(corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2] +
+                     bulgeAt(w, corners, 0.08 * std::min(1.0, height)));
+  tessellation.triangles = triangulate(placed, hullSize);
+  const auto square = [](std::uint32_t count) { return static_cast<float>(count * count); };
+  tessellation.flips = pairTriangles(tessellation.triangles, points,
+                                     {square(pieces[0]), square(pieces[1]), square(pieces[2])});
   return tessellation;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "detail/flips.hpp"
 #include "detail/triangulate.hpp"
 
 namespace warpjet {
@@ -24,6 +25,9 @@ struct Tessellation {
   // Corners are indices of points: first those of sides 0, 1 and 2, each without its end, then the
   // inner ones.
   std::vector<Corners> triangles;
+  // The flips of the first triangles: see `pairTriangles`. There are none if all sides have the
+  // same number of pieces: then each side of a triangle is a piece, and as long as it may be.
+  std::vector<Flip> flips{};
 };
 
 // Makes the tessellation with triangles of about equal sides, in the metric in which all pieces of

@@ -18,9 +18,10 @@ class TessellationTable {
   // Starts with two words for each tessellation, ordered by the numbers of pieces of sides 0, 1 and
   // 2, of which side 0 is the most significant:
   // - the index of the tessellation's data;
-  // - (number of inner points) << 16 | number of triangles.
-  // Then the data: three weights for each inner point, as the bits of floats, and one word for each
-  // triangle, with 10 bits for each corner, the first corner in the lowest bits.
+  // - (number of inner points) << 21 | (number of flips) << 11 | number of triangles.
+  // Then the data: three weights for each inner point, as the bits of floats; one word for each
+  // triangle, with 10 bits for each corner, the first corner in the lowest bits; and the three
+  // factors of each flip, as the bits of floats.
   const std::vector<std::uint32_t>& words() const { return words_; }
 
  private:

@@ -75,6 +75,9 @@ bool ends(const Graph& graph, std::span<const State> states, const State& flag) 
 
 std::optional<NodeId> earlyEnd(const Graph& graph, std::span<const State> states) {
   for (const State& state : states) {
+    if (graph.endsLoop(state.local)) return state.local;
+  }
+  for (const State& state : states) {
     if (graph.is(state.next, ops::find("ifElse")) && ends(graph, states, state)) return state.local;
   }
   return {};

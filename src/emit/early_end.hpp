@@ -1,6 +1,6 @@
 // Finds loops that may end early. If the number of steps of a loop in shader source is unknown, the
-// loop is recorded with the max number of steps. One of its states becomes 1 once the condition of
-// the source fails; from then on, all other states keep their values.
+// loop is recorded with the max number of steps, or without one. One of its states becomes 1 once
+// the condition of the source fails; from then on, all other states keep their values.
 #pragma once
 
 #include <optional>

@@ -80,8 +80,11 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   }
   for (std::size_t i = 0; i < states.size(); ++i) writer_.name(states[i].local, variables[i]);
   const std::string counter = temporaries_.next();
+  const auto flag = earlyEnd(graph_, states);
+  // If no state depends on the end of the loop, no step changes any.
+  const std::uint32_t steps = graph_.loop(loop).isCounted() || flag ? graph_.loop(loop).steps : 1;
   code_ += indent_;
-  appendExpanded(code_, plan_.dialect.loop, {counter, std::to_string(graph_.loop(loop).steps)});
+  appendExpanded(code_, plan_.dialect.loop, {counter, std::to_string(steps)});
   indent_ += "  ";
   if (const auto step = plan_.loops->stepOf(loop)) {
     const std::string stepName = temporaries_.next();
@@ -92,8 +95,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   }
   write(plan_.statements[loop + 1]);
   assignStates(states);
-  if (const auto flag = earlyEnd(graph_, states))
-    code_ += indent_ + "if (" + writer_.nameOf(*flag) + " > 0.5) { break; }\n";
+  if (flag) code_ += indent_ + "if (" + writer_.nameOf(*flag) + " > 0.5) { break; }\n";
   indent_.resize(indent_.size() - 2);
   code_ += indent_ + "}\n";
   temporaryCount_ += states.size();

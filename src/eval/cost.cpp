@@ -55,7 +55,8 @@ class Counter {
   // Returns how often the body of a loop runs, including all loops around it.
   static double stepsOf(const Graph& graph, const Loops& loops, std::uint32_t loop) {
     double steps = 1;
-    for (; loop != Loops::outside; loop = loops.parentOf(loop)) steps *= graph.loop(loop).steps;
+    for (; loop != Loops::outside; loop = loops.parentOf(loop))
+      steps *= graph.loop(loop).estimatedSteps();
     return steps;
   }
 

@@ -14,6 +14,12 @@ Interval withFloat(double x) {
   return withFloat32({std::fmin(x, rounded), std::fmax(x, rounded), x != x});
 }
 
+// The only constant that is NaN is the value of a loop that is too long for the CPU, which may be
+// anything.
+Interval rangeOfConstant(double x) {
+  return std::isnan(x) ? Interval::anything(true) : withFloat(x);
+}
+
 }  // namespace
 
 IntervalProgram::IntervalProgram(const Words& words, std::span<const Interval> inputs,
@@ -68,7 +74,7 @@ void IntervalProgram::schedule(std::span<const Interval> inputs) {
     if (!isNeeded[i]) continue;
     if (words_.op(i) == constantOp) {
       values_[i] = words_.constant(i);
-      ranges_[i] = withFloat(values_[i]);
+      ranges_[i] = rangeOfConstant(values_[i]);
     } else if (words_.op(i) == inputOp) {
       const Interval& input = inputs[words_.input(i)];
       values_[i] = input.low;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "functions/library.hpp"
 #include "graph/flags.hpp"
@@ -10,11 +11,18 @@ namespace warpjet {
 
 namespace {
 
+// The CPU evaluates that many operations in about 1 ms per vertex. Nested uncounted loops would
+// otherwise multiply their steps.
+constexpr std::size_t maxUncountedNodes = std::size_t{1} << 18;
+
 class Inliner {
  public:
   // Without a library, loops are unrolled, but calls remain.
   Inliner(Graph& graph, Library* library)
-      : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
+      : graph_(graph),
+        library_(library),
+        maxSize_(graph.size() + maxUncountedNodes),
+        inlined_(graph.size(), noNode) {}
 
   void run(std::span<const NodeId> nodes) {
     if (!graph_.has(foldOp)) return visitAll(nodes);
@@ -66,7 +74,7 @@ class Inliner {
     assign();
     const NodeId stepNode = graph_.stepOf(loop);
     inlined_.resize(std::max(inlined_.size(), std::size_t{index(stepNode)} + 1), noNode);
-    for (std::uint32_t step = 0; step < graph_.loop(loop).steps && !graph_.isFull(); ++step) {
+    for (std::uint32_t step = 0; !isOver(loop, step); ++step) {
       inlined_[index(stepNode)] = graph_.constant(step);
       const std::size_t before = copies_.size();
       visitAll(bodies_[loop]);
@@ -74,6 +82,28 @@ class Inliner {
       for (std::size_t i = 0; i < states.size(); ++i) values[i] = inlined(states[i].next);
       assign();
     }
+    if (graph_.loop(loop).isCounted()) return;
+    replaceUnended(states, values);
+    assign();
+  }
+
+  // An uncounted loop that ends after `assumedSteps` needs one more step to find that out.
+  bool isOver(std::uint32_t loop, std::uint32_t step) const {
+    if (graph_.isFull()) return true;
+    if (graph_.loop(loop).isCounted()) return step == graph_.loop(loop).steps;
+    return step > Loop::assumedSteps || graph_.size() > maxSize_;
+  }
+
+  // Replaces the values after an uncounted loop by NaN where the loop has not ended.
+  void replaceUnended(const std::vector<State>& states, std::vector<NodeId>& values) {
+    const auto end = std::find_if(states.begin(), states.end(),
+                                  [&](const State& state) { return graph_.endsLoop(state.local); });
+    if (end == states.end()) return;
+    const NodeId unknown = graph_.constant(std::numeric_limits<double>::quiet_NaN());
+    const NodeId flag = values[static_cast<std::size_t>(end - states.begin())];
+    const NodeId hasEnded = graph_.apply(ops::find("gt"), {flag, graph_.constant(0.5)});
+    for (NodeId& value : values)
+      value = graph_.apply(ops::find("ifElse"), {hasEnded, value, unknown});
   }
 
   Copy& copyOf(NodeId call) {
@@ -146,6 +176,7 @@ class Inliner {
 
   Graph& graph_;
   Library* library_;
+  std::size_t maxSize_;          // of the graph, for uncounted loops
   std::vector<NodeId> inlined_;  // by node
   std::vector<Copy> copies_;
   const Loops* loops_ = nullptr;

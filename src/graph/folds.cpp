@@ -15,6 +15,10 @@ NodeId Graph::addState(std::uint32_t loop) {
   return intern(Node{{loop, loops_[loop].locals++}, localOp});
 }
 
+bool Graph::endsLoop(NodeId local) const {
+  return !loops_[loopOf(local)].isCounted() && node(local).operands[1] == 1;
+}
+
 NodeId Graph::fold(std::uint32_t loop, std::span<const State> states) {
   std::vector<NodeId> items;
   for (const auto& [local, start, next] : states) {

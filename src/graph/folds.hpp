@@ -1,4 +1,5 @@
-// Folds: a body that is applied to its own result a fixed number of times.
+// Folds: a body that is applied to its own result a fixed number of times, or until its first state
+// says that it has ended.
 //
 // The body consists of nodes of the same graph that read the variables of a loop: its step number
 // and its states. A state defines the initial value of its variable and the new value in each step;

@@ -94,11 +94,22 @@ struct Function {
   bool isFromLibrary() const { return values > 0; }
 };
 
+// The number of iterations of a loop that ends by itself: once its first state, variable 1, is more
+// than 0.5, no further step changes any state. No vertex shader runs that many, and float32 counts
+// them exactly.
+inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
+
 // A loop: its number of iterations and of variables. Variable 0 is the step number, counted from 0;
 // the others are states.
 struct Loop {
+  // The number of iterations of an uncounted loop that estimates assume, and the max on the CPU.
+  static constexpr std::uint32_t assumedSteps = 256;
+
   std::uint32_t steps;
   std::uint32_t locals = 1;
+
+  bool isCounted() const { return steps != uncountedSteps; }
+  std::uint32_t estimatedSteps() const { return isCounted() ? steps : assumedSteps; }
 };
 
 // One state of a fold: its variable, the initial value, and the value after each step.
@@ -153,6 +164,8 @@ class Graph {
   NodeId stepOf(std::uint32_t loop) { return intern(Node{{loop, 0}, localOp}); }
   // Adds a variable to the loop.
   NodeId addState(std::uint32_t loop);
+  // Returns true for the state that ends an uncounted loop.
+  bool endsLoop(NodeId local) const;
   // Returns the node of the loop with these states only. They must include every variable that
   // their `next` nodes read.
   NodeId fold(std::uint32_t loop, std::span<const State> states);

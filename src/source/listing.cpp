@@ -230,7 +230,7 @@ class Lister {
     const auto operands = recorder_.operands(id);
     const std::size_t count = operands.size() / 2;
     write(Code::Fold);
-    write(recorder_.loop(loop).steps);
+    write(recorder_.loop(loop).isCounted() ? recorder_.loop(loop).steps : 0);
     write(static_cast<std::uint32_t>(count));
     writeNumbers(operands.first(count));
     // The step number, then the states.

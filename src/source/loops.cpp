@@ -16,8 +16,7 @@ void LoopRun::advance() {
       if (!isQueried_[i] || nexts[i]) continue;
       const std::vector<bool> before = isQueried_;
       nexts[i] = value(all_[i].atEnd);
-      if (nexts[i] && recorder_.base(all_[i].start) == Base::Float)
-        nexts[i] = static_cast<double>(static_cast<float>(*nexts[i]));
+      if (nexts[i]) nexts[i] = representAs(recorder_.base(all_[i].start), *nexts[i]);
       hasNew = hasNew || before != isQueried_;
     }
   }
@@ -50,9 +49,7 @@ std::optional<double> LoopRun::find(Id id, int depth) {
   auto result = fold(operation.code, {values.data(), operands.size()});
   if (operation.code == Code::Not) result = values[0] == 0;
   if (!result) return std::nullopt;
-  if (operation.base == Base::Float) *result = static_cast<double>(static_cast<float>(*result));
-  known_.emplace(index(id), *result);
-  return result;
+  return known_.emplace(index(id), representAs(operation.base, *result)).first->second;
 }
 
 }  // namespace warpjet::source

@@ -27,6 +27,10 @@ namespace warpjet::source {
 // measurements.
 inline constexpr std::size_t minSavedOperations = 100;
 
+// Values of `maxIterations` that limit nothing: loops whose end only the shader knows are rejected;
+// or they run until they end, except that those that can't stay loops are cut off.
+inline constexpr int rejectUnknown = 0, untilEnd = -1;
+
 // A variable that the body of a loop changes.
 struct Changing {
   Store::Slot slot;
@@ -37,6 +41,10 @@ struct Changing {
     State,
   } kind = Kind::State;
   double by = 0;  // the change of a counter per step
+  // True for an int or uint that does more than count. It has two states, since a state is a float,
+  // which can't represent 32 bits: its lower 16 bits, and at the index `high` the others.
+  bool isWide = false;
+  std::size_t high = 0;
   // The values of the variable: before a step (`now`); at the end of the step, if the loop
   // continues (`atEnd`); and after the step in any case, even if the loop ends early (`next`).
   Id now{}, atEnd{}, next{};
@@ -44,6 +52,7 @@ struct Changing {
 
 struct Folding {
   std::vector<Changing> all;
+  // The number of steps; while it is unknown, a number that the loop doesn't exceed.
   std::uint32_t steps;
   Id test;
   // True if the condition is evaluated in each step, since the number of iterations is unknown.
@@ -51,6 +60,8 @@ struct Folding {
   std::uint32_t loop;
   // The number of operations of the body.
   std::size_t size;
+
+  bool isCounted() const { return steps != uncountedSteps; }
 };
 
 // Runs a loop as far as its values are known.

@@ -45,8 +45,8 @@ Lowered Lowering::lower(FunctionId number) {
     result = recorder_.convert(result, Base::Float);
   }
   if (!problems_.any()) exceedsLimits(function.location);
-  return {std::move(recorder_), std::move(results), function.type, std::move(externals_),
-          std::move(routines_)};
+  return {std::move(recorder_),  std::move(results),   function.type,
+          std::move(externals_), std::move(routines_), std::move(cutOff_)};
 }
 
 // Allocates the slots of all variables, which are fixed, since no function calls itself, and

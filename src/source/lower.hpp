@@ -36,12 +36,14 @@ struct Lowered {
   std::vector<External> externals;
   // Callees precede callers.
   std::vector<Routine> routines;
+  // The first loop that is cut off before its end.
+  Problems cutOff;
 };
 
 class Lowering {
  public:
-  // A loop whose end is unknown gets `maxIterations` iterations, or is rejected if that is 0. Calls
-  // of the functions in `inlined` are always inlined.
+  // A loop whose end is unknown gets at most `maxIterations` iterations, a number or a value in
+  // loops.hpp. Calls of the functions in `inlined` are always inlined.
   Lowering(const Tree& tree, Problems& problems, int maxIterations,
            std::set<RoutineKey> inlined = {});
 
@@ -146,15 +148,24 @@ class Lowering {
   template <class End>
   Id iterate(const Statement& statement, bool evaluatesTest, const End& end);
   bool foldLoop(const Statement& statement);
-  std::vector<Changing> changesOf(const Store::Changes& changes) const;
-  Id valueInStep(const Changing& each, std::uint32_t loop, std::size_t location);
-  Id fromState(Id state, Base base);
-  bool onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const;
+  void evaluateTest(Folding& folding);
   bool record(const Statement& statement, Folding& folding);
   bool confirmGuesses(const Statement& statement, Folding& folding, const Store::Changes& changes);
   bool declares(const Statement& loop, Slot slot) const;
   std::optional<std::uint32_t> stepsOf(const Statement& statement, const Folding& folding) const;
   bool isWorthIt(const Folding& folding, std::size_t once) const;
+
+  // lower_states.cpp
+  Id withoutBreak(Id value, Id start) const;
+  std::vector<Changing> changesOf(const Store::Changes& changes) const;
+  bool isRepresentable(const Changing& counter, const Folding& folding) const;
+  Id valueInStep(const Changing& each, const Folding& folding, std::size_t location);
+  template <class At>
+  Id fromState(const Changing& each, Id state, const At& at);
+  Value toStates(const Changing& each, Id value);
+  std::optional<double> changePerStep(Id next, Id before, int depth) const;
+  bool onlyCounts(const Changing& each, const Folding& folding) const;
+  bool widenStates(Folding& folding) const;
   bool close(const Statement& statement, const Folding& folding);
 
   // lower_expressions.cpp
@@ -226,6 +237,7 @@ class Lowering {
 
   const Tree& tree_;
   Problems& problems_;
+  Problems cutOff_;
   int maxIterations_;
   Recorder recorder_;
   Store store_;

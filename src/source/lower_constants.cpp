@@ -5,7 +5,7 @@
 namespace warpjet::source {
 
 Lowering::Lowering(const Tree& tree, Problems& problems)
-    : tree_(tree), problems_(problems), maxIterations_(0), recorder_(true) {}
+    : tree_(tree), problems_(problems), maxIterations_(rejectUnknown), recorder_(true) {}
 
 // Evaluates a constant expression, after the constants that were declared since the last call.
 std::vector<double> Lowering::constant(ExpressionId expression) {

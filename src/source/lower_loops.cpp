@@ -14,6 +14,13 @@ constexpr int maxUnknown = 1'000;
 constexpr const char* endsUnknown =
     "the number of iterations of this loop is known only when the shader runs; count to a constant "
     "and break, or set the option maxIterations";
+// The limit for loops that can't stay loops, if others run until they end.
+constexpr int maxWrittenOut = 256;
+constexpr const char* isCutOff =
+    "only the shader knows where this loop ends, and it can't stay a loop there, since it changes "
+    "more than 32 numbers or is nested more than 8 deep, so it is cut off after 256 iterations; "
+    "let it change fewer numbers, such as a shorter array, or set the option maxIterations (1 to "
+    "4096)";
 
 }  // namespace
 
@@ -47,7 +54,11 @@ void Lowering::unroll(const Statement& statement) {
   // Counts the iterations of which only the shader knows whether they are reached. The first
   // iteration of a `do` counts, too.
   int unknown = statement.testsAfterBody;
-  const bool isEndless = hasNoEnd(statement);
+  const bool isEndless = hasNoEnd(statement), rejectsUnknown = maxIterations_ == rejectUnknown;
+  const int limit = maxIterations_ == untilEnd ? maxWrittenOut : maxIterations_;
+  const auto cutOff = [&] {
+    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, isCutOff);
+  };
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {
     if (iteration > maxUnrolledIterations) {
       problems_.add(statement.location, "this loop has not ended after " +
@@ -58,11 +69,14 @@ void Lowering::unroll(const Statement& statement) {
       const Id test = condition(statement.expression);
       if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
       if (!recorder_.isConstant(test)) {
-        if (maxIterations_ == 0) {
+        if (rejectsUnknown) {
           problems_.add(statement.location, endsUnknown);
           break;
         }
-        if (unknown++ == maxIterations_) break;
+        if (unknown++ == limit) {
+          cutOff();
+          break;
+        }
         enter(test);
       }
     }
@@ -72,8 +86,11 @@ void Lowering::unroll(const Statement& statement) {
     const Id isOver = stopCondition();
     if (recorder_.isTrue(isOver)) break;
     if (!recorder_.isConstant(isOver)) {
-      if (isEndless && maxIterations_ > 0 && iteration + 1 >= maxIterations_) break;
-      if (isEndless && maxIterations_ == 0 && ++unknown > maxUnknown)
+      if (isEndless && !rejectsUnknown && iteration + 1 >= limit) {
+        cutOff();
+        break;
+      }
+      if (isEndless && rejectsUnknown && ++unknown > maxUnknown)
         problems_.add(statement.location, endsUnknown);
       enter(recorder_.logicalNot(isOver));
       resume();
@@ -82,7 +99,7 @@ void Lowering::unroll(const Statement& statement) {
     execute(statement.children[1]);
   }
   // Reports a loop that ran until it exceeded a limit.
-  if (problems_.any() && !before.any() && isEndless && unknown > 1 && maxIterations_ == 0) {
+  if (problems_.any() && !before.any() && isEndless && unknown > 1 && rejectsUnknown) {
     problems_ = before;
     problems_.add(statement.location, endsUnknown);
   }

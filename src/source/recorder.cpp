@@ -12,21 +12,6 @@ namespace warpjet::source {
 
 namespace {
 
-// Converts a value to its representation in that type.
-double representAs(Base base, double value) {
-  switch (base) {
-    case Base::Float:
-      return static_cast<double>(static_cast<float>(value));
-    case Base::Bool:
-      return value != 0;
-    default: {
-      const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
-      return base == Base::Int ? static_cast<double>(static_cast<std::int32_t>(bits))
-                               : static_cast<double>(bits);
-    }
-  }
-}
-
 // Returns true if a result may be folded. Infinite results are left to the shader, unless an
 // operand was already infinite.
 bool canFoldTo(double result, bool areFinite) {
@@ -40,6 +25,20 @@ std::uint64_t mixBits(std::uint64_t h) {
 }
 
 }  // namespace
+
+double representAs(Base base, double value) {
+  switch (base) {
+    case Base::Float:
+      return static_cast<double>(static_cast<float>(value));
+    case Base::Bool:
+      return value != 0;
+    default: {
+      const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+      return base == Base::Int ? static_cast<double>(static_cast<std::int32_t>(bits))
+                               : static_cast<double>(bits);
+    }
+  }
+}
 
 bool Recorder::isEqual(Id id, const Operation& operation, std::span<const Id> operands) const {
   const Operation& other = at(id);
@@ -135,7 +134,7 @@ Id Recorder::fold(std::uint32_t number, std::uint32_t steps, std::span<const Id>
   loop.steps = steps;
   if (loop.outer) {
     std::uint32_t& inner = loops_[loop.outer - 1].inner;
-    inner = std::max(inner, steps * loop.inner);
+    inner = std::max(inner, (loop.isCounted() ? steps : 1) * loop.inner);
   }
   std::vector<Id> operands(starts.begin(), starts.end());
   operands.insert(operands.end(), nexts.begin(), nexts.end());

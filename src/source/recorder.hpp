@@ -31,14 +31,23 @@ struct Operation {
   double value = 0;
 };
 
+// The number of iterations of a loop that ends by itself: a number that no vertex shader reaches,
+// and that float32 counts exactly. The builder has the same number.
+inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
+
 // A loop of the shader. Loop numbers start at 1.
 struct Loop {
   std::uint32_t outer;      // the number of the enclosing loop; 0 if there is none
   std::uint32_t steps = 0;  // the number of iterations
   // Iterations of the nested loops per iteration of this loop: the maximum of steps * inner over
-  // its nested loops; 1 if there are none.
+  // its nested loops, where the steps of uncounted ones are omitted; 1 if there are none.
   std::uint32_t inner = 1;
+
+  bool isCounted() const { return steps != uncountedSteps; }
 };
+
+// Converts a value to its representation in that type: rounds floats, and wraps integers around.
+double representAs(Base base, double value);
 
 class Recorder {
  public:
@@ -94,7 +103,8 @@ class Recorder {
     return leaf(Code::State, static_cast<int>(loop), static_cast<int>(i));
   }
   // Closes a loop and returns its operation. `starts` are the initial values of its states, which
-  // are floats, and `nexts` their values after each step.
+  // are floats, and `nexts` their values after each step. The first state of an uncounted loop
+  // becomes 1 where the loop ends; from then on, no state changes.
   Id fold(std::uint32_t loop, std::uint32_t steps, std::span<const Id> starts,
           std::span<const Id> nexts);
   // Returns the final value of a state.

@@ -45,7 +45,9 @@ Listing Source::lower(int function, int maxIterations) {
     lowered = Lowering(tree, problems, maxIterations, inlined).lower(function);
   }
   if (problems.any()) return {};
-  return list(lowered, tree.types);
+  Listing listing = list(lowered, tree.types);
+  if (lowered.cutOff.any()) listing.cutOff = lowered.cutOff.message(source->lines);
+  return listing;
 }
 
 }  // namespace warpjet::source

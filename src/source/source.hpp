@@ -43,8 +43,9 @@ struct FunctionHead {
 //   Component    operand, component, layout of the operand: columns and rows, four bits each
 //   Texel        number of the image's name, operand; the same for FetchedTexel
 //   ImageSize    number of the image's name
-//   Fold         number of iterations, number of states, and the states' initial values. The step
-//                number and the states are the next operations, followed by the body, until
+//   Fold         number of iterations, or 0 to run until the first state is 1, from which on no
+//                state changes; number of states, and the states' initial values. The step number
+//                and the states are the next operations, followed by the body, until
 //   Next         the new values of the states, whose outcomes are the next operations
 //   Define       a function of the source, the next of `routines`: the number of arguments, and of
 //                those with respect to which it is differentiated, which come first. Its body
@@ -61,6 +62,9 @@ struct Listing {
   std::vector<std::uint32_t> results;
   std::vector<HostName> names;
   std::vector<std::string> routines;  // names of the functions that stay functions
+  // The message about the first loop that is cut off before its end, with its location; empty if
+  // there is none.
+  std::string cutOff;
 };
 
 // A source that a front end has read. The tree refers to `source`.
@@ -79,7 +83,8 @@ class Source {
 
   std::vector<FunctionHead> functions() const;
 
-  // Returns an empty listing and adds a problem if the function can't be lowered.
+  // Returns an empty listing and adds a problem if the function can't be lowered. `maxIterations`
+  // is a number or a value in loops.hpp.
   Listing lower(int function, int maxIterations);
 
  private:

@@ -37,13 +37,21 @@ std::vector<dvec2> pointsOf(const SidePieces& pieces, const Tessellation& tessel
   return points;
 }
 
-void expectCover(const SidePieces& pieces) {
+// Returns the triangles with the diagonals that are shorter if the sides have these squares.
+std::vector<Corners> trianglesFor(const Tessellation& tessellation, const SquaredSides& sides) {
+  std::vector<Corners> triangles;
+  for (std::size_t i = 0; i < tessellation.triangles.size(); ++i)
+    triangles.push_back(flipped(tessellation.triangles, tessellation.flips, i, sides));
+  return triangles;
+}
+
+void expectCover(const SidePieces& pieces, const SquaredSides& squares = {}) {
   SCOPED_TRACE(testing::Message() << pieces[0] << ", " << pieces[1] << ", " << pieces[2]);
   const Tessellation tessellation = makeTessellation(pieces);
   const std::vector<dvec2> points = pointsOf(pieces, tessellation);
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
   double sum = 0;
-  for (const Corners& t : tessellation.triangles) {
+  for (const Corners& t : trianglesFor(tessellation, squares)) {
     const dvec2 u = points[t[1]] - points[t[0]], v = points[t[2]] - points[t[0]];
     const double area = u.x * v.y - u.y * v.x;
     EXPECT_GT(area, 1e-9);
@@ -78,6 +86,50 @@ TEST(Detail, TessellationsCoverTheTriangle) {
                                    {24, 12, 16},
                                    {2, 3, 32}})
     expectCover(pieces);
+}
+
+TEST(Detail, TessellationsWithFlippedDiagonalsCoverTheTriangle) {
+  for (const SidePieces& pieces : {SidePieces{3, 3, 1}, {1, 12, 8}, {6, 1, 4}, {8, 24, 16}}) {
+    std::size_t flips = 0;
+    for (const SquaredSides& squares : {SquaredSides{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 4, 1}}) {
+      expectCover(pieces, squares);
+      const Tessellation tessellation = makeTessellation(pieces);
+      if (trianglesFor(tessellation, squares) != tessellation.triangles) ++flips;
+    }
+    EXPECT_GT(flips, 0u);
+  }
+}
+
+// Returns the length of the longest side of all triangles, if the sides of the whole triangle have
+// these lengths.
+double longestSide(const SidePieces& pieces, std::array<double, 3> sides) {
+  const auto [bottom, right, left] = sides;
+  const double x = (bottom * bottom + left * left - right * right) / (2 * bottom);
+  const dvec2 first(bottom, 0), second(x, std::sqrt(left * left - x * x));
+  const Tessellation tessellation = makeTessellation(pieces);
+  const std::vector<dvec2> points = pointsOf(pieces, tessellation);
+  const auto square = [](double length) { return static_cast<float>(length * length); };
+  double longest = 0;
+  for (const Corners& t :
+       trianglesFor(tessellation, {square(bottom), square(right), square(left)})) {
+    for (int i = 0; i < 3; ++i) {
+      const dvec2 side = points[t[(i + 1) % 3]] - points[t[i]];
+      longest = std::max(longest, length(side.x * first + side.y * second));
+    }
+  }
+  return longest;
+}
+
+// With the diagonals for sides of 3, 3 and 1, the longest side is 1.6.
+TEST(Detail, DiagonalsFollowTheLengthsOfTheSides) {
+  EXPECT_LT(longestSide({3, 3, 1}, {2.94, 2.11, 0.9}), 1.01);
+  EXPECT_LT(longestSide({3, 1, 3}, {2.94, 0.9, 2.11}), 1.01);
+}
+
+// Both long sides have about the same length, so the points of both should be connected along their
+// whole length. Where all extra points are connected to the corner, the longest side is 2.7.
+TEST(Detail, PointsOfAFinerSideAreConnectedEvenly) {
+  EXPECT_LT(longestSide({1, 12, 8}, {0.9, 8.13, 7.4}), 1.3);
 }
 
 TEST(Detail, NPiecesOnEachSideMakeNSquaredTriangles) {
@@ -183,8 +235,8 @@ TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
     return update(needs, base, warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }));
   };
   EXPECT_TRUE(bend(1));      // needs 4.56, gets 6
-  EXPECT_FALSE(bend(0.7f));  // needs 3.8; 4 would do, but not for 1.25 times as much
-  EXPECT_TRUE(bend(0.4f));   // needs 2.9, and 3.6 with 1.25
+  EXPECT_FALSE(bend(0.7f));  // needs 3.8; 4 would do, but not for 1.1 times as much
+  EXPECT_TRUE(bend(0.4f));   // needs 2.9, and 3.2 with 1.1
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 4u);
 }
 
@@ -339,19 +391,18 @@ Detail cutSquare(float maxLength) {
   return detail;
 }
 
-// With a second derivative of 100 pixels everywhere, a side of length h errs by 100 h^2 / 8, and
-// the diagonal, along which the bend is the same, makes triangles err by 4/3 of it. For a pixel,
-// there must be 4.1 pieces of each side.
+// With a second derivative of 100 pixels along x everywhere, pieces of length h along x err by
+// 100 h^2 / 8, and so do the diagonals. For a pixel, there must be 3.5 pieces of each side.
 TEST(Detail, ASurfaceThatBendsEquallyEverywhereIsDividedUniformly) {
   Detail detail = cutSquare(0.1f);
   const auto bend = [](float* p) { p[2] = p[0] * p[0] / 2; };
   EXPECT_TRUE(divide(detail, bend));
-  EXPECT_EQ(detail.division().triangles.size(), 2u * 25);
-  EXPECT_EQ(detail.groups(), (std::vector<std::uint32_t>{0, 25}));
-  std::vector<std::uint32_t> origins(25, 0);
-  origins.resize(50, 1);
+  EXPECT_EQ(detail.division().triangles.size(), 2u * 16);
+  EXPECT_EQ(detail.groups(), (std::vector<std::uint32_t>{0, 16}));
+  std::vector<std::uint32_t> origins(16, 0);
+  origins.resize(32, 1);
   EXPECT_EQ(detail.origins(), origins);
-  EXPECT_EQ(detail.lines({0, 2})[0], 6u);
+  EXPECT_EQ(detail.lines({0, 2})[0], 5u);
   EXPECT_FALSE(divide(detail, bend));
   EXPECT_TRUE(divide(detail, hill));
   EXPECT_GT(detail.division().triangles.size(), 200u);

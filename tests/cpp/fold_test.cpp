@@ -239,6 +239,67 @@ TEST_F(FoldTest, BoundsContainAllValues) {
   EXPECT_LT(found.high - found.low, 1.1 * (highest - lowest));
 }
 
+// Returns the sum of x and n halves of y, by a loop that ends by itself.
+Expression addHalves(Expression x, Expression y, Expression n) {
+  const Expression zero{x.graph, x.graph->constant(0)};
+  return fold(uncountedSteps, {zero, x}, [&](const Numbers& s, Expression i) {
+    const Expression isOver = logicalOr(gt(s[0], 0.5), gt(i + 0.5, n));
+    return Numbers{ifElse(isOver, 1.0, s[0]), ifElse(isOver, s[1], s[1] + y * 0.5)};
+  })[1];
+}
+
+TEST_F(FoldTest, AnUncountedLoopBreaksInTheShader) {
+  const Expression zero{&graph, graph.constant(0)}, one{&graph, graph.constant(1)};
+  // The simplifier rewrites the change of sign as a product, which says nothing about the end.
+  const Expression signs = fold(uncountedSteps, {zero, one}, [&](const Numbers& s, Expression i) {
+    const Expression isOver = logicalOr(gt(s[0], 0.5), gt(i, x));
+    return Numbers{ifElse(isOver, 1.0, s[0]), ifElse(isOver, s[1], -s[1])};
+  })[1];
+  for (const Dialect* dialect : {&glsl300, &glsl100, &wgsl}) {
+    const std::string text = code(signs, 8, *dialect);
+    EXPECT_NE(text.find("< 4194304;"), std::string::npos) << text;
+    EXPECT_NE(text.find("{ break; }"), std::string::npos) << text;
+  }
+}
+
+TEST_F(FoldTest, AnUncountedLoopEndsOnTheCpu) {
+  const Expression sum = addHalves(x, y, y);
+  for (const double n : {0.0, 1.0, 7.0, 256.0})
+    EXPECT_DOUBLE_EQ(at(sum, 3, n), 3 + n * n * 0.5) << n;
+  EXPECT_DOUBLE_EQ(at(derivative(sum, y), 3, 8), 4);
+}
+
+TEST_F(FoldTest, AnUncountedLoopThatIsTooLongForTheCpuHasNoValue) {
+  EXPECT_TRUE(std::isnan(at(addHalves(x, y, y), 3, 257)));
+  // Nested loops multiply their steps.
+  const Expression zero{&graph, graph.constant(0)};
+  const Expression nested = fold(uncountedSteps, {zero, x}, [&](const Numbers& s, Expression i) {
+    const Expression isOver = logicalOr(gt(s[0], 0.5), gt(i + 0.5, y));
+    return Numbers{ifElse(isOver, 1.0, s[0]),
+                   ifElse(isOver, s[1], addHalves(sin(s[1]), cos(x), y * 2.0))};
+  })[1];
+  EXPECT_TRUE(std::isfinite(at(nested, 0.5, 3)));
+  EXPECT_TRUE(std::isnan(at(nested, 0.5, 250)));
+}
+
+TEST_F(FoldTest, BoundsOfAnUncountedLoopContainAllValues) {
+  Module module;
+  const Expression a = scalar(module.graph, "a"), b = scalar(module.graph, "b");
+  module.outputs.push_back({"f", scalarShape, {addHalves(a, b, b).id}});
+  const std::uint32_t first = 0;
+  const Program compiled = *program(module, {&first, 1}).program;
+  const auto boundsTo = [&](double n) {
+    const Range ranges[] = {{1, 2}, {0, n}};
+    return bounds(compiled.words, compiled.instructions, ranges, {&first, 1})[0];
+  };
+  const Range near = boundsTo(4), far = boundsTo(400);
+  EXPECT_LE(near.low, 1);
+  EXPECT_GE(near.high, 2 + 4 * 4 * 0.5);
+  EXPECT_TRUE(std::isfinite(near.high));
+  EXPECT_LE(far.low, 1);
+  EXPECT_GE(far.high, 2 + 400 * 400 * 0.5);
+}
+
 TEST_F(FoldTest, SurvivesSerializationInAModule) {
   Module module;
   const Expression a = scalar(module.graph, "a");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "source/glsl/glsl.hpp"
+#include "source/loops.hpp"
 
 namespace warpjet::source::glsl {
 namespace {
@@ -36,7 +37,7 @@ class Interpreter {
   int defined = 0, called = 0, folds = 0;
   // The numbers of parameters and of variables of each function, as in Define.
   std::vector<std::uint32_t> sizes, variables;
-  // The number of iterations of the last loop.
+  // The number of iterations of the last loop; 0 if it ends by itself.
   std::uint32_t steps = 0;
 
  private:
@@ -112,7 +113,7 @@ class Interpreter {
     steps = count;
     Numbers states = operands(made, size);
     const std::size_t body = at_, before = made.size();
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; count > 0 ? i < count : states[0] < 0.5; ++i) {
       at_ = body;
       made.resize(before);
       made.push_back(i);
@@ -122,6 +123,12 @@ class Interpreter {
     }
     made.insert(made.end(), states.begin(), states.end());
   }
+
+  static std::uint32_t bits(double x) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(x));
+  }
+  // Returns the bits of an int or uint as an int.
+  static double wrap(double x) { return static_cast<std::int32_t>(bits(x)); }
 
   static double value(Code code, const Numbers& x) {
     switch (code) {
@@ -157,9 +164,23 @@ class Interpreter {
       case Code::IntIfElse:
         return x[0] != 0 ? x[1] : x[2];
       case Code::IntAdd:
-        return x[0] + x[1];
+        return wrap(x[0] + x[1]);
       case Code::IntSub:
-        return x[0] - x[1];
+        return wrap(x[0] - x[1]);
+      case Code::IntMult:
+        return wrap(bits(x[0]) * bits(x[1]));
+      case Code::IntDiv:
+        return std::trunc(x[0] / x[1]);
+      case Code::UintDiv:
+        return wrap(bits(x[0]) / bits(x[1]));
+      case Code::UintShiftRight:
+        return wrap(bits(x[0]) >> bits(x[1]));
+      case Code::UintLt:
+        return bits(x[0]) < bits(x[1]);
+      case Code::UintOf:
+        return wrap(x[0]);
+      case Code::FloatOfUint:
+        return bits(x[0]);
       case Code::IntLt:
         return x[0] < x[1];
       case Code::IntEq:
@@ -346,6 +367,87 @@ TEST(GlslFold, ALoopWithADynamicConditionRunsToMaxIterations) {
   const Interpreter run(listing, {3.0});
   EXPECT_EQ(run.steps, 15u);
   EXPECT_NEAR(run.results.at(0), runLoop(3, 15, [](double q, int) { return q <= 0.625; }), 1e-12);
+}
+
+TEST(GlslFold, ALoopCanRunUntilItEnds) {
+  for (const char* end : {"if (q < s) break; ", "if (q < s) return s + q; ", ""}) {
+    const std::string text =
+        "float f(float x) { float s = 0.0, q = x; for (; q > 0.0; q -= 0.25) { " +
+        std::string(end) + "s += sin(q) * 0.125 + 0.0625; } return s + q; }";
+    const Listing listing = lowerToListing(text, 0, untilEnd);
+    const Interpreter run(listing, {700.0});
+    EXPECT_EQ(run.folds, 1);
+    EXPECT_EQ(run.steps, 0u);
+    EXPECT_EQ(listing.cutOff, "");
+    double s = 0, q = 700;
+    for (; q > 0 && (*end == 0 || q >= s); q -= 0.25) s += std::sin(q) * 0.125 + 0.0625;
+    EXPECT_NEAR(run.results.at(0), s + q, 1e-9) << end;
+  }
+}
+
+TEST(GlslFold, NestedLoopsCanRunUntilTheyEnd) {
+  const std::string text =
+      "float f(float x, float n) { float s = 0.0; for (float i = 0.0; i < n; i++) for (float j = "
+      "0.0; j < i; j++) { if (s > x) return s + i; s += sin(i * 0.5 + j) + 0.75; } return s; }";
+  const Listing listing = lowerToListing(text, 0, untilEnd);
+  EXPECT_LT(listing.words.size(), 400u);
+  for (const double x : {50.0, 1e6}) {
+    const Interpreter run(listing, {x, 60.0});
+    const auto f = [&] {
+      double s = 0;
+      for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < i; ++j) {
+          if (s > x) return s + i;
+          s += std::sin(i * 0.5 + j) + 0.75;
+        }
+      return s;
+    };
+    EXPECT_NEAR(run.results.at(0), f(), 1e-9) << x;
+  }
+}
+
+TEST(GlslFold, ALoopThatCannotStayALoopIsCutOffWithAMessage) {
+  const std::string text =
+      "float f(float x) {\n  float a[40], n = 0.0;\n  while (n < x) { a[int(n) % 40] = n; n++; "
+      "}\n  return n; }";
+  const Listing listing = lowerToListing(text, 0, untilEnd);
+  EXPECT_EQ(listing.cutOff.find("line 3, column 3: only the shader knows where this loop ends"), 0u)
+      << listing.cutOff;
+  EXPECT_NE(listing.cutOff.find("while (n < x)"), std::string::npos);
+  EXPECT_DOUBLE_EQ(Interpreter(listing, {900.0}).results.at(0), 256);
+  EXPECT_DOUBLE_EQ(Interpreter(listing, {255.0}).results.at(0), 255);
+  const Listing limited = lowerToListing(text, 0, 300);
+  EXPECT_EQ(limited.cutOff, "");
+  EXPECT_DOUBLE_EQ(Interpreter(limited, {900.0}).results.at(0), 300);
+}
+
+// 32-bit integers that do more than count, compared with the same code in C++.
+TEST(GlslFold, IntegersOf32BitsCanBeStates) {
+  const std::string text =
+      "float f(float x) { uint h = 7u; int a = -70001; float s = 0.0; for (uint i = 0u; i < 90u; "
+      "i++) { if (s > x) break; h = h * 1664525u + 1013904223u; a = a * 3 - int(h >> 3u); s += "
+      "float(h / 65536u) / 65536.0 + float(a / 65536) / 65536.0; } return s; }";
+  const Listing listing = lowerToListing(text, 0);
+  for (const double x : {3.0, 1e6}) {
+    const Interpreter run(listing, {x});
+    EXPECT_EQ(run.folds, 1);
+    std::uint32_t h = 7;
+    std::int32_t a = -70001;
+    double s = 0;
+    for (int i = 0; i < 90 && s <= x; ++i) {
+      h = h * 1664525u + 1013904223u;
+      a = static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * 3u - (h >> 3));
+      s += h / 65536u / 65536.0 + a / 65536 / 65536.0;
+    }
+    EXPECT_NEAR(run.results.at(0), s, 1e-9) << x;
+  }
+}
+
+TEST(GlslFold, TheNumberOfStepsFollowsFromIntegersThatWrapAround) {
+  const Listing listing = lowerToListing(sourceWithLoop("for (int i = 5; i * 2 / 3 > -4; i--)"), 0);
+  const Interpreter run(listing, {0.7});
+  EXPECT_EQ(run.steps, 11u);
+  EXPECT_NEAR(run.results.at(0), runLoop(0.7, 11, never), 1e-12);
 }
 
 TEST(GlslFold, LoopsCanBeNested) {

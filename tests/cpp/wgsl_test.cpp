@@ -174,9 +174,10 @@ TEST(WgslMessages, SayWhatToWrite) {
       "\"mod\" is a function of GLSL; write x - y * floor(x / y), or x % y, which has the sign "
       "of x.");
   EXPECT_EQ(problemIn("let x = siin(p.x);"), "there is no function \"siin\"; did you mean sin?");
-  EXPECT_EQ(problemIn("let x = p.x; x = 2;"),
-            "\"x\" is a value and cannot be changed; declare it by var, or assign one component at "
-            "a time.");
+  EXPECT_EQ(
+      problemIn("let x = p.x; x = 2;"),
+      "\"x\" is a value and cannot be changed; copy it to a var before, or assign one component "
+      "at a time.");
   EXPECT_EQ(problemIn("let x = a & b | c;"), "\"a\" is not declared.");
   EXPECT_EQ(problemIn("let x = 1 & 2 | 4;"),
             "expected parentheses, since WGSL does not define the order of & and |.");

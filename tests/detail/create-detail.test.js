@@ -245,6 +245,10 @@ test('wrong arguments are named', () => {
       'createDetail: expected 3 numbers per vertex, which a curved mesh needs, for normals, got none.',
     ],
     [
+      () => createDetail(new THREE.BoxGeometry(), warp),
+      "createDetail: expected a mesh such as { positions, normals, indices } for argument 1, got an object; fromBufferGeometry of 'warpjet/three' makes one of a geometry of three.js.",
+    ],
+    [
       () => createDetail(mesh, warp, { curved: 1 }),
       'createDetail: expected true or false for the option "curved", got the number 1.',
     ],

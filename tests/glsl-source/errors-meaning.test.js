@@ -60,6 +60,7 @@ rejects([
   ['struct S { float a; };\n' + body('S s; return vec3(s.b);'), 3, 'has no field "b"'],
   ['struct S { float a; float a; };', 1, 'is already a field of this structure'],
   ['Thing offset(vec3 p) { }', 1, 'expected a type'],
+  ['fn offset(p: vec3f) -> vec3f { return p; }', 1, 'this looks like WGSL, which wgslOffset reads'],
   // types
   [body('float x = 1; return p;'), 2, 'expected a float as the value of "x", got an int'],
   [body('return p + 1;'), 2, 'write 1.0 for 1'],

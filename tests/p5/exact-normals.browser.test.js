@@ -309,3 +309,72 @@ test('warns about unsupported hooks, and leaves the shader unchanged', async () 
   assert.equal(messages.length, 1, messages.join('; '))
   assert.match(messages[0], /the shader stays as it is.*attribute aSize/)
 })
+
+test('loops run until they end, or a message says where one is cut off', async () => {
+  // The sum of sin(a + d i) over n terms is sin(d n / 2) / sin(d / 2) sin(a + d (n - 1) / 2).
+  const [n, d] = [1000, 0.001]
+  const height = 0.25 / (Math.sin((d * n) / 2) / Math.sin(d / 2))
+  const term = `${height} * sin(4.0 * inputs.position.y + ${d} * i)`
+  const hookOf = (loop) => `(Vertex inputs) {
+    float sum = 0.0;
+    ${loop}
+    inputs.position.x += sum;
+    return inputs;
+  }`
+  const looped = `for (float i = 0.0; i < count; i++) sum += ${term};`
+  // Each element of the array is a number that the loop changes.
+  const manyStates = `float all[40];
+    for (int k = 0; k < 40; k++) all[k] = 0.0;
+    for (float i = 0.0; i < count; i++) all[int(i) % 40] += ${term};
+    for (int k = 0; k < 40; k++) sum += all[k];`
+  const [all, withMessages] = await Promise.all([
+    drawScenes(browser, server, scripts, {
+      setup: `${defineAtVertices}
+      const shaderOf = (hook) => baseMaterialShader().modify({
+        uniforms: { 'float count': () => ${n} },
+        'Vertex getObjectInputs': hook,
+      })
+      warps.byHand = atVertices(({ glsl, position }) =>
+        glsl.vec3(position.y().mult(4).add(${(d * (n - 1)) / 2}).sin().mult(0.25), 0, 0))
+      warps.plain = shaderOf(\`${hookOf(looped)}\`)
+      warps.looped = exactNormals(warps.plain)
+      warps.limited = exactNormals(warps.plain, { maxIterations: 300 })`,
+      scenes: {
+        byHand: scene('warps.byHand()'),
+        plain: scene('shader(warps.plain)'),
+        looped: scene('shader(warps.looped)'),
+        limited: scene('shader(warps.limited)'),
+      },
+    }),
+    runSketch(
+      browser,
+      server,
+      scripts,
+      `function setup() {
+        createCanvas(50, 50, WEBGL)
+        const makeShader = () => baseMaterialShader().modify({
+          uniforms: { 'float count': () => ${n} },
+          'Vertex getObjectInputs': \`${hookOf(manyStates)}\`,
+        })
+        exactNormals(makeShader())
+        exactNormals(makeShader(), { maxIterations: 100 })
+        try { exactNormals(makeShader(), { maxIterations: 4097 }) } catch (error) { window.message = error.message }
+        window.done = true
+      }`,
+    ),
+  ])
+  const difference = (name) => differingPixels(all[name], all.byHand, 2)
+  assert.ok(difference('plain') > 2000, 'wrong light would not be detected')
+  assert.ok(difference('limited') > 500, `${difference('limited')} pixels differ`)
+  assert.ok(difference('looped') < 20, `${difference('looped')} pixels differ`)
+  const { page, messages } = withMessages
+  assert.equal(messages.length, 1, messages.join('; '))
+  assert.match(
+    messages[0],
+    /exactNormals: getObjectInputs has normals as if a loop ended early: line \d+, column \d+: only the shader knows .* after 256 iterations; [^]*\n\s+for \(float i = 0\.0; i < count; i\+\+\) all/,
+  )
+  assert.match(
+    await page.evaluate('message'),
+    /exactNormals: expected a whole number from 1 to 4096 for the option "maxIterations", got the number 4097/,
+  )
+})

@@ -30,14 +30,15 @@ for (const [shape, name, space] of [
 ])
   test(`passes divide a ${shape} under a ${name} as the CPU does, ${space ?? 'local'}`, async (t) => {
     const { found } = await run(t, 'divide', { shape, name, space })
-    for (const { triangles, expected, isEqual, farthest, openSides, beyond } of found) {
+    for (const { triangles, expected, differing, farthest, openSides, beyond } of found) {
       // If a need is a whole number except for rounding errors, only one of the two may round it up.
       assert.ok(Math.abs(triangles - expected) <= 0.01 * expected, `${triangles}, ${expected}`)
-      assert.equal(isEqual, triangles === expected)
-      assert.ok(!isEqual || farthest < 1e-6, `${farthest}`)
+      // Of two diagonals that are equally long except for rounding errors, they may choose different ones.
+      assert.ok(!(differing > 0.01 * expected), `${differing} of ${expected}`)
+      assert.ok(!(farthest > 1e-6), `${farthest}`)
       assert.deepEqual({ openSides, beyond }, { openSides: 0, beyond: 0 })
     }
-    const equal = found.filter(({ isEqual }) => isEqual).length
+    const equal = found.filter(({ differing }) => differing === 0).length
     assert.ok(equal >= found.length / 2, `${equal} of ${found.length} equal`)
   })
 

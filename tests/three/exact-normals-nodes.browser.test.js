@@ -39,6 +39,48 @@ for (const backend of ['webgl', 'webgpu'])
       assert.deepEqual(failures, [])
     })
 
+    test('loops run until they end', async (t) => {
+      for (const name of await page.evaluate(() => exact.longLoops))
+        for (const normals of ['vertex', 'pixel']) {
+          messages.length = 0
+          const { covered, moved, max, finite } = await page.evaluate(
+            (args) => exact.measure(...args),
+            [name, { backend, normals }],
+          )
+          t.diagnostic(`${name}, ${normals}: ${covered} pixels, ${max}° at 99.9%`)
+          assert.deepEqual(messages, [])
+          assert.equal(moved, 0, name)
+          assert.ok(finite && covered > 500, name)
+          // Three.js interpolates normals of vertices.
+          if (normals === 'pixel') assert.ok(max < maxDegrees, `${name}: ${max}°`)
+        }
+    })
+
+    test('a loop that cannot stay a loop is cut off, with a message', async () => {
+      const measure = async (settings) => {
+        messages.length = 0
+        return page.evaluate(
+          (args) => exact.measure(...args),
+          ['', { backend, normals: 'pixel', ...settings }],
+        )
+      }
+      const cut = await measure({ iterations: 256 })
+      assert.equal(messages.length, 1, messages.join('\n'))
+      assert.match(
+        messages[0],
+        /^exactNormals: the MeshNormalNodeMaterial cuts off a loop: only the shader knows .* after 256 iterations; .* maxIterations \(1 to 4096\)\.\n\s+for /,
+      )
+      // The original loop moves the vertices of the other picture further.
+      assert.ok(cut.moved > 0, `${cut.moved} pixels`)
+      const { max, moved } = await measure({ iterations: 400, maxIterations: 500 })
+      assert.deepEqual(messages, [])
+      assert.equal(moved, 0)
+      assert.ok(max < maxDegrees, `${max}°`)
+      const short = await measure({ iterations: 90, maxIterations: 90 })
+      assert.deepEqual(messages, [])
+      assert.ok(short.moved > 0)
+    })
+
     for (const name of ['sea', 'terrain'])
       test(`the showcase ${name}, at 102,400 pixels`, async (t) => {
         messages.length = 0

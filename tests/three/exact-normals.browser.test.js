@@ -39,7 +39,8 @@ const wrongCalls = [
   'the LineBasicMaterial has no normals.',
   "the MeshStandardNodeMaterial is a node material, which only WebGPURenderer draws; import exactNormals from 'warpjet/three/webgpu'.",
   `expected 'auto', 'vertex' or 'pixel' for the option "normals", got the text "face".`,
-  'there is no option "normal"; did you mean normals? The options are normals, surfaceVariation.',
+  'expected a whole number from 1 to 4096 for the option "maxIterations", got the number 0.',
+  'there is no option "normal"; did you mean normals? The options are normals, surfaceVariation, maxIterations.',
 ].map((message) => `WarpError: exactNormals: ${message}`)
 
 for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
@@ -80,6 +81,42 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
           })
         }
       })
+
+    test('loops run until they end', async (t) => {
+      for (const name of names.longLoops) {
+        messages.length = 0
+        const own = await measure('longLoops', name)
+        const { count, worst, farthest, finite } = await measure('longLoops', name, 'vertex')
+        t.diagnostic(`${name}: at most ${worst}°, off by ${farthest}; without ${own.median}°`)
+        assert.deepEqual(messages, [])
+        assert.ok(own.median > 1 && finite && count > 140)
+        assert.ok(worst < 0.03, `${name}: ${worst}°`)
+        assert.ok(farthest < 1e-3, `${name}: the position is off by ${farthest}`)
+      }
+    })
+
+    test('a loop that cannot stay a loop is cut off, with a message', async () => {
+      const measureManyStates = async (options) => {
+        messages.length = 0
+        return page.evaluate((options) => exact.measureManyStates(options), options)
+      }
+      const cut = await measureManyStates({ iterations: 256 })
+      assert.equal(messages.length, 1, messages.join('\n'))
+      assert.match(
+        messages[0],
+        /^exactNormals: the MeshStandardMaterial has normals as if a loop ended early: line \d+, column \d+: only the shader knows .* after 256 iterations; .* maxIterations \(1 to 4096\)\.\n {2}while \(n < uEnd\)/,
+      )
+      assert.ok(cut.worst < 0.03, `${cut.worst}°`)
+      // The shader still computes the position.
+      const whole = await measureManyStates({ iterations: 400 })
+      assert.ok(whole.worst > 0.1 && whole.farthest < 1e-3, `${whole.worst}°, ${whole.farthest}`)
+      for (const maxIterations of [500, 90]) {
+        const iterations = Math.min(maxIterations, 400)
+        const { worst } = await measureManyStates({ iterations, maxIterations })
+        assert.deepEqual(messages, [])
+        assert.ok(worst < 0.03, `${maxIterations}: ${worst}°`)
+      }
+    })
 
     if (isRun('every habit'))
       test('shaders with other habits have exact normals, or a warning', async (t) => {

@@ -99,6 +99,59 @@ test('warp accepts a tslOffset with its uniforms, and throws without them', () =
   )
 })
 
+/** A sum of sin(2 x + i / 100) / 1000 over that many terms, up to a uniform. */
+function sumTo(end, options, numbers = 1) {
+  const count = uniform(end)
+  return tslOffset(
+    (p) =>
+      Fn(() => {
+        const sums = Array.from({ length: numbers }, () => float(0).toVar())
+        Loop({ type: 'float', start: float(0), end: count }, ({ i }) => {
+          for (const sum of sums) sum.addAssign(sin(p.x.mul(2).add(i.mul(0.01))).mul(0.001))
+        })
+        return vec3(0, sums[0], sums.at(-1))
+      })(),
+    options,
+  )
+}
+const sumAt = (x, count) =>
+  Array.from({ length: count }, (_, i) => 0.001 * Math.sin(2 * x + 0.01 * i)).reduce(
+    (sum, term) => sum + term,
+    0,
+  )
+
+test('a loop up to a uniform has a value on the CPU if it ends after 256 iterations, or maxIterations', () => {
+  const heightAt = (offset) =>
+    compileWarp(offset, { uniforms: offset.uniforms }).evaluate({ positions: [0.3, 0, 0] })
+      .positions[1]
+  for (const count of [0, 1, 200, 256])
+    assertNear([heightAt(sumTo(count))], [sumAt(0.3, count)], 1e-6)
+  assert.ok(Number.isNaN(heightAt(sumTo(257))))
+  assertNear([heightAt(sumTo(1000, { maxIterations: 1000 }))], [sumAt(0.3, 1000)], 1e-6)
+  assertNear([heightAt(sumTo(1000, { maxIterations: 90 }))], [sumAt(0.3, 90)], 1e-6)
+  const offset = sumTo(1000)
+  const { code } = compileWarp(offset, { uniforms: offset.uniforms })
+  assert.match(code, /\w+ < 4194304;/)
+  assert.ok(code.length < 2000, `${code.length} characters`)
+})
+
+test('a loop that cannot stay a loop is cut off with a message, once', (t) => {
+  const warn = t.mock.method(console, 'warn', () => {})
+  const offset = sumTo(300, {}, 33)
+  assert.deepEqual(
+    warn.mock.calls.map(({ arguments: [text] }) => text.split('\n')[0].replace(/\d+/g, 'N')),
+    [
+      "tslOffset: line N, column N: only the shader knows where this loop ends, and it can't stay a loop there, since it changes more than N numbers or is nested more than N deep, so it is cut off after N iterations; let it change fewer numbers, such as a shorter array, or set the option maxIterations (N to N).",
+    ],
+  )
+  const { positions } = compileWarp(offset, { uniforms: offset.uniforms }).evaluate({
+    positions: [0.3, 0, 0],
+  })
+  assertNear(positions.slice(1), [sumAt(0.3, 256), sumAt(0.3, 256)])
+  sumTo(300, { maxIterations: 300 }, 33)
+  assert.equal(warn.mock.callCount(), 1)
+})
+
 test('messages of tslOffset', () => {
   for (const [work, message] of [
     [() => 3, /^tslOffset: expected a node that is a vec3 for the function, got the number 3\.$/],
@@ -114,6 +167,10 @@ test('messages of tslOffset', () => {
     [() => vec3(TSL.deltaTime), /reads a UniformNode/],
   ])
     assert.throws(() => tslOffset(work), { name: 'WarpError', message })
+  assert.throws(() => tslOffset(() => vec3(0), { maxIterations: 5000 }), {
+    message:
+      /^tslOffset: expected a whole number from 1 to 4096 for the option "maxIterations", got the number 5000/,
+  })
 })
 
 test('messages of exactNormals', () => {
@@ -122,12 +179,9 @@ test('messages of exactNormals', () => {
     [undefined, {}, /^exactNormals: expected a node material, .* got undefined/],
     [new THREE.MeshBasicMaterial(), {}, /expected a node material, .* got a MeshBasicMaterial/],
     [node, {}, /expected a material with a positionNode, got one without/],
-    [
-      { ...node, positionNode: {}, vertexNode: {} },
-      {},
-      /a vertexNode, which replaces the position/,
-    ],
+    [{ ...node, vertexNode: {} }, {}, /a vertexNode, which replaces the position/],
     [{ ...node, positionNode: {} }, { normals: 'pixels' }, /the option "normals"/],
+    [{ ...node, positionNode: {} }, { maxIterations: 0.5 }, /from 1 to 4096 for the option/],
   ])
     assert.throws(() => exactNormals(material, options), { name: 'WarpError', message })
 })

@@ -88,6 +88,9 @@ export const shared: GlslOptions = { function: 'map', maxIterations: 3 }
 // exactNormals() preserves the type of a shader.
 const shader = { setUniform: (name: string, value: number) => [name, value] }
 exactNormals(shader).setUniform('amount', 1)
+exactNormals(shader, { maxIterations: 1000 })
+// @ts-expect-error there is no such option in p5
+exactNormals(shader, { normals: 'pixel' })
 // @ts-expect-error no shader
 exactNormals('shader')
 // @ts-expect-error a shader is needed

@@ -95,12 +95,15 @@ createElement(Warp, {})
 const exactMaterial: MeshStandardMaterial = exactNormals(new MeshStandardMaterial(), {
   normals: 'pixel',
   surfaceVariation: false,
+  maxIterations: 1000,
 })
 const exactMesh: Mesh = exactNormals(new Mesh(undefined, exactMaterial))
 // @ts-expect-error exactNormals takes a material or a mesh
 exactNormals(new Vector3())
 // @ts-expect-error there is no such stage
 exactNormals(exactMesh, { normals: 'face' })
+// @ts-expect-error maxIterations is a number
+exactNormals(exactMesh, { maxIterations: '8' })
 
 const nodeMaterial: MeshStandardNodeMaterial = exactNodeNormals(new MeshStandardNodeMaterial(), {
   normals: 'pixel',

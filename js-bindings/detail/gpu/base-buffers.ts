@@ -34,7 +34,7 @@ export function makeBaseBuffers(
     warped: 16 * count,
     needs: 4 * pieces.length,
     sums: 8 * (items + Math.ceil(items / blockSize)),
-    state: 4 * stateNames.length,
+    state: 4 * (stateNames.length + 3 * triangles),
   }
   const { maxStorageBufferBindingSize, maxBufferSize } = device.limits
   if (Math.max(...Object.values(bytes)) > Math.min(maxStorageBufferBindingSize, maxBufferSize))

@@ -37,6 +37,7 @@ const criterionNames = [
   'aim',
   'hysteresis',
   'lowest',
+  'minGain',
 ]
 
 /** Declares the constants by which src/detail chooses numbers of pieces. */
@@ -59,15 +60,19 @@ export const blockSize = 256
 /** The invocations that write one side or one triangle. */
 export const lanes = 8
 
-/** The members of the struct `State`, each with 4 bytes. */
+/** The members of the struct `State`, each with 4 bytes. They are followed by three numbers for each triangle of the base. */
 export const stateNames = ['isStale', 'isWritten', 'vertices', 'triangles'] as const
 
+/** `squaredSides` are those of `Needs` in src/detail/need.hpp. They are here since passes can have eight storage buffers. */
 export const state = `struct State {
   isStale: ATOMIC,
   isWritten: u32,
   vertices: u32,
   triangles: u32,
+  squaredSides: array<f32>,
 }`
+
+export const plainState = state.replace('ATOMIC', 'u32')
 
 /** Finds the sum of the counts before an item. Items are the sides of the base, followed by its triangles. */
 export const startOf = `fn startOf(item: u32) -> vec2u {

@@ -9,6 +9,7 @@ import {
   lanes,
   parameterNames,
   parametersBytes,
+  stateNames,
   type Counts,
 } from './common-wgsl.js'
 import { DividedBuffers, type Room } from './divided-buffers.js'
@@ -57,7 +58,7 @@ export class ComputeDivision {
     this.parameters = this.make('parameters', parametersBytes, usage.uniform | usage.copyTo)
     const { byteLength } = passes.numbers.array
     this.inputs = this.make('inputs', byteLength, usage.uniform | usage.copyTo)
-    this.countsToRead = this.make('counts', base.state.size, usage.mapRead | usage.copyTo)
+    this.countsToRead = this.make('counts', 4 * stateNames.length, usage.mapRead | usage.copyTo)
   }
 
   /** Returns `undefined` if the mesh is too large, empty or curved. */
@@ -184,7 +185,7 @@ export class ComputeDivision {
     const { table, pipelines } = passes
     const buffers: Record<PassName, GpuBuffer[]> = {
       evaluate: [inputs, samples, warped],
-      measure: [this.views.buffer!, topology, base.base, warped, needs],
+      measure: [this.views.buffer!, topology, base.base, warped, needs, state],
       choose: [needs, pieces, state],
       place: [topology, pieces, table, sums],
       total: [sums, state, divided.drawn],

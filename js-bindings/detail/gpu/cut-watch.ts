@@ -4,6 +4,7 @@ import type { DrawValues } from '../../compile/offset-warp.js'
 import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
 import { areEqual } from '../arrays.js'
 import type { DetailParts, ToSpace } from '../detailed-mesh.js'
+import { arraysInSpace, type InSpace } from '../transform.js'
 
 /** An expensive noise takes about half a millisecond for 256 sides. */
 const sidesPerFrame = 256
@@ -21,7 +22,7 @@ export class CutWatch {
   private untested = 0
   private readonly slices: number
   private readonly samples: Vertices
-  private readonly inSpace: Float32Array
+  private readonly inSpace: InSpace
   private readonly phases: Float32Array
   private state: readonly number[] = []
 
@@ -38,7 +39,7 @@ export class CutWatch {
         new Float32Array(count * (length / (parts.samples.positions.length / 3))),
       ]),
     ) as unknown as Vertices
-    this.inSpace = new Float32Array(3 * count)
+    this.inSpace = arraysInSpace(this.samples, undefined)
     this.phases = new Float32Array((surface?.size ?? 0) * count)
   }
 
@@ -79,7 +80,7 @@ export class CutWatch {
     for (const name of Object.values(arrayNames)) {
       const target = to[name]
       if (!target) continue
-      const size = target.length / (this.inSpace.length / 3)
+      const size = target.length / (this.samples.positions.length / 3)
       const source = all[name]!
       from.forEach((sample, i) => {
         const at = size * (samplesPerSide * place + i)

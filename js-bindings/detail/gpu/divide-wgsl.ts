@@ -1,8 +1,14 @@
 // The passes that choose the pieces of the edges and write the divided mesh, in the order of src/detail/division.cpp.
-import { blockSize, groupSize, lanes, parameters, startOf, state } from './common-wgsl.js'
+import {
+  blockSize,
+  groupSize,
+  lanes,
+  parameters,
+  plainState,
+  startOf,
+  state,
+} from './common-wgsl.js'
 import type { VertexLayout } from './vertex-layout.js'
-
-const plainState = state.replace('ATOMIC', 'u32')
 
 /** Chooses the level of each edge, an index of `pieceCounts`, and clears its need. */
 export const choosePass = (constants: string) => `${parameters}
@@ -43,7 +49,7 @@ fn countOf(item: u32) -> vec2u {
   if (item < parameters.sides) { return vec2u(pieceCounts[levelOf(item)] - 1, 0); }
   if (item >= parameters.sides + parameters.triangles) { return vec2u(0); }
   let words = table[2 * tessellationOf(item - parameters.sides) + 1];
-  return vec2u(words >> 16, words & 0xffff);
+  return vec2u(words >> 21, words & 0x7ff);
 }
 
 ${sumOfBlock}
@@ -143,6 +149,21 @@ fn vertexOf(point: u32, inner: u32) -> u32 {
   return inner + k;
 }
 
+fn pointsAt(place: u32) -> vec3u { return (vec3u(table[place]) >> vec3u(0, 10, 20)) & vec3u(0x3ff); }
+
+fn numbersAt(place: u32) -> vec3f {
+  return vec3f(bitcast<f32>(table[place]), bitcast<f32>(table[place + 1]), bitcast<f32>(table[place + 2]));
+}
+
+fn squaredSidesOf(triangle: u32) -> vec3f {
+  let at = 3 * triangle;
+  return vec3f(state.squaredSides[at], state.squaredSides[at + 1], state.squaredSides[at + 2]);
+}
+
+/** See \`Flip::isShorter\`. */
+fn isShorter(terms: vec3f) -> bool { return dot(terms, vec3f(1)) < -minGain * dot(abs(terms), vec3f(1)); }
+
+/** Writes the triangles with the diagonals that src/detail/flips.hpp explains. */
 fn writeTriangle(triangle: u32, lane: u32) {
   for (var i = 0u; i < 3; i++) {
     corners[i] = topology[6 * triangle + i];
@@ -153,19 +174,25 @@ fn writeTriangle(triangle: u32, lane: u32) {
   }
   let number = tessellationOf(triangle);
   let data = table[2 * number];
-  let innerCount = table[2 * number + 1] >> 16;
-  let count = table[2 * number + 1] & 0xffff;
+  let words = table[2 * number + 1];
+  let innerCount = words >> 21;
+  let flipCount = (words >> 11) & 0x3ff;
+  let count = words & 0x7ff;
   let start = startOf(parameters.sides + triangle);
   let inner = parameters.vertices + start.x;
   for (var i = lane; i < innerCount; i += ${lanes}) {
-    let at = data + 3 * i;
-    let weights = vec3f(bitcast<f32>(table[at]), bitcast<f32>(table[at + 1]), bitcast<f32>(table[at + 2]));
-    blend(inner + i, corners, weights);
+    blend(inner + i, corners, numbersAt(data + 3 * i));
   }
+  let triangles = data + 3 * innerCount;
+  let squares = squaredSidesOf(triangle);
   for (var i = lane; i < count; i += ${lanes}) {
-    let packed = table[data + 3 * innerCount + i];
+    var points = pointsAt(triangles + i);
+    let flip = triangles + count + 3 * (i / 2);
+    if (i / 2 < flipCount && isShorter(numbersAt(flip) * squares)) {
+      points = vec3u(points.zx, pointsAt(triangles + (i ^ 1)).z);
+    }
     let to = 3 * (start.y + i);
-    for (var k = 0u; k < 3; k++) { indices[to + k] = vertexOf((packed >> (10 * k)) & 0x3ff, inner); }
+    for (var k = 0u; k < 3; k++) { indices[to + k] = vertexOf(points[k], inner); }
   }
 }
 

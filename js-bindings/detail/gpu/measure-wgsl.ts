@@ -1,6 +1,6 @@
 // The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/need.cpp explains the
 // formulas.
-import { groupSize, parameters } from './common-wgsl.js'
+import { groupSize, parameters, plainState } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
 /** An input of the warp in the buffer of samples, which contains one array per input. */
@@ -91,6 +91,7 @@ const cells = [0, 1, 2].flatMap((row) =>
 /** Measures what the edges of each triangle need. */
 export const measurePass = (constants: string) => `${parameters}
 ${constants}
+${plainState}
 struct View {
   clip: mat4x4f,
   halfSize: vec2f,
@@ -101,6 +102,7 @@ struct View {
 @group(0) @binding(3) var<storage, read> base: array<f32>;
 @group(0) @binding(4) var<storage, read> warped: array<vec4f>;
 @group(0) @binding(5) var<storage, read_write> needs: array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> state: State;
 
 alias Samples = array<vec3f, 15>;
 alias Clips = array<vec4f, 15>;
@@ -225,6 +227,7 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
   let apex = vec2f(x, max(lowest * sqrt(dot(u, u) + dot(v, v)), sqrt(max(0, dot(v, v) - x * x))));
   var samples = samplesOf(triangle);
   var squares = vec3f(0);
+  var squaredSides = vec3f(0);
   for (var k = 0u; k < parameters.views; k++) {
     let view = views[k];
     var clips: Clips;
@@ -250,9 +253,11 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
       largest = max(largest, here);
       sum += here;
     }
-    let byBends = (largest + beyondCells * (largest - sum / 6)) * error / (aim * parameters.tolerance);
-    squares = max(squares, byBends);
+    let byBends = (largest + beyondCells * (largest - sum / 6)) * error;
+    squaredSides = max(squaredSides, byBends);
+    squares = max(squares, byBends / (aim * parameters.tolerance));
   }
+  for (var i = 0u; i < 3; i++) { state.squaredSides[3 * triangle + i] = squaredSides[i]; }
   for (var i = 0u; i < 3; i++) {
     let side = topology[first + 3 + i] >> 1;
     let edge = topology[6 * parameters.triangles + 3 * side + 2];

@@ -1,6 +1,6 @@
 /** Reads the view of a shape: the matrices, and the size of the canvas or framebuffer that p5 draws on. */
-import type { Vertices } from '../../compile/hosts.js'
 import type { DetailViews, ToSpace } from '../../detail/detailed-mesh.js'
+import { transformSamples } from '../../detail/transform.js'
 import type { Canvas, Renderer } from '../host.js'
 import type { WarpSpace } from '../settings.js'
 
@@ -46,15 +46,20 @@ export function viewOf(canvas: Canvas, renderer: Renderer, space: WarpSpace) {
   return { views, place: toSpace ?? [], toSpace: toSpace && transform(toSpace) }
 }
 
-function product(matrices: readonly Matrix[]): number[] {
-  return matrices.reduce<number[]>(
-    (a, b) =>
-      Array.from({ length: 16 }, (_, i) => {
-        const [row, column] = [i % 4, i - (i % 4)]
-        return [0, 1, 2, 3].reduce((sum, k) => sum + a[4 * k + row]! * b[column + k]!, 0)
-      }),
-    [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-  )
+/** Returns the product of one or more matrices. */
+function product([first, ...others]: readonly Matrix[]): number[] {
+  return others.reduce(multiply, Array.from(first!))
+}
+
+function multiply(a: readonly number[], b: Matrix): number[] {
+  const result: number[] = []
+  for (let i = 0; i < 16; i++) {
+    const row = i % 4
+    let sum = 0
+    for (let k = 0; k < 4; k++) sum += a[4 * k + row]! * b[i - row + k]!
+    result.push(sum)
+  }
+  return result
 }
 
 /** Returns the inverse of a matrix' transpose, by columns, without its last row and column. */
@@ -75,32 +80,8 @@ export function normalMatrixOf(m: readonly number[]): number[] {
 }
 
 /** Moves positions by the matrix, and normals by the inverse of its transpose. */
-function transform(m: readonly number[]): ToSpace {
-  const normalMatrix = normalMatrixOf(m)
-  return (samples, positions) => {
-    const { positions: given, normals, ...others } = samples
-    for (let i = 0; i < positions.length; i += 3)
-      for (let row = 0; row < 3; row++)
-        positions[i + row] =
-          m[row]! * given[i]! +
-          m[4 + row]! * given[i + 1]! +
-          m[8 + row]! * given[i + 2]! +
-          m[12 + row]!
-    const moved: Vertices = { ...others, positions }
-    if (normals) moved.normals = multiplyAll(normals, normalMatrix)
-    return moved
-  }
-}
-
-/** Multiplies vectors by a matrix of 3 by 3, by columns. */
-function multiplyAll(vectors: ArrayLike<number>, m: readonly number[]): Float32Array {
-  const all = new Float32Array(vectors.length)
-  for (let i = 0; i < all.length; i += 3) {
-    const n = [0, 1, 2].map(
-      (row) =>
-        m[row]! * vectors[i]! + m[3 + row]! * vectors[i + 1]! + m[6 + row]! * vectors[i + 2]!,
-    )
-    all.set(n, i)
-  }
-  return all
+function transform(matrix: readonly number[]): ToSpace {
+  const normalMatrix = normalMatrixOf(matrix)
+  return (samples, to) =>
+    transformSamples(samples, to, { matrix, normalMatrix, hasUnitNormals: false })
 }

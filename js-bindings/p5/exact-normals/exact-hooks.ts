@@ -3,7 +3,8 @@ import { compileWarp } from '#text-compiler'
 import { drawInputs, type OffsetFunction, type Target } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import { markLibraryFunction } from '../../errors/operators.js'
-import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
+import { readOffset } from '../../glsl-source/offset.js'
+import { Place } from '../../options/place.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
 import { randomCallsOf } from './random-calls.js'
@@ -59,11 +60,12 @@ export interface ExactHooks {
 export function makeExactHooks(
   shader: ModifiedShader,
   names: readonly string[],
+  maxIterations: number,
   templateOf: (name: string) => HookTemplate,
 ): ExactHooks | undefined {
   const made: NonNullable<ReturnType<typeof makeExactHook>>[] = []
   for (const name of names.filter((each) => shader.hooks.modified.vertex[each])) {
-    const hook = makeExactHook(shader, name, templateOf, made.length === 0)
+    const hook = makeExactHook(shader, name, maxIterations, templateOf, made.length === 0)
     if (hook) made.push(hook)
   }
   if (made.length === 0) return undefined
@@ -79,6 +81,7 @@ export function makeExactHooks(
 function makeExactHook(
   shader: ModifiedShader,
   name: string,
+  maxIterations: number,
   templateOf: (name: string) => HookTemplate,
   isFirst: boolean,
 ) {
@@ -125,17 +128,19 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
         : new WarpError(strandsMessage(error.message, hookName!))
     }
   }
-  const readOffset = withStrandsMessages(() =>
-    (isWgsl(shader) ? wgslOffset : glslOffset)(source, {
+  const language = isWgsl(shader) ? 'wgsl' : 'glsl'
+  const read = withStrandsMessages(() =>
+    readOffset(new Place(`${language}Offset`), language, source, {
       function: moved,
       returns: 'position',
-      maxIterations: 256,
+      maxIterations,
     }),
   )
+  if (read.cutOff) warnCutOff(hookName!, hook, read.cutOff)
   // Passes only these inputs: in a hook, millis, size and instance may be variables of the sketch.
   const offset: OffsetFunction = markLibraryFunction(
     ({ glsl, position, normal, uv, color, uniforms }) =>
-      readOffset({ glsl, position, normal, uv, color, uniforms } as never),
+      read.offset({ glsl, position, normal, uv, color, uniforms } as never),
   )
   const withoutNormals = withStrandsMessages(() =>
     compileWarp(offset, { ...options, normals: false }),
@@ -155,6 +160,14 @@ const warnSecondHook = (hookName: string) =>
   console.warn(
     `exactNormals: ${hookName} moves vertices by normal or texCoord after another hook has moved them, so its normals are only approximate; move the vertices in one hook.`,
   )
+
+/** Lines of p5.strands have numbers that no user knows. */
+function warnCutOff(hookName: string, hook: string, message: string) {
+  const located = isGeneratedByStrands(hook)
+    ? message.replace(/^line \d+, column \d+: /, '')
+    : message
+  console.warn(`exactNormals: ${hookName} has normals as if a loop ended early: ${located}`)
+}
 
 function targetOf(shader: ModifiedShader, type: string): Target {
   if (isWgsl(shader)) return 'wgsl'

@@ -4,6 +4,9 @@
  * transform the normal by that exact derivative.
  */
 import { WarpError } from '../../errors/errors.js'
+import { loopKinds, type LoopOptions } from '../../options/iterations.js'
+import { Place } from '../../options/place.js'
+import { object, type KindsOf } from '../../options/schema.js'
 import { normalMatrices } from '../hooks/struct-hooks.js'
 import type { Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
@@ -29,12 +32,20 @@ const structHooks = ['Vertex getObjectInputs', 'Vertex getWorldInputs', 'Vertex 
 const valueHooks = ['vec3 getLocalPosition', 'vec3 getWorldPosition']
 const normalHooks = ['vec3 getLocalNormal', 'vec3 getWorldNormal']
 
+export type ExactNormalsOptions = LoopOptions
+
+const optionsKind = object(loopKinds satisfies KindsOf<ExactNormalsOptions>)
+
 /**
  * Returns the shader with exact normals, if its hooks move positions. If a hook is unsupported, for example because its position depends
  * on an attribute that the sketch defines, warns on the console and returns the shader unchanged. Throws a `WarpError` for anything but
  * a shader of surfaces.
  */
-export function exactNormals<Given extends object>(shader: Given): Given {
+export function exactNormals<Given extends object>(
+  shader: Given,
+  options?: ExactNormalsOptions,
+): Given {
+  const { maxIterations } = optionsKind.read(options, new Place('exactNormals'))
   const modified = shader as unknown as ModifiedShader
   const hooks = modified?.hooks?.modified?.vertex && modified.hooks.vertex
   const has = (names: readonly string[]) => names.every((name) => name in (hooks ?? {}))
@@ -48,7 +59,7 @@ export function exactNormals<Given extends object>(shader: Given): Given {
       `exactNormals: expected a shader of surfaces, such as baseMaterialShader().modify(…), got ${describeShader(shader)}.`,
     )
   try {
-    const newHooks = (isWgsl(modified) ? makeWgslHooks : makeHooks)(modified)
+    const newHooks = (isWgsl(modified) ? makeWgslHooks : makeHooks)(modified, maxIterations)
     return newHooks
       ? (newHooks.finish(modified.modify(newHooks.hooks)) as unknown as Given)
       : shader
@@ -108,12 +119,12 @@ const structTemplate = {
 }
 
 /** Makes hooks for p5 2 on WebGL, where a hook takes and returns a Vertex struct. */
-function makeStructHooks(shader: ModifiedShader): NewHooks | undefined {
+function makeStructHooks(shader: ModifiedShader, maxIterations: number): NewHooks | undefined {
   // With a hook in world space, p5 has these two matrices instead of uNormalMatrix.
   const matrices = shader.hooks.modified.vertex['Vertex getWorldInputs']
     ? { ...normalMatrices, camera: 'uCameraNormalMatrix * uModelNormalMatrix' }
     : normalMatrices
-  const exact = makeExactHooks(shader, structHooks, (name) => ({
+  const exact = makeExactHooks(shader, structHooks, maxIterations, (name) => ({
     ...structTemplate,
     // The sketch's hook must be below the helpers that it may call.
     hook: ({ code, original, text, normal, warp }) => ({
@@ -147,11 +158,11 @@ ${readsVariation(warp) ? variationInGlsl(matrices[spaceOf(name)]) : ''}${code}
  * Makes hooks for p5 2 on WEBGPU, where functions may be in any order and hooks take the instance as a parameter. We cannot change
  * p5's varyings on WEBGPU, so a collapsed surface keeps the normal that the sketch's own hook returns.
  */
-function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
+function makeWgslHooks(shader: ModifiedShader, maxIterations: number): NewHooks | undefined {
   const normalMatrix = shader.hooks.modified.vertex['Vertex getWorldInputs']
     ? 'camera.uCameraNormalMatrix * model.uModelNormalMatrix'
     : 'model.uNormalMatrix'
-  const exact = makeExactHooks(shader, structHooks, (name) => ({
+  const exact = makeExactHooks(shader, structHooks, maxIterations, (name) => ({
     ...structTemplate,
     hook: ({ code, original, normal, warp }) => ({
       [name]: `(warpjetInputs: Vertex) {
@@ -194,9 +205,9 @@ ${variationInWgsl({ text: warp, space: spaceOf(name) }, normalMatrix)}${code}
  * Makes hooks for p5 1.11, where a hook takes and returns one value. A global passes the normal, in view space, from the position hooks
  * to the last normal hook, since p5 calls the position hooks first.
  */
-function makeValueHooks(shader: ModifiedShader): NewHooks | undefined {
+function makeValueHooks(shader: ModifiedShader, maxIterations: number): NewHooks | undefined {
   let isNormalSet = false
-  const exact = makeExactHooks(shader, valueHooks, (name) => {
+  const exact = makeExactHooks(shader, valueHooks, maxIterations, (name) => {
     const isLocal = name === valueHooks[0]
     return {
       names: {

@@ -1,12 +1,12 @@
 /** The option `detail` of `warp`: draws one object with as many triangles as its warped surface needs on the screen. */
-import type { BufferGeometry, Mesh } from 'three'
+import { Matrix3, type BufferGeometry, type Mesh } from 'three'
 import { DetailedMesh, type DetailViews, type ToSpace } from '../../detail/detailed-mesh.js'
+import { transformSamples } from '../../detail/transform.js'
 import { warnOfDetail } from '../../detail/warnings.js'
 import { nameOf } from '../describe.js'
 import { isSkinned, poseState, type Warpable } from '../pose.js'
 import { remembered } from '../remembered.js'
 import { computeDivision } from '../renderers.js'
-import { inWorld } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
 import { baseState } from './base-state.js'
 import { baseOf, poseBase, type GeometryBase } from './base.js'
@@ -191,10 +191,11 @@ function isShown(object: Warpable, { camera }: Render): boolean {
 /** Returns a function that transforms samples into world space by the present matrix of the object. */
 function toWorldOf(warp: ThreeWarp, object: Warpable): ToSpace {
   const readsNormals = warp.reads('normal')
-  return (samples, positions) => {
-    const { normals, ...others } = samples
-    const placed = inWorld({ ...others, ...(readsNormals && { normals }) }, object.matrixWorld)
-    positions.set(placed.positions)
-    return { ...placed, positions }
-  }
+  const covariant = new Matrix3()
+  return ({ normals, ...others }, to) =>
+    transformSamples(readsNormals && normals ? { ...others, normals } : others, to, {
+      matrix: object.matrixWorld.elements,
+      normalMatrix: covariant.getNormalMatrix(object.matrixWorld).elements,
+      hasUnitNormals: true,
+    })
 }

@@ -22,8 +22,8 @@ export interface Parameter {
 export interface Displacement {
   warp: ThreeWarp
   parameters: readonly Parameter[]
-  /** The message about statements of the shader that are ignored, if there are any. */
-  note?: string
+  /** Messages about statements of the shader that are ignored, or about a loop that is cut off. */
+  notes: readonly string[]
 }
 
 /** A warp made of the displacement of a shader. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
@@ -39,21 +39,24 @@ class DisplacementWarp extends ThreeWarp {
   }
 }
 
-export type ExactSettings = Pick<Settings, 'method' | 'normals' | 'surfaceVariation'>
+export interface ExactSettings extends Pick<Settings, 'method' | 'normals' | 'surfaceVariation'> {
+  /** The option, or `untilEnd`. */
+  maxIterations: number
+}
 
 /** Returns the displacement of a shader. `values` has values on the CPU for variables that are not in `shader.uniforms`. */
 export function readDisplacement(
   shader: ExactShader,
-  settings: ExactSettings,
+  { maxIterations, ...settings }: ExactSettings,
   space: WarpSpace,
   values: Record<string, () => unknown> = {},
   material: object = {},
 ): Displacement {
   const { text, attributes, note } = makeVertexSource(shader)
-  const { offset, externals } = readOffset(new Place(settings.method), 'glsl', text, {
+  const { offset, externals, cutOff } = readOffset(new Place(settings.method), 'glsl', text, {
     function: movedFunction,
     returns: 'position',
-    maxIterations: 256,
+    maxIterations,
   })
   const uniforms: Record<string, () => unknown> = {}
   for (const external of externals) {
@@ -80,7 +83,11 @@ export function readDisplacement(
       type,
       isAttribute: attributes.has(withNamesOfShader(name)) || name.startsWith('gl_'),
     }))
-  return { warp, parameters: warp.parameters, ...(note && { note }) }
+  const notes = [
+    note ?? [],
+    cutOff ? `has normals as if a loop ended early: ${withNamesOfShader(cutOff)}` : [],
+  ].flat()
+  return { warp, parameters: warp.parameters, notes }
 }
 
 const isSampler = (type: string) => /sampler/i.test(type)

@@ -127,8 +127,8 @@ export class ExactMaterial {
   private wrapKey() {
     const { material } = this
     const key = () => {
-      const { normals, surfaceVariation } = this.settings
-      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.userKey()}`
+      const { normals, surfaceVariation, maxIterations } = this.settings
+      return `exactNormals ${normals} ${surfaceVariation} ${maxIterations} ${areNormalsAtVertices()} ${this.userKey()}`
     }
     wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (original) => {
       // The default key is the text of the method onBeforeCompile, so `original` must see the material's own method, not our wrapper.
@@ -150,7 +150,7 @@ export class ExactMaterial {
     if (!usesChunks && !isShaderMaterial) return
     try {
       const displacement = this.read(shader)
-      if (displacement.note) this.warn(displacement.note)
+      for (const note of displacement.notes) this.warn(note)
       if (displacement.warp.isRigid) return
       const woven = usesChunks
         ? this.weaveChunks(shader, renderer, displacement)

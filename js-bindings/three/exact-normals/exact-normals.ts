@@ -2,6 +2,7 @@
 import type { Material, Mesh } from 'three'
 import { normalsKinds } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
+import { loopKinds, type LoopOptions } from '../../options/iterations.js'
 import { kind, optional } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { object, type KindsOf } from '../../options/schema.js'
@@ -11,7 +12,7 @@ import type { ExactSettings } from './displacement.js'
 import { exactMaterial } from './exact-material.js'
 import { followDisplacement } from './follow.js'
 
-export interface ExactNormalsOptions {
+export interface ExactNormalsOptions extends LoopOptions {
   /**
    * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a displacement that contains noise or bends strongly, unless that takes too many operations per pixel.
@@ -29,6 +30,7 @@ const optionKinds = object({
       advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',
     }),
   ),
+  maxIterations: loopKinds.maxIterations,
 } satisfies KindsOf<ExactNormalsOptions>)
 
 /**

@@ -121,7 +121,11 @@ Type Parser::type() {
   } else {
     const bool isOther = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos;
     fail(word.location, isOther ? quote(word.text) + " cannot be read in a warp; only sampler2D can"
-                                : "expected a type, " + this->describeNext());
+                                : "expected a type, " + this->describeNext() +
+                                      (word.is("fn") ? "; this looks like WGSL, which wgslOffset "
+                                                       "reads, and differentiate with the option "
+                                                       "language: 'wgsl'"
+                                                     : ""));
     return voidType;
   }
   take();

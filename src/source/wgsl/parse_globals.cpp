@@ -56,7 +56,7 @@ void Parser::findGlobals() {
                             describeNext() +
                             (word.is("uniform") || word.is("varying") || word.is("precision") ||
                                      word.is("void") || word.is("float") || word.is("vec3")
-                                 ? "; this looks like GLSL, which glslOffset reads"
+                                 ? "; this looks like GLSL, which glslOffset and differentiate read"
                                  : ""));
     }
     take();

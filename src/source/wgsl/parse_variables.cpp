@@ -184,8 +184,8 @@ StatementId Parser::assignment() {
                                                 " is given by the host and cannot be "
                                                 "changed"
                                           : name +
-                                                " is a value and cannot be changed; declare it by "
-                                                "var, or assign one component at a time");
+                                                " is a value and cannot be changed; copy it to a "
+                                                "var before, or assign one component at a time");
     return nothing;
   }
   const Type type = target.type;

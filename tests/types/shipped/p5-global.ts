@@ -26,6 +26,7 @@ function draw() {
   model(airplane)
   const text: string = AutoDiff.gen((ad) => ad.param('x').output('y')) + warpjet.version
   shader(exactNormals(baseMaterialShader()))
+  shader(exactNormals(baseMaterialShader(), { maxIterations: 1000 }))
   createWarp(warpjet.glslOffset('vec3 offset(vec3 p) { return p; }', { returns: 'position' }))
   // @ts-expect-error a shader is needed
   exactNormals()

@@ -2,13 +2,14 @@
 import type { Material } from 'three'
 import type { NodeMaterial } from 'three/webgpu'
 import { normalsKinds, type NormalsOption } from '../../../compile/hosts.js'
+import { loopKinds, type LoopOptions } from '../../../options/iterations.js'
 import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
-import type { Settings } from '../../settings.js'
 import { addExact } from './exact-node-materials.js'
+import type { ExactSettings } from './exact-warp.js'
 
-export interface ExactNormalsOptions {
+export interface ExactNormalsOptions extends LoopOptions {
   /**
    * Normals are computed at each `'vertex'`, and interpolated by three.js, or exactly at each `'pixel'`. `'auto'` chooses
    * `'pixel'` for a position that contains noise or bends strongly, unless that takes too many operations per pixel.
@@ -18,10 +19,13 @@ export interface ExactNormalsOptions {
 }
 
 const place = new Place('exactNormals')
-const optionsKind = object({ normals: normalsKinds.normals } satisfies KindsOf<ExactNormalsOptions>)
+const optionsKind = object({
+  normals: normalsKinds.normals,
+  maxIterations: loopKinds.maxIterations,
+} satisfies KindsOf<ExactNormalsOptions>)
 
 /** Returns settings for the warp that is read from a positionNode. */
-export const settingsWith = (normals: NormalsOption): Settings => ({
+export const settingsWith = (normals: NormalsOption, maxIterations: number): ExactSettings => ({
   method: place.method,
   space: 'local',
   isAfterInstances: true,
@@ -31,6 +35,7 @@ export const settingsWith = (normals: NormalsOption): Settings => ({
   fadeNoise: false,
   isShared: true,
   surfaceVariation: undefined,
+  maxIterations,
 })
 
 /**
@@ -53,14 +58,14 @@ export function exactNormals<Kind extends Material>(
     throw place
       .part('the material')
       .expected('a node material, such as a MeshStandardNodeMaterial,', describeOfThree(material))
-  if (!positionNode)
-    throw place.expected('a material with a positionNode', 'one without', 'set positionNode before')
   if (vertexNode)
     throw place.error(
       'expected a material that moves its vertices by positionNode, got one with a vertexNode, which replaces the position.',
     )
-  const { normals } = optionsKind.read(options, place)
-  addExact(material, settingsWith(normals))
+  if (!positionNode)
+    throw place.expected('a material with a positionNode', 'one without', 'set positionNode before')
+  const { normals, maxIterations } = optionsKind.read(options, place)
+  addExact(material, settingsWith(normals, maxIterations))
   material.needsUpdate = true
   return material
 }

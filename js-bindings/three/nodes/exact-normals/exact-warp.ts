@@ -7,24 +7,45 @@ import {
   type Target,
 } from '../../../compile/hosts.js'
 import { markLibraryFunction } from '../../../errors/operators.js'
-import { glslOffset, readPositionWithOthers, wgslOffset } from '../../../glsl-source/offset.js'
+import { readOffset, readPositionWithOthers } from '../../../glsl-source/offset.js'
+import { Place } from '../../../options/place.js'
 import type { Settings } from '../../settings.js'
 import { ThreeWarp, type Stage } from '../../three-warp.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
-import { functionName, maxIterations, sizeOfEffects, type PositionSource } from './read-position.js'
+import { functionName, sizeOfEffects, type PositionSource } from './read-position.js'
+
+export interface ExactSettings extends Settings {
+  /** The option, or `untilEnd`. */
+  maxIterations: number
+}
+
+/** The function that a warp is made of. */
+interface ExactOffset {
+  offset: OffsetFunction
+  /** Returns the numbers of the effects, once the offset function was called. */
+  others?: () => readonly Expression[]
+  /** The message about a loop that is cut off before its end; empty if there is none. */
+  cutOff: string
+}
+
+const placeOf = (language: string) => new Place(`${language}Offset`)
 
 /** Returns the offset function of a positionNode. */
-export function offsetOf({ language, text }: PositionSource): OffsetFunction {
-  const readOffset = (language === 'wgsl' ? wgslOffset : glslOffset)(text, {
+export function offsetOf(
+  { language, text }: PositionSource,
+  { maxIterations }: ExactSettings,
+): ExactOffset {
+  const read = readOffset(placeOf(language), language, text, {
     function: functionName,
     returns: 'position',
     maxIterations,
   })
   // The other inputs, such as millis, would be taken for uniforms of the source that have their names.
-  return markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
-    readOffset({ glsl, position, normal, uv, uniforms } as never),
+  const offset: OffsetFunction = markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
+    read.offset({ glsl, position, normal, uv, uniforms } as never),
   )
+  return { offset, cutOff: read.cutOff }
 }
 
 /** An element of an array in the source, such as `warpjetOuter2.value[3]`. */
@@ -32,19 +53,23 @@ const elementName = /^(\w+?)(?:\.value)?\[(\d+)u?\]$/
 
 const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 
-/**
- * Returns the offset function of a positionNode, and a function that returns the numbers of its effects once the offset function was
- * called.
- */
-function offsetWithEffectsOf({ language, effects }: PositionSource, text: string) {
-  const read = readPositionWithOthers(language, text, { function: functionName, maxIterations })
+/** Returns the offset function of a positionNode with its effects. */
+function offsetWithEffectsOf(
+  { language, effects }: PositionSource,
+  { maxIterations }: ExactSettings,
+  text: string,
+): ExactOffset {
+  const { read, cutOff } = readPositionWithOthers(placeOf(language), language, text, {
+    function: functionName,
+    maxIterations,
+  })
   let numbers: readonly Expression[] = []
   const offset: OffsetFunction = markLibraryFunction(({ glsl, position, normal, uv, uniforms }) => {
     const { offset, others } = read({ glsl, position, normal, uv, uniforms } as never)
     numbers = others.slice(0, sizeOfEffects(effects))
     return offset
   })
-  return { offset, others: () => numbers }
+  return { offset, others: () => numbers, cutOff }
 }
 
 export class ExactWarp extends ThreeWarp {
@@ -54,19 +79,22 @@ export class ExactWarp extends ThreeWarp {
   }
 
   override readonly isMirroredNow = () => false
+  /** The message about a loop that is cut off before its end; empty if there is none. */
+  readonly cutOff: string
   /** The names by which the source reads elements of arrays; they are not identifiers. */
   private readonly elements: readonly string[]
 
   /** `text` is the `textWithEffects` of the source. If it is passed, the shader code computes the effects, too. */
-  constructor(source: PositionSource, settings: Settings, text?: string) {
+  constructor(source: PositionSource, settings: ExactSettings, text?: string) {
     const types = new Map([...source.values].map(([name, { type }]) => [name, type]))
     const images = Object.fromEntries(
       [...source.textures].map(([name, node]) => [name, () => node.value as Texture]),
     )
-    const { offset, others = undefined } = text
-      ? offsetWithEffectsOf(source, text)
-      : { offset: offsetOf(source) }
+    const { offset, others, cutOff } = text
+      ? offsetWithEffectsOf(source, settings, text)
+      : offsetOf(source, settings)
     super(offset, { ...settings, uniforms: images }, types, others)
+    this.cutOff = cutOff
     this.elements = [...this.variableNames()].filter((name) => elementName.test(name))
     for (const name of this.elements) {
       const [, list] = elementName.exec(name)!

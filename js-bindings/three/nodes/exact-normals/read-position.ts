@@ -45,9 +45,6 @@ export interface Effect {
 
 export const functionName = 'warpjetMoved'
 
-/** The max number of iterations of a loop whose end depends on a uniform, as in p5's `exactNormals`. */
-export const maxIterations = 256
-
 /** Makes a builder for the same object and renderer as another. */
 export function siblingOf(builder: Builder): ReadingBuilder {
   const original = builder as ReadingBuilder & Record<string, unknown>

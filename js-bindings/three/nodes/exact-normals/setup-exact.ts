@@ -40,7 +40,10 @@ export function displaceExactly(
       return moveExactly(exact, builder, material, positionNode, warp)
     } catch (error) {
       if (!(error instanceof WarpError)) throw error
-      warn(exact, builder, error.message)
+      warnOnce(
+        exact,
+        `the normals of ${nameOfMaterial(builder.material)} of ${nameOf(builder.object)} stay as they are: ${withoutPlace(error.message)}`,
+      )
     }
   }
   tsl.positionLocal.assign(tsl.subBuild(positionNode, 'POSITION', 'vec3'))
@@ -57,6 +60,11 @@ function moveExactly(
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)
+  if (warp.cutOff)
+    warnOnce(
+      exact,
+      `${nameOfMaterial(builder.material)} cuts off a loop: ${withoutPlace(warp.cutOff)}`,
+    )
   if (warp.varies) ensureVariation(builder)
   for (const node of source.updated) {
     builder.addNode(node)
@@ -93,7 +101,7 @@ function moveExactly(
 }
 
 /**
- * Maps the option `normals` and the code of a position without textures → its warp, or the message that says why it cannot be read as a
+ * Maps the options and the code of a position without textures → its warp, or the message that says why it cannot be read as a
  * warp. Materials with the same displacement share its warp, since making it takes several milliseconds.
  */
 const sharedWarps = new Map<string, ExactWarp | string>()
@@ -133,7 +141,7 @@ function cachedWarp(exact: ExactNodeMaterial, source: PositionSource, withEffect
   )
   // The warp reads the nodes of its textures, which may differ between sources with the same text.
   const key = [
-    exact.settings.normals,
+    exact.key,
     ...[...functions].sort(),
     others,
     ...Array.from(textures.values(), idOf),
@@ -186,14 +194,12 @@ function ensureVariation({ geometry }: Builder) {
     addVariation(geometry, surfaceVariation)
 }
 
-function warn({ warned }: ExactNodeMaterial, { object, material }: Builder, message: string) {
+/** Removes the name of the method, and the line and column, since three.js has written the code. */
+const withoutPlace = (message: string) =>
+  message.replace(/^(?:(?:exactNormals|(?:glsl|wgsl)Offset): )?(?:line \d+, column \d+: )?/, '')
+
+function warnOnce({ warned }: ExactNodeMaterial, message: string) {
   if (warned.has(message)) return
   warned.add(message)
-  const reason = message.replace(
-    /^(?:exactNormals|(?:glsl|wgsl)Offset): (?:line \d+, column \d+: )?/,
-    '',
-  )
-  console.warn(
-    `${method}: the normals of ${nameOfMaterial(material)} of ${nameOf(object)} stay as they are: ${reason}`,
-  )
+  console.warn(`${method}: ${message}`)
 }

@@ -4,17 +4,18 @@ import type { Node } from 'three/webgpu'
 import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
 import { WarpError, describe } from '../../../errors/errors.js'
 import { markLibraryFunction } from '../../../errors/operators.js'
-import { glslOffset } from '../../../glsl-source/offset.js'
+import { readOffset } from '../../../glsl-source/offset.js'
+import { loopKinds, type LoopOptions } from '../../../options/iterations.js'
 import { callback, oneOf } from '../../../options/kinds.js'
 import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { three } from '../../values.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { plainBuilder } from './plain-builder.js'
-import { functionName, maxIterations, readPosition } from './read-position.js'
+import { functionName, readPosition } from './read-position.js'
 import type { OuterValue, ReadNode } from './reading-builder.js'
 
-export interface TslOffsetOptions {
+export interface TslOffsetOptions extends LoopOptions {
   /**
    * Meaning of the function's result: `'offset'` is added to the position, `'position'` is the new position, as for a `positionNode`.
    * @default 'offset'
@@ -35,6 +36,7 @@ export interface TslOffset {
 const place = new Place('tslOffset')
 const optionsKind = object({
   returns: oneOf(['offset', 'position'], 'offset'),
+  maxIterations: loopKinds.maxIterations,
 } satisfies KindsOf<TslOffsetOptions>)
 
 /**
@@ -50,7 +52,7 @@ export function tslOffset(
   options?: TslOffsetOptions,
 ): TslOffset {
   callback.read(work, place)
-  const { returns } = optionsKind.read(options, place)
+  const { returns, maxIterations } = optionsKind.read(options, place)
   const result = work(tsl.positionLocal as never) as unknown as AnyNode
   if (!(result as { isNode?: boolean } | undefined)?.isNode)
     throw place.part('the function').expected('a node that is a vec3', describe(result))
@@ -62,11 +64,16 @@ export function tslOffset(
   ]
   const unknownNode = source.updated.find((node) => !uniformsOfNodes.has(node))
   if (unknownNode) throw unknownValueError(unknownNode)
-  const read = glslOffset(source.text, { function: functionName, returns, maxIterations })
+  const read = readOffset(new Place('glslOffset'), 'glsl', source.text, {
+    function: functionName,
+    returns,
+    maxIterations,
+  })
+  if (read.cutOff) console.warn(`${place.method}: ${read.cutOff}`)
   const offset = markLibraryFunction((inputs: WarpInputs) => {
     const { glsl, position, normal, uv } = inputs
     const uniforms = Object.fromEntries(bindings.map(([name, bind]) => [name, bind(inputs)]))
-    return read({ glsl, position, normal, uv, uniforms } as never)
+    return read.offset({ glsl, position, normal, uv, uniforms } as never)
   })
   return Object.assign(offset as unknown as TslOffset, { uniforms: uniformsOfNodes.values })
 }

@@ -5,13 +5,15 @@
  */
 import { startCompiler } from '../../../compile/hosts.js'
 import { startFrontEnd } from '../../../glsl-source/listing.js'
-import { wgslOffset } from '../../../glsl-source/offset.js'
+import { readOffset } from '../../../glsl-source/offset.js'
+import { untilEnd } from '../../../options/iterations.js'
+import { Place } from '../../../options/place.js'
 import { functionFor } from '../function.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { settingsWith } from './exact-normals.js'
 import { ExactWarp, offsetOf } from './exact-warp.js'
 import { plainBuilder } from './plain-builder.js'
-import { functionName, maxIterations, readPosition } from './read-position.js'
+import { functionName, readPosition } from './read-position.js'
 
 /** Yields positions, each of which needs a few functions more than the previous one: operations, a variable, a loop, hashes, noise. */
 function* samplePositions(): Generator<AnyNode, void> {
@@ -64,15 +66,20 @@ function* warmUp(): Generator<void, void> {
   startCompiler()
   yield
   for (const text of samplesInWgsl) {
-    wgslOffset(text, { function: functionName, returns: 'position', maxIterations })
+    readOffset(new Place(method), 'wgsl', text, {
+      function: functionName,
+      returns: 'position',
+      maxIterations: untilEnd,
+    })
     yield
   }
   for (const position of samplePositions()) {
     const source = readPosition(method, plainBuilder(method), position)
     yield
-    offsetOf(source)
+    const settings = settingsWith('auto', untilEnd)
+    offsetOf(source, settings)
     yield
-    const warp = new ExactWarp(source, settingsWith('auto'))
+    const warp = new ExactWarp(source, settings)
     yield
     functionFor(warp, 'normal', false)
     yield

@@ -19,7 +19,7 @@ const time = 0.7
 /**
  * Adds an `onBeforeCompile` to a material: it puts functions above `main`, and statements after a chunk or, with `replaces`, in its place.
  */
-function changeShader(
+export function changeShader(
   material,
   functions,
   statements,
@@ -36,7 +36,7 @@ function changeShader(
   return material
 }
 
-const standard = () => new THREE.MeshStandardMaterial()
+export const standard = () => new THREE.MeshStandardMaterial()
 
 const makeHeightMap = () => {
   const map = new THREE.DataTexture(texels, 8, 8, THREE.RedFormat, THREE.FloatType)

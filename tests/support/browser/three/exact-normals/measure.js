@@ -83,7 +83,7 @@ function localPosition(row, { p, n, uv }, instance, world) {
 }
 
 /**
- * Measures the errors of a row's normals, with `exactNormals` if `normals` is present. `hasChunks` says whether the material's shaders
+ * Measures the errors of a row's normals, with `exactNormals` if `normals`, its option or all of its options, is present. `hasChunks` says whether the material's shaders
  * consist of three's chunks. With `isRaw`, returns the computed values instead.
  */
 export async function measure(row, normals, hasChunks, isRaw) {
@@ -92,7 +92,7 @@ export async function measure(row, normals, hasChunks, isRaw) {
   const geometry = create()
   if (!isRaw) await addSurfaceVariation(geometry)
   const material = row.material()
-  if (normals) exactNormals(material, { normals })
+  if (normals) exactNormals(material, typeof normals === 'string' ? { normals } : normals)
   const mesh = makeMesh(row, geometry, material)
   mesh.rotation.set(0.4, 0.5, 0.1)
   // Shaders that compute normals in world space are correct only for uniform scales.

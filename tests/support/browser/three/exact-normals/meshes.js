@@ -320,6 +320,7 @@ export function wrongCalls() {
         }),
       ),
     () => exactNormals(new THREE.MeshStandardMaterial(), { normals: 'face' }),
+    () => exactNormals(new THREE.MeshStandardMaterial(), { maxIterations: 0 }),
     () => exactNormals(new THREE.MeshStandardMaterial(), { normal: 'pixel' }),
   ]
   return calls.map((call) => {

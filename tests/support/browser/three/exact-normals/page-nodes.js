@@ -6,6 +6,7 @@ import { attributeNames, camera, makeObject, readUnwarped, size } from '../pixel
 import { rendererFor } from '../webgpu-renderer.js'
 import { displacements, unsupported } from './displacements.js'
 import { countHeights } from './heights.js'
+import { longLoops, manyStates } from './long-loops.js'
 import { showcases } from './showcases.js'
 import { varyings } from './varyings.js'
 import { warpBeside } from './warp-beside.js'
@@ -45,12 +46,12 @@ function draw(renderer, object, view) {
 /** Draws a case, with `exactNormals` if `isExact`. Returns the picture `shown`, and the objects that were drawn. */
 async function drawCase(
   { kind = 'plain', shape, first, position, prepare },
-  { backend, normals = 'pixel', isExact = true },
+  { backend, normals = 'pixel', isExact = true, maxIterations },
 ) {
   const renderer = await rendererFor(backend)
   const material = new THREE.MeshNormalNodeMaterial()
   material.positionNode = (first ?? position)()
-  if (isExact) exactNormals(material, { normals })
+  if (isExact) exactNormals(material, { normals, ...(maxIterations && { maxIterations }) })
   const { object, geometry } = makeObject(kind, shape, material)
   prepare?.(object)
   const view = camera()
@@ -65,7 +66,10 @@ async function drawCase(
 
 /** Compares the drawn normals of a displacement with exact ones. Returns quantiles of their angles, in degrees. */
 async function measure(name, settings) {
-  const displacement = displacements[name]
+  const { iterations } = settings
+  const displacement = iterations
+    ? { ...manyStates, move: manyStates.moveAfter(iterations) }
+    : (displacements[name] ?? longLoops[name])
   const { move, ignoresPose } = displacement
   const { renderer, material, object, geometry, view, shown } = await drawCase(
     displacement,
@@ -86,8 +90,9 @@ async function measure(name, settings) {
   const { matrixWorld } = object
   const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
   const angles = []
-  let skipped = 0
+  let [skipped, moved] = [0, 0]
   for (let i = 0; i < 4 * size * size; i += 4) {
+    if ((shown[i + 3] === 0) !== (seen.position[i + 3] === 0)) moved++
     if (shown[i + 3] === 0 || seen.position[i + 3] === 0) continue
     const read = (attributeName, count) => Array.from(seen[attributeName].slice(i, i + count))
     const [x, y, z, length] = read('normal', 4)
@@ -109,6 +114,8 @@ async function measure(name, settings) {
   return {
     covered: angles.length + skipped,
     skipped,
+    // The number of pixels that only one of the pictures, with and without exact normals, covers.
+    moved,
     median: quantile(angles, 0.5),
     max: quantile(angles, 0.999),
     finite: angles.every(Number.isFinite),
@@ -309,6 +316,7 @@ window.exact = {
   measureShowcase,
   velocities,
   names: Object.keys(displacements),
+  longLoops: Object.keys(longLoops),
   measure,
   unsupported: Object.entries(unsupported).map(([name, { message }]) => [name, message.source]),
   countChanges,

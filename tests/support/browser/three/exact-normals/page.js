@@ -2,11 +2,12 @@
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { chunks, customShaderMaterials, objects, shaderMaterials, unsupported } from './cases.js'
+import { longLoops, manyStates } from './glsl-loops.js'
 import { habits, measureHabit } from './habits.js'
 import { measure } from './measure.js'
 import * as meshes from './meshes.js'
 
-const tables = { chunks, objects, customShaderMaterials, shaderMaterials, unsupported }
+const tables = { chunks, objects, customShaderMaterials, shaderMaterials, longLoops, unsupported }
 
 globalThis.THREE = THREE
 globalThis.exact = {
@@ -18,6 +19,11 @@ globalThis.exact = {
   /** Measures the differences from the oracle. `normals` is the option of `exactNormals`; if it is missing, the material is not changed. */
   measure: (table, name, normals) =>
     measure(tables[table][name], normals, table !== 'shaderMaterials'),
+  /** Measures a loop that cannot stay a loop, against a loop of that many iterations. */
+  measureManyStates({ iterations, ...options }) {
+    const { movedBy, material, ...row } = manyStates
+    return measure({ ...row, moved: movedBy(iterations), material }, options, true)
+  },
   /** Returns the expected message, and whether the material has the same normals as without `exactNormals`. */
   async unsupported(name) {
     const { material, message, kind } = unsupported[name]
