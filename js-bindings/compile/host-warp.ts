@@ -23,13 +23,18 @@ type CpuResult = 'position' | 'offset'
 /** The approximate number of instructions that `quickBounds` may run. */
 const quickBudget = 20_000
 
-/** The arguments of the waves and noises in the warped position, called phases. They determine how far apart samples may be. */
+/**
+ * The arguments of the waves and noises in the warped position, called phases, and of functions that change within a short part of their
+ * argument's range, called fronts. They determine how far apart samples may be.
+ */
 export interface SurfacePhases {
   /** The number of floats per vertex, for each phase. */
   readonly sizes: readonly number[]
   /** The distance that each phase may move between samples. */
   readonly steps: readonly number[]
-  /** The number of floats per vertex, for all phases together. */
+  /** 3 numbers per front: its profile and two parameters (src/eval/front.hpp). Each front has 1 float per vertex, after the phases. */
+  readonly fronts: readonly number[]
+  /** The number of floats per vertex, for all phases and fronts together. */
   readonly size: number
   /** Writes the numbers on which the phases depend, other than vertices, to the start of an array. Returns how many there are. */
   writeState(drawValues: DrawValues, to: number[]): number
@@ -112,7 +117,8 @@ export class HostWarp extends OffsetWarp {
     if (!madePhases) return undefined
     const sizes = madePhases.phases.map((each) => each.size)
     const steps = madePhases.phases.map((each) => each.step)
-    const size = sizes.reduce((sum, each) => sum + each, 0)
+    const { fronts } = madePhases
+    const size = sizes.reduce((sum, each) => sum + each, fronts.length / 3)
     const results = new ResultSet(Array.from({ length: size }, (_, i) => i))
     const program = this.withUserNames(madePhases.program)
     const phaseProgram: WarpProgram = {
@@ -126,6 +132,7 @@ export class HostWarp extends OffsetWarp {
     return {
       sizes,
       steps,
+      fronts,
       size,
       writeState: (drawValues, to) => this.writeNumbers(inputsOfPhases, drawValues, to),
       evaluate: (vertices, count, drawValues, into) =>

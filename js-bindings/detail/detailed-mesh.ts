@@ -35,8 +35,14 @@ export interface DetailParts {
 /** At least this many pieces across the mesh, so that samples see how smooth warps bend it. */
 const minPiecesAcross = 8
 
-/** Cutting ends after this many passes: each can split an edge into 32. */
-const maxPasses = 4
+/** Cutting ends after this many passes: each can split an edge into 32, or in two at a front. */
+const maxPasses = 12
+
+/**
+ * Fronts that move over a mesh leave cuts behind. So the mesh is cut anew, from the given one, if it has more than this many times as
+ * many samples as after it was cut first, or if it was cut this many times since.
+ */
+const [maxGrowth, maxLaterCuts] = [1.5, 32]
 
 const noPlace: readonly number[] = []
 
@@ -59,6 +65,10 @@ export class DetailedMesh {
   /** Changes when the base is cut or moved. */
   baseVersion = 0
   private readonly maxLength: number
+  /** The number of samples after the mesh was cut first; `undefined` before. */
+  private firstSampleCount: number | undefined
+  /** The number of times that the mesh was cut since. */
+  private laterCuts = 0
 
   constructor(
     private readonly warp: HostWarp,
@@ -78,21 +88,37 @@ export class DetailedMesh {
     toSpace?: ToSpace,
     place: readonly number[] = noPlace,
   ): boolean {
-    const { mesh, samples } = this.startedMesh()
+    this.startedMesh()
     const { state, lastState, lastViews } = this
     const now = this.warp.withUniformsNow(given)
     const count = this.writeState(now, place, state)
     if (!lastState.are(state, count)) {
       this.cut(now, toSpace, place)
-      samples.warpFirst(now)
+      this.started!.samples.warpFirst(now)
       lastState.set(state, count)
     } else if (tolerance === this.lastTolerance && lastViews.are(views)) return false
+    const { mesh, samples } = this.started!
     this.lastTolerance = tolerance
     lastViews.set(views)
     samples.warpMissing(mesh.show(views, !samples.areAllWarped))
     const isChanged = mesh.update(tolerance)
     if (isChanged) this.version++
     return isChanged
+  }
+
+  /** Tests whether an update would cut the mesh at a front that has moved. */
+  hasMovedFronts(
+    given: DrawValues,
+    toSpace?: ToSpace,
+    place: readonly number[] = noPlace,
+  ): boolean {
+    const { mesh, samples } = this.startedMesh()
+    if (!samples.haveFronts) return false
+    samples.place(toSpace, place)
+    if (!samples.writePhases(this.warp.withUniformsNow(given))) return false
+    const isCoarse = mesh.isCoarse(this.maxLength)
+    if (isCoarse) samples.forgetPhases()
+    return isCoarse
   }
 
   /** Returns the numbers that the warped samples depend on. */
@@ -186,6 +212,7 @@ export class DetailedMesh {
     const phases = this.warp.surfacePhases() ?? noPhases
     const mesh = new WasmMesh(this.base, phases)
     this.started = { mesh, samples: new SurfaceSamples(this.warp, phases, this.base, mesh) }
+    this.firstSampleCount = undefined
     this.lastState.forget()
     this.baseVersion++
     if (this.posed) this.pose(this.posed)
@@ -199,13 +226,25 @@ export class DetailedMesh {
 
   /** Cuts the mesh until no edge is too long for its samples. How long that is depends on the inputs of the phases. */
   private cut(given: DrawValues, toSpace: ToSpace | undefined, place: readonly number[]) {
+    if (this.isOvercut()) this.start()
     const { mesh, samples } = this.started!
     samples.place(toSpace, place)
     for (let pass = 0; pass < maxPasses; pass++) {
-      if (!samples.writePhases(given) || !mesh.cut(this.maxLength)) return
+      if (!samples.writePhases(given) || !mesh.cut(this.maxLength)) break
       samples.read()
       samples.place(toSpace, place)
       this.baseVersion++
+      this.laterCuts++
     }
+    if (this.firstSampleCount !== undefined) return
+    this.firstSampleCount = mesh.sampleCount
+    this.laterCuts = 0
+  }
+
+  private isOvercut(): boolean {
+    const { firstSampleCount, laterCuts } = this
+    const { mesh, samples } = this.started!
+    if (firstSampleCount === undefined || laterCuts === 0 || !samples.haveFronts) return false
+    return laterCuts > maxLaterCuts || mesh.sampleCount > maxGrowth * firstSampleCount
   }
 }

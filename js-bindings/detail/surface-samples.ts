@@ -12,10 +12,11 @@ import type { WasmMesh } from './wasm-mesh.js'
 /** Transforms samples into the space of the offset: see `transformSamples`. */
 export type ToSpace = (samples: Vertices, to: InSpace) => Vertices
 
-/** The phases of a warp without waves and noises. */
+/** The phases of a warp without waves, noises and fronts. */
 export const noPhases: SurfacePhases = {
   sizes: [],
   steps: [],
+  fronts: [],
   size: 0,
   writeState: () => 0,
   evaluate: () => undefined,
@@ -55,6 +56,10 @@ export class SurfaceSamples {
     this.read()
   }
 
+  get haveFronts(): boolean {
+    return this.phases.fronts.length > 0
+  }
+
   /** Reads the samples after the mesh was cut or moved. */
   read() {
     const { arrays, chosen } = this
@@ -89,6 +94,11 @@ export class SurfaceSamples {
     phases.evaluate(this.placed, mesh.cutSampleCount, given, mesh.phaseArray())
     lastPhases.set(phaseState, count)
     return true
+  }
+
+  /** Forgets the phases, so that `writePhases` writes them again. */
+  forgetPhases() {
+    this.lastPhases.forget()
   }
 
   /** Warps the samples that are warped whether views show them or not: at least the vertices. */

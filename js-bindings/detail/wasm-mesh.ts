@@ -50,7 +50,7 @@ export class WasmMesh {
     registry.register(this, { bound, detail }, this)
     this.fill(base)
     detail.givenIndices().set(indices)
-    detail.setPhases([...phases.sizes], [...phases.steps])
+    detail.setPhases([...phases.sizes], [...phases.steps], [...phases.fronts])
     detail.begin()
     this.readCounts()
   }
@@ -73,11 +73,16 @@ export class WasmMesh {
     return this.views.get(View.Phases, bound.HEAPF32, at, this.phases.size * cutSampleCount)
   }
 
-  /** Cuts sides that are longer than `maxLength`, or along which phases change too much. Returns `true` if there were any. */
+  /** Cuts sides that are longer than `maxLength`, along which phases change too much, or at fronts. Returns `true` if there were any. */
   cut(maxLength: number): boolean {
     const isCut = Boolean(this.bound._detail_cut(this.address, maxLength))
     if (isCut) this.readCounts()
     return isCut
+  }
+
+  /** Tests whether `cut` would cut any sides. */
+  isCoarse(maxLength: number): boolean {
+    return Boolean(this.bound._detail_is_coarse(this.address, maxLength))
   }
 
   /** Forgets the warped samples. */

@@ -234,8 +234,18 @@ CpuProgram makeProgram(const Module& module, const Words& wanted) {
 
 Cost cost(const Module& module, const Words& results) { return costOf(module, results); }
 
-std::vector<Phase> phases(Module& module, const Words& results, const Words& varying) {
-  return addPhases(module, results, varying);
+// `fronts` has three numbers for each front: its profile, `first` and `second`.
+struct FlatPhases {
+  std::vector<Phase> phases;
+  std::vector<double> fronts;
+};
+
+FlatPhases phases(Module& module, const Words& results, const Words& varying) {
+  Phases found = addPhases(module, results, varying);
+  FlatPhases flat{std::move(found.phases), {}};
+  for (const auto& [profile, first, second] : found.fronts)
+    flat.fronts.insert(flat.fronts.end(), {static_cast<double>(profile), first, second});
+  return flat;
 }
 
 // Returns for each input whether the program reads it. `sizes` has the number of components of each
@@ -306,6 +316,9 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("instructions", &CpuProgram::instructions)
       .field("inputs", &CpuProgram::inputs);
   value_object<Phase>("Phase").field("size", &Phase::size).field("step", &Phase::step);
+  value_object<FlatPhases>("Phases")
+      .field("phases", &FlatPhases::phases)
+      .field("fronts", &FlatPhases::fronts);
   value_object<Cost>("Cost")
       .field("operations", &Cost::operations)
       .field("hasNoise", &Cost::hasNoise)

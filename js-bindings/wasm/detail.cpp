@@ -7,6 +7,7 @@
 #include <malloc.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "detail/criterion.hpp"
@@ -61,6 +62,17 @@ std::vector<float> criterionNumbers() {
 }
 Words pieceNumbers() { return {pieceCounts.begin(), pieceCounts.end()}; }
 
+// `fronts` has three numbers for each front: its profile, `first` and `second`.
+void setPhases(Detail& detail, const Words& sizes, const std::vector<float>& steps,
+               const std::vector<float>& fronts) {
+  std::vector<Front> all;
+  for (std::size_t i = 0; i < fronts.size(); i += 3) {
+    const auto profile = static_cast<Profile>(static_cast<std::uint32_t>(fronts[i]));
+    all.push_back({profile, fronts[i + 1], fronts[i + 2]});
+  }
+  detail.setPhases(sizes, steps, std::move(all));
+}
+
 View<std::uint32_t> words(const TessellationTable& table) { return View(table.words()); }
 
 std::uint32_t memoryInUse() { return mallinfo().uordblks; }
@@ -72,6 +84,9 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE float* detail_phases(Detail* detail) { return detail->phases().data(); }
 EMSCRIPTEN_KEEPALIVE bool detail_cut(Detail* detail, float maxLength) {
   return detail->cut(maxLength);
+}
+EMSCRIPTEN_KEEPALIVE bool detail_is_coarse(const Detail* detail, float maxLength) {
+  return detail->isCoarse(maxLength);
 }
 
 EMSCRIPTEN_KEEPALIVE void detail_forget_samples(Detail* detail) { detail->forgetSamples(); }
@@ -110,7 +125,7 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("givenIndices", &givenIndices)
       .function("begin", &Detail::begin)
       .function("pose", &Detail::pose)
-      .function("setPhases", &Detail::setPhases)
+      .function("setPhases", &setPhases)
       .function("sampleCount", &Detail::sampleCount)
       .function("cutSampleCount", &Detail::cutSampleCount)
       .function("sample", &sample)

@@ -10,6 +10,7 @@ export type { Detail }
 interface FrameFunctions {
   _detail_phases(mesh: number): number
   _detail_cut(mesh: number, maxLength: number): number
+  _detail_is_coarse(mesh: number, maxLength: number): number
   _detail_forget_samples(mesh: number): void
   _detail_warped(mesh: number): number
   _detail_views(mesh: number, numbers: number): number

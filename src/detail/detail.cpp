@@ -7,14 +7,11 @@
 #include <utility>
 
 #include "detail/criterion.hpp"
+#include "detail/cut_lengths.hpp"
 
 namespace warpjet {
 
 namespace {
-
-// The approximate max number of triangles of a cut mesh: a frame has time for about four
-// evaluations of a warp for each of them.
-constexpr double maxCutTriangles = 1 << 16;
 
 constexpr std::size_t numbersPerView = 19;
 
@@ -41,13 +38,6 @@ void divideLine(std::vector<std::uint32_t>& line, const BaseMesh& mesh,
     divided.push_back(line[i]);
   }
   line = std::move(divided);
-}
-
-// Returns the distance of two points with `size` coordinates.
-float distanceOf(const float* a, const float* b, std::uint32_t size) {
-  float sum = 0;
-  for (std::uint32_t i = 0; i < size; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
 }
 
 }  // namespace
@@ -109,55 +99,32 @@ std::uint32_t Detail::sampleCount() const {
   return static_cast<std::uint32_t>(samples_[0].values.size() / 3);
 }
 
-void Detail::setPhases(std::vector<std::uint32_t> sizes, std::vector<float> steps) {
-  phaseSizes_ = std::move(sizes);
-  phaseSteps_ = std::move(steps);
+void Detail::setPhases(std::vector<std::uint32_t> sizes, std::vector<float> steps,
+                       std::vector<Front> fronts) {
+  phases_ = {std::move(sizes), std::move(steps), std::move(fronts)};
+}
+
+std::uint32_t Detail::cutSampleCount() const {
+  return phases_.fronts.empty() ? base_->sampleOfTriangle(0, 0) : sampleCount();
 }
 
 std::vector<float>& Detail::phases() {
-  const std::size_t size = std::accumulate(phaseSizes_.begin(), phaseSizes_.end(), 0u);
-  phases_.resize(size * cutSampleCount());
-  return phases_;
+  phases_.values.resize(std::size_t{phases_.stride()} * cutSampleCount());
+  return phases_.values;
+}
+
+std::vector<std::uint32_t> Detail::piecesToCut(float maxLength) const {
+  constexpr float maxPiece = 1.1f;
+  std::vector<std::uint32_t> pieces;
+  for (const float length : cutLengths(*base_, phases_, maxLength))
+    pieces.push_back(length > maxPiece ? roundUp(length) : 1);
+  const bool isCut = std::any_of(pieces.begin(), pieces.end(), [](auto each) { return each > 1; });
+  return isCut ? pieces : std::vector<std::uint32_t>();
 }
 
 bool Detail::cut(float maxLength) {
-  std::vector<float> lengths(base_->edgeCount());  // by edge, in pieces
-  const std::uint32_t stride = std::accumulate(phaseSizes_.begin(), phaseSizes_.end(), 0u);
-  const float* positions = samples_[0].values.data();
-  for (std::size_t i = 0; i < base_->sides().size(); ++i) {
-    const auto& [ends, edge, triangle] = base_->sides()[i];
-    float& length = lengths[edge];
-    length = std::max(length,
-                      distanceOf(positions + 3 * ends[0], positions + 3 * ends[1], 3) / maxLength);
-    const std::uint32_t first = base_->sampleOfSide(static_cast<std::uint32_t>(i), 0);
-    const std::array samples{ends[0], first, first + 1, first + 2, ends[1]};
-    std::uint32_t offset = 0;
-    for (std::size_t k = 0; k < phaseSizes_.size(); ++k) {
-      float change = 0;
-      for (std::size_t j = 0; j + 1 < samples.size(); ++j)
-        change += distanceOf(phases_.data() + stride * samples[j] + offset,
-                             phases_.data() + stride * samples[j + 1] + offset, phaseSizes_[k]);
-      if (std::isfinite(change)) length = std::max(length, change / phaseSteps_[k]);
-      offset += phaseSizes_[k];
-    }
-  }
-  // The number of triangles grows with the square of the numbers of pieces.
-  double triangles = 0;
-  for (std::size_t t = 0; t < base_->triangles().size(); ++t) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += std::max(1.0f, lengths[base_->edgeOf(t, i)]);
-    triangles += sum * sum / 9;
-  }
-  const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
-  constexpr float maxPiece = 1.1f;
-  bool isCut = false;
-  std::vector<std::uint32_t> pieces;
-  for (const float length : lengths) {
-    const bool isLong = length * scale > maxPiece;
-    pieces.push_back(isLong ? roundUp(length * scale) : 1);
-    isCut |= isLong;
-  }
-  if (!isCut) return false;
+  std::vector<std::uint32_t> pieces = piecesToCut(maxLength);
+  if (pieces.empty()) return false;
   division_.write(makeInterpolation(), pieces, tessellations_);
   std::vector<Patch> patches = dividePatches(makeInterpolation(), pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];

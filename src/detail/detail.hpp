@@ -12,6 +12,7 @@
 #include "detail/division.hpp"
 #include "detail/interpolation.hpp"
 #include "detail/need.hpp"
+#include "detail/phase_samples.hpp"
 #include "detail/pn_triangles.hpp"
 #include "detail/tessellation.hpp"
 #include "detail/visible_triangles.hpp"
@@ -38,19 +39,23 @@ class Detail {
   std::uint32_t sampleCount() const;
   std::span<const Attribute> samples() const { return samples_; }
   // The number of samples that `cut` compares. They come first: the vertices, then the samples of
-  // sides.
-  std::uint32_t cutSampleCount() const { return base_->sampleOfTriangle(0, 0); }
-  // Sets the numbers per sample of each phase, and the distance that it may move between samples.
-  void setPhases(std::vector<std::uint32_t> sizes, std::vector<float> steps);
+  // sides, and those of triangles if there are fronts.
+  std::uint32_t cutSampleCount() const;
+  // Sets the numbers per sample of each phase, the distance that it may move between samples, and
+  // the fronts.
+  void setPhases(std::vector<std::uint32_t> sizes, std::vector<float> steps,
+                 std::vector<Front> fronts = {});
   // The array for the phases at these samples, to be filled before `cut`.
   std::vector<float>& phases();
   // The array for warped positions of the samples.
   std::vector<float>& warped() { return warped_; }
 
-  // Cuts sides that are longer than `maxLength`, or along which a phase changes by more than its
-  // step. Returns true if it cut any, so that phases at new samples are needed; false if none is
-  // too long, or if there would be too many triangles.
+  // Cuts sides that are longer than `maxLength`, along which a phase changes by more than its step,
+  // or at a front. Returns true if it cut any, so that phases at new samples are needed; false if
+  // none is too long, or if there would be too many triangles.
   bool cut(float maxLength);
+  // Returns true if `cut` would cut the mesh.
+  bool isCoarse(float maxLength) const { return !piecesToCut(maxLength).empty(); }
 
   // Forgets the warped positions, since the surface has changed.
   void forgetSamples() { visible_.clear(); }
@@ -93,6 +98,8 @@ class Detail {
     std::vector<std::uint32_t> pieces, firstTriangles, firstVertices;
   };
 
+  // Returns the numbers of pieces into which `cut` divides each edge; empty if it divides none.
+  std::vector<std::uint32_t> piecesToCut(float maxLength) const;
   void setBase(BaseMesh base, std::vector<Patch> patches);
   Interpolation makeInterpolation(const BaseMesh& mesh, const std::vector<Patch>& patches) const;
   Interpolation makeInterpolation() const { return makeInterpolation(*base_, patches_); }
@@ -115,8 +122,8 @@ class Detail {
   std::vector<Patch> patches_;          // of the base
   std::vector<std::uint32_t> baseGroups_;
   std::vector<Attribute> samples_;
-  std::vector<std::uint32_t> phaseSizes_;
-  std::vector<float> phaseSteps_, phases_, warped_, viewNumbers_;
+  PhaseSamples phases_;
+  std::vector<float> warped_, viewNumbers_;
   std::vector<ScreenView> views_;
   VisibleTriangles visible_;
   Needs needs_;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 
@@ -19,9 +20,22 @@ inline constexpr int sampleIntervals = 4;
 constexpr int sampleAt(int row, int i) { return row * (row + 1) / 2 + i; }
 inline constexpr int samplesPerTriangle = sampleAt(sampleIntervals + 1, 0);
 using Samples = std::array<glm::vec3, samplesPerTriangle>;
+using SampleIndices = std::array<std::uint32_t, samplesPerTriangle>;
 
 inline constexpr std::array cornerSamples{0, sampleAt(sampleIntervals, 0),
                                           sampleAt(sampleIntervals, sampleIntervals)};
+
+// The samples along each side, from corner i to the next one.
+inline constexpr auto sideSamples = [] {
+  std::array<std::array<int, sampleIntervals + 1>, 3> all{};
+  constexpr int end = sampleIntervals;
+  for (int k = 0; k <= end; ++k) {
+    all[0][k] = sampleAt(k, 0);
+    all[1][k] = sampleAt(end, k);
+    all[2][k] = sampleAt(end - k, end - k);
+  }
+  return all;
+}();
 
 // A part of a triangle, by the indices of its six samples: its corners, and the middles of its
 // sides.
@@ -38,6 +52,9 @@ inline constexpr std::array cells = [] {
   }
   return all;
 }();
+
+// Returns the indices of the samples of a triangle in the mesh: see `BaseMesh::sampleOfSide`.
+SampleIndices sampleIndicesOf(const BaseMesh& base, std::size_t triangle);
 
 // Reads the samples of a triangle. `warped` has three numbers for each sample of the mesh.
 Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const float> warped);

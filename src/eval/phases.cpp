@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "eval/dependence.hpp"
+#include "eval/fronts.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
 
@@ -32,40 +34,6 @@ std::optional<double> stepOfWave(Op op) {
   return found == std::end(waves) ? std::nullopt : std::optional(found->step);
 }
 
-// Determines how nodes depend on inputs. Nodes are added in ascending order.
-class Dependence {
- public:
-  Dependence(const Graph& graph, std::span<const std::uint32_t> varying)
-      : graph_(graph), varying_(varying), kinds_(graph.size()) {}
-
-  void add(NodeId id) { kinds_[index(id)] = kindOf(id); }
-
-  bool isVarying(NodeId id) const { return kinds_[index(id)] == Kind::Varying; }
-  bool isInLoop(NodeId id) const { return kinds_[index(id)] == Kind::InLoop; }
-
- private:
-  enum class Kind : std::uint8_t { Constant, Varying, InLoop };
-
-  Kind kindOf(NodeId id) const {
-    if (graph_.isLocal(id)) return Kind::InLoop;
-    if (graph_.isInput(id)) {
-      const std::uint32_t input = graph_.node(id).operands[0];
-      return std::find(varying_.begin(), varying_.end(), input) == varying_.end() ? Kind::Constant
-                                                                                  : Kind::Varying;
-    }
-    Kind kind = Kind::Constant;
-    for (int i = 0; i < graph_.arity(id); ++i)
-      kind = std::max(kind, kinds_[index(graph_.operand(id, i))]);
-    // A step function, such as floor, is constant but for its jumps.
-    const bool isStep = graph_.isOperation(id) && ops::isStep(graph_.node(id).op);
-    return isStep && kind == Kind::Varying ? Kind::Constant : kind;
-  }
-
-  const Graph& graph_;
-  std::span<const std::uint32_t> varying_;
-  std::vector<Kind> kinds_;
-};
-
 // Returns the point at which a node evaluates a wave or a noise; empty for other nodes.
 std::vector<NodeId> pointOf(const Module& module, NodeId id) {
   const Graph& graph = module.graph;
@@ -85,16 +53,21 @@ double stepOfCall(const Module& module, NodeId id) {
 
 }  // namespace
 
-std::vector<Phase> addPhases(Module& module, std::span<const std::uint32_t> results,
-                             std::span<const std::uint32_t> varying) {
+Phases addPhases(Module& module, std::span<const std::uint32_t> results,
+                 std::span<const std::uint32_t> varying) {
   const Graph& graph = module.graph;
   Dependence dependence(graph, varying);
+  const auto isVarying = [&](NodeId id) { return dependence.isVarying(id); };
+  const auto isInLoop = [&](NodeId id) { return dependence.isInLoop(id); };
   std::map<std::vector<NodeId>, double> steps;
+  std::vector<FrontAt> fronts;
   for (const NodeId id : reachable(graph, module.roots(results))) {
     dependence.add(id);
+    const std::optional<FrontAt> front = frontOf(module.graph, id);
+    if (front && isVarying(front->argument) &&
+        std::find(fronts.begin(), fronts.end(), *front) == fronts.end())
+      fronts.push_back(*front);
     const std::vector<NodeId> point = pointOf(module, id);
-    const auto isVarying = [&](NodeId each) { return dependence.isVarying(each); };
-    const auto isInLoop = [&](NodeId each) { return dependence.isInLoop(each); };
     if (std::none_of(point.begin(), point.end(), isVarying) ||
         std::any_of(point.begin(), point.end(), isInLoop))
       continue;
@@ -103,14 +76,18 @@ std::vector<Phase> addPhases(Module& module, std::span<const std::uint32_t> resu
     const auto [found, isNew] = steps.try_emplace(point, step);
     if (!isNew) found->second = std::min(found->second, step);
   }
-  std::vector<Phase> phases;
+  Phases all;
   Output output{.name = "phases", .shape = {}, .components = {}};
   for (const auto& [point, step] : steps) {
-    phases.push_back({static_cast<std::uint32_t>(point.size()), step});
+    all.phases.push_back({static_cast<std::uint32_t>(point.size()), step});
     output.components.insert(output.components.end(), point.begin(), point.end());
   }
+  for (const auto& [argument, front] : fronts) {
+    all.fronts.push_back(front);
+    output.components.push_back(argument);
+  }
   module.outputs.push_back(std::move(output));
-  return phases;
+  return all;
 }
 
 }  // namespace warpjet

@@ -1,11 +1,13 @@
-// Finds the arguments of waves and noises, from which a host can determine how far apart samples of
-// a surface may be without missing a crest.
+// Finds the arguments of waves and noises, and of functions that change within a short part of
+// their argument's range. From these, a host can determine how far apart samples of a surface may
+// be without missing a crest.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "eval/front.hpp"
 #include "module/module.hpp"
 
 namespace warpjet {
@@ -18,10 +20,15 @@ struct Phase {
   double step;
 };
 
-// Appends a result to the module: the coordinates of all phases that `results` depend on and that
-// vary continuously with any of the inputs `varying` (by number). Waves in a loop or in a function
-// of the host have no phases. Returns the phases in order.
-std::vector<Phase> addPhases(Module& module, std::span<const std::uint32_t> results,
-                             std::span<const std::uint32_t> varying);
+struct Phases {
+  std::vector<Phase> phases;
+  std::vector<Front> fronts;
+};
+
+// Appends a result to the module: the coordinates of all phases, then one number for each front,
+// that `results` depend on and that vary continuously with any of the inputs `varying` (by number).
+// What is in a loop or in a function of the host has no phases and fronts. Returns them in order.
+Phases addPhases(Module& module, std::span<const std::uint32_t> results,
+                 std::span<const std::uint32_t> varying);
 
 }  // namespace warpjet

@@ -45,6 +45,41 @@ export function screenErrors(mesh, warpPositions, view, triangles) {
 }
 
 /**
+ * Returns the distances, in pixels, between drawn and warped surface at random points, of which about as many are in equal areas of the
+ * mesh. `warpPoint` maps [x, y, z] → the warped point. Only the points are measured for which `isMeasured([x, y, z])` is true.
+ */
+export function randomScreenErrors(mesh, warpPoint, view, random, count, isMeasured) {
+  const { positions, indices } = mesh
+  const corner = (i) => Array.from(positions.subarray(3 * indices[i], 3 * indices[i] + 3))
+  const errors = []
+  let total = 0
+  const ends = Array.from({ length: indices.length / 3 }, (_, t) => {
+    const [a, b, c] = [corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)]
+    const [u, v] = [b.map((x, k) => x - a[k]), c.map((x, k) => x - a[k])]
+    total += Math.hypot(
+      ...[0, 1, 2].map((k) => u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]),
+    )
+    return total
+  })
+  for (let i = 0, t = 0; i < count; i++) {
+    // The points are in the order of the triangles.
+    const at = ((i + random()) / count) * total
+    while (ends[t] < at && t < ends.length - 1) t++
+    const [u, v] = [random(), random()]
+    const [w1, w2] = u + v > 1 ? [1 - u, 1 - v] : [u, v]
+    const corners = [corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)]
+    const mix = ([a, b, c]) => a.map((x, k) => x * (1 - w1 - w2) + b[k] * w1 + c[k] * w2)
+    const point = mix(corners)
+    if (!isMeasured(point)) continue
+    const [drawn, truth] = [mix(corners.map(warpPoint)), warpPoint(point)].map((each) =>
+      pixelsOf(each, 0, view),
+    )
+    if (drawn && truth) errors.push(Math.hypot(drawn[0] - truth[0], drawn[1] - truth[1]))
+  }
+  return errors
+}
+
+/**
  * Returns the position on the screen, in pixels from the middle of the picture, of the point whose coordinates start at `numbers[at]`;
  * `undefined` if it is outside of the picture.
  */

@@ -160,23 +160,31 @@ export const makeProgram = (
     return programOf(serialized, module, results)
   })
 
-/** The arguments of the waves and noises in results, called phases (src/eval/phases.hpp), and the program that computes them. */
+/**
+ * The arguments of the waves and noises in results, called phases, and of functions that change within a short part of their argument's
+ * range, called fronts (src/eval/phases.hpp), and the program that computes them.
+ */
 export interface Phases {
   program: Program
   /** For each phase, its number of components, and the distance that it may move between samples. */
   phases: readonly { size: number; step: number }[]
+  /** 3 numbers per front: see src/eval/front.hpp. */
+  fronts: readonly number[]
 }
 
-/** Finds the phases of results, given by number; `varying` are the inputs that differ by vertex. `undefined` if there are none. */
+/** Finds the phases and fronts of results, given by number; `varying` are the inputs that differ by vertex. `undefined` if there are none. */
 export const makePhases = (
   serialized: SerializedModule,
   results: readonly number[],
   varying: readonly number[],
 ): Phases | undefined =>
   withModule(serialized, (module) => {
-    const phases = module.phases(results, varying)
-    const program = phases.length && programOf(serialized, module, [module.results().length - 1])
-    return program ? { program, phases } : undefined
+    const { phases, fronts } = module.phases(results, varying)
+    const isEmpty = !phases.length && !fronts.length
+    const program = isEmpty
+      ? undefined
+      : programOf(serialized, module, [module.results().length - 1])
+    return program && { program, phases, fronts: Array.from(fronts) }
   })
 
 function programOf(

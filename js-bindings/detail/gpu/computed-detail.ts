@@ -18,6 +18,9 @@ export interface ComputedFrame {
   readonly instances: number
 }
 
+/** After the CPU had to cut a mesh, compute passes take it over again when this many frames have left it uncut. */
+const framesAfterCut = 4
+
 interface Current {
   readonly division: ComputeDivision
   /** The version of the mesh from which it was made. */
@@ -31,6 +34,8 @@ export class ComputedDetail {
   /** `undefined` until the passes are compiled, and if they cannot divide this mesh. */
   private passes: Passes | undefined
   private current: Current | undefined
+  private framesToWait = 0
+  private lastBaseVersion = -1
 
   constructor(
     private readonly warp: HostWarp,
@@ -52,6 +57,7 @@ export class ComputedDetail {
     const { given, views, tolerance, toSpace, place, instances } = frame
     const state = mesh.stateOf(given, place)
     if (watch.isCoarse(given, state, toSpace)) return undefined
+    if (mesh.hasMovedFronts(given, toSpace, place)) return undefined
     division.update(given, state, views, tolerance, instances)
     if (!division.isTooLarge) return division
     this.release()
@@ -66,9 +72,10 @@ export class ComputedDetail {
       // The CPU has tried to cut the mesh. If it did not, there would be too many triangles.
       if (current.baseVersion === mesh.baseVersion) return current.watch.stop()
       this.release()
+      this.framesToWait = framesAfterCut
     }
     if (!this.compiling) void this.start()
-    if (!passes) return
+    if (!passes || this.isWaiting()) return
     const parts = mesh.parts()
     const division = ComputeDivision.of(this.device, passes, mesh, parts)
     if (!division) {
@@ -77,6 +84,15 @@ export class ComputedDetail {
     }
     const watch = new CutWatch(warp.surfacePhases(), parts)
     this.current = { division, baseVersion: mesh.baseVersion, watch }
+  }
+
+  /** Tests whether the mesh was cut in one of the last frames. While a front moves over it, the CPU cuts it again and again. */
+  private isWaiting(): boolean {
+    const { baseVersion } = this.mesh
+    if (this.framesToWait > 0 && baseVersion !== this.lastBaseVersion)
+      this.framesToWait = framesAfterCut
+    this.lastBaseVersion = baseVersion
+    return this.framesToWait > 0 && this.framesToWait-- > 0
   }
 
   /** Frees the buffers of the division. */

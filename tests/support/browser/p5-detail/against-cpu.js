@@ -118,11 +118,11 @@ export async function approach() {
   return result
 }
 
-/** Makes waves shorter, so that the shape has to be cut anew. */
-export async function refine() {
+/** Makes waves shorter or moves a bump, so that the shape has to be cut anew. */
+export async function refine({ name }) {
   const places = [(p) => p.rotateX(-0.4)]
-  const byPasses = await startSketch(sketch({ shape: 'box', name: 'waves', places }))
-  const byCpu = await startSketch(sketch({ shape: 'box', name: 'waves', places, hasPasses: false }))
+  const byPasses = await startSketch(sketch({ shape: 'box', name, places }))
+  const byCpu = await startSketch(sketch({ shape: 'box', name, places, hasPasses: false }))
   await byPasses.begin()
   await byCpu.picture(0)
   const first = await byPasses.picture(1)

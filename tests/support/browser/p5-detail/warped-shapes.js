@@ -19,6 +19,10 @@ const offsets = {
     normal.mult(position.y().mult(0.05).add(uniforms.shift).sin().mult(uniforms.height)),
   waves: ({ glsl, position, uniforms }) =>
     glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0),
+  bump({ glsl, position, uniforms }) {
+    const d = position.sub(glsl.vec3(uniforms.place, 0.1, 0.5))
+    return glsl.vec3(0, 0, glsl.dot(d, d).mult(-2000).exp().mult(0.15))
+  },
 }
 
 /** Maps a warp → a function that returns its uniforms in picture i. */
@@ -27,6 +31,7 @@ const uniforms = {
   // With a scale of 60, a normal in world space has the length 1/60.
   swelling: (i) => ({ shift: i / 10, height: 900 }),
   waves: (i) => ({ waves: i ? 60 : 4 }),
+  bump: (i) => ({ place: i ? 0.23 : -0.2 }),
 }
 
 const shapes = {

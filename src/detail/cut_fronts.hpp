@@ -1,0 +1,17 @@
+// Decides where a mesh is cut such that its samples show fronts (see eval/front.hpp).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "detail/base_mesh.hpp"
+#include "detail/phase_samples.hpp"
+
+namespace warpjet {
+
+// Marks the edges that must be halved. Within a triangle, the number of a front is estimated by
+// quadratics through its samples, so that a peak is found between them, too. Edges that are shorter
+// than `minLength` are not halved.
+std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float minLength);
+
+}  // namespace warpjet

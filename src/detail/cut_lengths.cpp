@@ -1,0 +1,80 @@
+#include "detail/cut_lengths.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "detail/cut_fronts.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// The approximate max number of triangles of a cut mesh: a frame has time for about four
+// evaluations of a warp for each of them.
+constexpr double maxCutTriangles = 1 << 16;
+
+// Edges that are this many times shorter than the max length are not cut at fronts: a mesh has
+// about a thousand of them across, so that narrower steps look like jumps.
+constexpr float maxShortening = 128;
+
+// Returns the distance of two points with `size` coordinates.
+float distanceOf(const float* a, const float* b, std::uint32_t size) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < size; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+// Returns the largest change of a phase along a side, in its steps.
+float changeAlong(const BaseMesh& base, std::uint32_t side, const PhaseSamples& samples) {
+  const auto& ends = base.sides()[side].ends;
+  const std::uint32_t first = base.sampleOfSide(side, 0);
+  const std::array points{ends[0], first, first + 1, first + 2, ends[1]};
+  const std::uint32_t stride = samples.stride();
+  std::uint32_t offset = 0;
+  float max = 0;
+  for (std::size_t k = 0; k < samples.sizes.size(); ++k) {
+    float change = 0;
+    for (std::size_t j = 0; j + 1 < points.size(); ++j)
+      change +=
+          distanceOf(samples.values.data() + stride * points[j] + offset,
+                     samples.values.data() + stride * points[j + 1] + offset, samples.sizes[k]);
+    if (std::isfinite(change)) max = std::max(max, change / samples.steps[k]);
+    offset += samples.sizes[k];
+  }
+  return max;
+}
+
+// The number of triangles grows with the square of the numbers of pieces.
+double countTriangles(const BaseMesh& base, const std::vector<float>& lengths) {
+  double triangles = 0;
+  for (std::size_t t = 0; t < base.triangles().size(); ++t) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += std::max(1.0f, lengths[base.edgeOf(t, i)]);
+    triangles += sum * sum / 9;
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<float> cutLengths(const BaseMesh& base, const PhaseSamples& samples, float maxLength) {
+  std::vector<float> lengths(base.edgeCount());
+  const float* positions = base.attributes()[0].values.data();
+  for (std::uint32_t side = 0; side < base.sides().size(); ++side) {
+    const auto& [ends, edge, triangle] = base.sides()[side];
+    const float length = distanceOf(positions + 3 * ends[0], positions + 3 * ends[1], 3);
+    lengths[edge] = std::max({lengths[edge], length / maxLength, changeAlong(base, side, samples)});
+  }
+  const double triangles = countTriangles(base, lengths);
+  const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
+  for (float& length : lengths) length *= scale;
+  if (samples.fronts.empty()) return lengths;
+  std::vector<float> withFronts = lengths;
+  const std::vector<bool> halved = edgesToHalve(base, samples, maxLength / maxShortening);
+  for (std::size_t edge = 0; edge < lengths.size(); ++edge)
+    if (halved[edge]) withFronts[edge] = std::max(2.0f, lengths[edge]);
+  return countTriangles(base, withFronts) <= maxCutTriangles ? withFronts : lengths;
+}
+
+}  // namespace warpjet

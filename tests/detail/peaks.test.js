@@ -1,0 +1,131 @@
+// Narrow peaks and steps on coarse meshes: the option `detail` finds them between the vertices. The truth are the formulas in plain
+// numbers, at random points.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import * as THREE from 'three'
+import { compileWarp } from 'warpjet'
+import { createDetail } from 'warpjet/detail'
+import { quantile, randomScreenErrors } from '../support/screen-error.js'
+import { randomNumbers } from '../support/three-meshes.js'
+
+const { abs, exp, sqrt, tanh } = Math
+
+const arraysOf = ({ attributes, index }) => ({
+  positions: attributes.position.array,
+  indices: index.array,
+})
+/** The meshes, with the height of their surface at x and y. */
+const meshes = {
+  'a box of 12 triangles': { ...arraysOf(new THREE.BoxGeometry(2, 2, 2)), z: () => 1 },
+  'a plane of two triangles': { ...arraysOf(new THREE.PlaneGeometry(2, 2)), z: () => 0 },
+  // The default of p5.
+  'a sphere of 24 × 16 parts': {
+    ...arraysOf(new THREE.SphereGeometry(1, 24, 16)),
+    z: (x, y) => sqrt(1 - x * x - y * y),
+  },
+}
+
+const dot = (a, b) => a.x().mult(b.x()).add(a.y().mult(b.y())).add(a.z().mult(b.z()))
+/** Moves points along z. */
+const raise = (glsl, height) => glsl.vec3(0, 0, height.mult(0.3))
+
+const smoothstep = (low, high, x) => {
+  const t = Math.min(1, Math.max(0, (x - low) / (high - low)))
+  return t * t * (3 - 2 * t)
+}
+
+/** A peak of exp(-1000 r²) at a place of the mesh. A uniform moves it along x. */
+const bump = (x, y) => (z) => ({
+  offset({ glsl, position, uniforms }) {
+    const d = position.sub(glsl.vec3(uniforms.shift.add(x), y, z(x, y)))
+    return raise(glsl, dot(d, d).mult(-1000).exp())
+  },
+  height: (p, shift) => exp(-1000 * squareOfDistance(p, [x + shift, y, z(x, y)])),
+  isNear: (p, shift) => squareOfDistance(p, [x + shift, y, z(x, y)]) < 0.12 ** 2,
+})
+const squareOfDistance = (p, q) => p.reduce((sum, a, i) => sum + (a - q[i]) ** 2, 0)
+
+/** A function of x. */
+const along = (offset, height, isNear) => () => ({
+  offset: ({ glsl, position }) => raise(glsl, offset(position.x(), glsl)),
+  height: (p) => height(p[0]),
+  isNear: (p) => isNear(p[0]),
+})
+
+const cases = {
+  'a bump in the middle': bump(0, 0),
+  'a bump off the middle': bump(0.13, 0.27),
+  'a smoothstep of width 0.04': along(
+    (x, glsl) => glsl.smoothstep(0.37, 0.41, x),
+    (x) => smoothstep(0.37, 0.41, x),
+    (x) => abs(x - 0.39) < 0.05,
+  ),
+  'tanh(50 x)': along(
+    (x) => x.sub(0.0137).mult(50).tanh(),
+    (x) => tanh(50 * (x - 0.0137)),
+    (x) => abs(x - 0.0137) < 0.1,
+  ),
+}
+
+function viewFrom(...place) {
+  const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 30)
+  camera.position.set(...place)
+  camera.lookAt(0, 0, 0)
+  camera.updateMatrixWorld()
+  const { projectionMatrix, matrixWorldInverse } = camera
+  const { elements } = projectionMatrix.clone().multiply(matrixWorldInverse)
+  return { matrix: elements, width: 600, height: 600 }
+}
+const views = [viewFrom(2, 1, 4), viewFrom(3, -2, 2), viewFrom(-1, 3, 2.5)]
+
+const copyOf = ({ positions, indices }) => ({
+  positions: positions.slice(),
+  indices: indices.slice(),
+})
+
+/** Measures near the peak or step, and everywhere. */
+function expectClose(divided, { height, isNear }, view, shift = 0) {
+  const mesh = copyOf(divided)
+  const warpPoint = (p) => [p[0], p[1], p[2] + 0.3 * height(p, shift)]
+  const random = randomNumbers(11)
+  const measure = (count, isMeasured) =>
+    randomScreenErrors(mesh, warpPoint, view, random, count, isMeasured)
+  const near = measure(600_000, (p) => isNear(p, shift))
+  assert.ok(near.length > 400, `${near.length} points`)
+  for (const errors of [near, measure(20_000, () => true)]) {
+    const error = quantile(errors, 0.999)
+    assert.ok(error <= 1, `${error.toFixed(2)} pixels with ${mesh.indices.length / 3} triangles`)
+  }
+}
+
+for (const [meshName, { z, ...mesh }] of Object.entries(meshes))
+  for (const [name, make] of Object.entries(cases))
+    test(`${name} on ${meshName}`, () => {
+      const each = make(z)
+      const warp = compileWarp(each.offset, { uniforms: { shift: 0 } })
+      const divided = createDetail(mesh, warp)
+      for (const view of views) {
+        divided.update(view)
+        expectClose(divided, each, view)
+      }
+      divided.dispose()
+    })
+
+test('a bump that a uniform moves is followed, and leaves no trail', () => {
+  for (const { z, ...mesh } of Object.values(meshes)) {
+    const each = bump(-0.4, 0.1)(z)
+    const warp = compileWarp(each.offset, { uniforms: { shift: 0 } })
+    const divided = createDetail(mesh, warp)
+    const counts = []
+    for (let i = 0; i <= 40; i++) {
+      const shift = 0.017 * i
+      divided.update(views[0], { uniforms: { shift } })
+      counts.push(divided.indices.length / 3)
+      if (i % 8 === 0) expectClose(divided, each, views[0], shift)
+    }
+    // The mesh is cut anew after a few frames, so that there are never many more triangles than at first, and in some frames hardly any more.
+    assert.ok(Math.max(...counts) < 4 * counts[0], `${counts}`)
+    assert.ok(Math.min(...counts.slice(-10)) < 1.3 * counts[0], `${counts}`)
+    divided.dispose()
+  }
+})
