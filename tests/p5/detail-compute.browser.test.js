@@ -36,7 +36,7 @@ for (const [shape, name, others] of [
   ['ball', 'noise'],
   ['box', 'bend', { space: 'world' }],
   ['ball', 'swelling', { space: 'world' }],
-  ['box', 'twist', { space: 'camera', hasPlaces: true }],
+  ['box', 'bend', { space: 'camera', hasPlaces: true }],
   ['box', 'twist', { hasPlaces: true }],
   ['box', 'twist', { isInside: true }],
 ])

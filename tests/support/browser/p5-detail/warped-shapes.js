@@ -10,7 +10,7 @@ const offsets = {
   },
   flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30)),
   // Bends more on one side. Otherwise the CPU would divide uniformly, which compute passes cannot do.
-  bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.03).exp().mult(10), 0),
+  bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.05).exp().mult(4), 0),
   noise: ({ normal, position, uniforms }) =>
     normal.mult(
       position.mult(2).add(uniforms.shift).simplex().mult(uniforms.height, position.y().add(1)),
