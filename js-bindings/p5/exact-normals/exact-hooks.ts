@@ -136,7 +136,6 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
       maxIterations,
     }),
   )
-  if (read.cutOff) warnCutOff(hookName!, hook, read.cutOff)
   // Passes only these inputs: in a hook, millis, size and instance may be variables of the sketch.
   const offset: OffsetFunction = markLibraryFunction(
     ({ glsl, position, normal, uv, color, uniforms }) =>
@@ -146,6 +145,7 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     compileWarp(offset, { ...options, normals: false }),
   )
   if (withoutNormals.stats.operations === 0) return undefined
+  if (read.cutOff) warnCutOff(hookName!, hook, read.cutOff)
   if (withoutNormals.uniforms.some((each) => each.name === vertexId)) throw randomError(hookName!)
   const exact = withStrandsMessages(() => compileWarp(offset, options))
   const isExact = isFirst || !readsVariation(exact)

@@ -60,7 +60,8 @@ function moveExactly(
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)
-  if (warp.cutOff)
+  // Without operations and effects, the warp reads no result of the loop.
+  if (warp.cutOff && (warp.operations() > 0 || warp.otherNames.length > 0))
     warnOnce(
       exact,
       `${nameOfMaterial(builder.material)} cuts off a loop: ${withoutPlace(warp.cutOff)}`,
