@@ -7,7 +7,7 @@ import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
 import { addExact } from './exact-node-materials.js'
-import type { ExactSettings } from './exact-warp.js'
+import type { ExactNodeSettings } from './exact-warp.js'
 
 export interface ExactNormalsOptions extends LoopOptions {
   /**
@@ -25,7 +25,7 @@ const optionsKind = object({
 } satisfies KindsOf<ExactNormalsOptions>)
 
 /** Returns settings for the warp that is read from a positionNode. */
-export const settingsWith = (normals: NormalsOption, maxIterations: number): ExactSettings => ({
+export const settingsWith = (normals: NormalsOption, maxIterations: number): ExactNodeSettings => ({
   method: place.method,
   space: 'local',
   isAfterInstances: true,

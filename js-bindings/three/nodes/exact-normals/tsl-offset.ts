@@ -4,6 +4,7 @@ import type { Node } from 'three/webgpu'
 import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
 import { WarpError, describe } from '../../../errors/errors.js'
 import { markLibraryFunction } from '../../../errors/operators.js'
+import { readGenerated } from '../../../glsl-source/generated.js'
 import { readOffset } from '../../../glsl-source/offset.js'
 import { loopKinds, type LoopOptions } from '../../../options/iterations.js'
 import { callback, oneOf } from '../../../options/kinds.js'
@@ -64,11 +65,9 @@ export function tslOffset(
   ]
   const unknownNode = source.updated.find((node) => !uniformsOfNodes.has(node))
   if (unknownNode) throw unknownValueError(unknownNode)
-  const read = readOffset(new Place('glslOffset'), 'glsl', source.text, {
-    function: functionName,
-    returns,
-    maxIterations,
-  })
+  const read = readGenerated(place, () =>
+    readOffset(place, 'glsl', source.text, { function: functionName, returns, maxIterations }),
+  )
   if (read.cutOff) console.warn(`${place.method}: ${read.cutOff}`)
   const offset = markLibraryFunction((inputs: WarpInputs) => {
     const { glsl, position, normal, uv } = inputs
