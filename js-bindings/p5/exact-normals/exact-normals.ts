@@ -40,6 +40,9 @@ const optionsKind = object(loopKinds)
  * Returns the shader with exact normals, if its hooks move positions. If a hook is unsupported, for example because its position depends
  * on an attribute that the sketch defines, warns on the console and returns the shader unchanged. Throws a `WarpError` for anything but
  * a shader of surfaces.
+ *
+ * A loop whose end only the shader knows runs until it ends. If it cannot stay a loop in the shader, its normals are those of 256
+ * iterations, and a console warning says which loop that is. The option `maxIterations` limits every such loop and silences the warning.
  */
 export function exactNormals<Given extends object>(
   shader: Given,

@@ -43,6 +43,10 @@ export const settingsWith = (normals: NormalsOption, maxIterations: number): Exa
  * the shader code that three.js writes for the node, on WebGPU and on WebGL 2, and differentiate it. The material's `normalNode` and
  * normal maps are applied to the new normals.
  *
+ * A loop whose end only the shader knows runs until it ends. If it cannot stay a loop in the shader, it is cut off after 256 iterations,
+ * position and normal, and a console warning says which loop that is. The option `maxIterations` limits every such loop and silences the
+ * warning.
+ *
  * Returns the material. Throws a `WarpError` unless it is a node material with a `positionNode` and without a `vertexNode`. If the position
  * cannot be differentiated, for example because it depends on `vertexIndex`, the material keeps its normals, and a console warning gives
  * the reason when it is first drawn.

@@ -46,6 +46,10 @@ const optionsKind = object({
  * any host, and on the CPU for evaluation, bounds and so on. `time` is the input `millis` in seconds; the result's `uniforms` has the other
  * uniforms.
  *
+ * A loop whose end only the shader knows runs until it ends; on the CPU it runs at most 256 iterations, and a vertex that needs more is
+ * `NaN`. If it cannot stay a loop in the shader, it is cut off after 256 iterations, and a console warning says which loop that is. The
+ * option `maxIterations` limits every such loop, on the CPU, too, and silences the warning.
+ *
  * Throws a `WarpError` if the function reads something that offset functions do not have, such as `instanceIndex` or the camera.
  */
 export function tslOffset(
