@@ -65,7 +65,7 @@ export const stateNames = ['isStale', 'isWritten', 'vertices', 'triangles'] as c
 
 /**
  * Declares the struct `State`; passes may set its `flag` at the same time if that is atomic. `squaredSides` are those of `Needs` in
- * src/detail/need.hpp. They share this buffer because a pass can bind at most eight storage buffers.
+ * src/detail/need.hpp. They share this buffer because a pass can bind only eight storage buffers.
  */
 export const stateOf = (flag: 'u32' | 'atomic<u32>') => `struct State {
   isStale: ${flag},
