@@ -37,8 +37,8 @@ struct Criterion {
   // high: second differences of floats, divided by the square of almost no height, would be
   // rounding errors.
   float lowest = 0.01f;
-  // A diagonal is flipped if the other one is shorter by at least this share, so that rounding
-  // doesn't decide.
+  // A diagonal is flipped only if that shortens its square by more than this share of the sizes of
+  // all terms of the difference, so that rounding doesn't decide.
   float minGain = 0.01f;
 };
 

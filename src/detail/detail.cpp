@@ -135,9 +135,9 @@ bool Detail::cut(float maxLength) {
 }
 
 // A uniform division of the given mesh is better where the surface bends about equally everywhere:
-// it does without the cuts, which only serve to measure, and can have any number of pieces. The
-// choice changes only if that saves clearly more than a few triangles, so that it doesn't
-// alternate.
+// it does without the cuts, which only serve to measure, and can have any number of pieces. It is
+// chosen once it has fewer triangles, and given up once it has 1.2 times as many, so that the
+// choice doesn't alternate.
 std::uint32_t Detail::chooseUniform() {
   constexpr float maxUniform = 256;
   const float need = std::max(1.0f, needs_.uniformNeed());

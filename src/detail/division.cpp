@@ -79,7 +79,8 @@ void Division::writeTriangles(const Interpolation& interpolation,
     }
     const SquaredSides squares = sides.empty() ? SquaredSides{} : sides[t];
     for (std::size_t i = 0; i < tessellation.triangles.size(); ++i) {
-      const Corners each = flipped(tessellation.triangles, tessellation.flips, i, squares);
+      const Corners each =
+          withShorterDiagonal(tessellation.triangles, tessellation.flips, i, squares);
       triangles.push_back({points[each[0]], points[each[1]], points[each[2]]});
     }
   }

@@ -11,7 +11,7 @@ namespace {
 using glm::dvec3;
 
 // Two triangles with a common side, (a, b, c) and (b, a, d), and the squared length of this side.
-struct Pair {
+struct Quadrilateral {
   double square;
   std::size_t first, second;
   std::uint32_t a, b, c, d;
@@ -21,48 +21,50 @@ struct Pair {
 // of weights; each product of two of its components belongs to the side between these corners.
 dvec3 squareOf(dvec3 line) { return {-line.x * line.y, -line.y * line.z, -line.z * line.x}; }
 
-// Tests whether both halves, with the other diagonal, have an area: at least this share of the
-// whole triangle's.
-bool isConvex(const Pair& pair, std::span<const dvec3> points) {
+// Tests whether the quadrilateral is strictly convex: both triangles with the other diagonal have
+// at least this share of the whole triangle's area.
+bool isConvex(const Quadrilateral& quad, std::span<const dvec3> points) {
   constexpr double smallest = 1e-6;
   const auto area = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
     return determinant(glm::dmat3(points[p], points[q], points[r]));
   };
-  return area(pair.c, pair.a, pair.d) > smallest && area(pair.d, pair.b, pair.c) > smallest;
+  return area(quad.c, quad.a, quad.d) > smallest && area(quad.d, quad.b, quad.c) > smallest;
 }
 
-std::vector<Pair> pairsOf(std::span<const Corners> triangles, std::span<const dvec3> points,
-                          dvec3 sides) {
+std::vector<Quadrilateral> quadrilateralsOf(std::span<const Corners> triangles,
+                                            std::span<const dvec3> points, dvec3 sides) {
   // Maps the ends of a side, counterclockwise -> its triangle, and the opposite corner.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> all;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i)
       all[{triangles[t][i], triangles[t][(i + 1) % 3]}] = {t, triangles[t][(i + 2) % 3]};
   }
-  std::vector<Pair> pairs;
+  std::vector<Quadrilateral> quadrilaterals;
   for (const auto& [ends, place] : all) {
     const auto [a, b] = ends;
     const auto back = all.find({b, a});
     if (a > b || back == all.end()) continue;
     const auto [second, d] = back->second;
-    const Pair pair{
+    const Quadrilateral quad{
         dot(squareOf(points[b] - points[a]), sides), place.first, second, a, b, place.second, d};
-    if (isConvex(pair, points)) pairs.push_back(pair);
+    if (isConvex(quad, points)) quadrilaterals.push_back(quad);
   }
-  return pairs;
+  return quadrilaterals;
 }
 
 }  // namespace
 
-std::vector<Flip> pairTriangles(std::vector<Corners>& triangles, std::span<const dvec3> points,
-                                const SquaredSides& sides) {
-  std::vector<Pair> pairs = pairsOf(triangles, points, {sides[0], sides[1], sides[2]});
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& p, const Pair& q) { return p.square > q.square; });
+std::vector<Flip> orderIntoPairs(std::vector<Corners>& triangles, std::span<const dvec3> points,
+                                 const SquaredSides& sides) {
+  std::vector<Quadrilateral> quadrilaterals =
+      quadrilateralsOf(triangles, points, {sides[0], sides[1], sides[2]});
+  std::stable_sort(
+      quadrilaterals.begin(), quadrilaterals.end(),
+      [](const Quadrilateral& p, const Quadrilateral& q) { return p.square > q.square; });
   std::vector<Flip> flips;
   std::vector<bool> isPaired(triangles.size());
   std::vector<Corners> ordered;
-  for (const auto& [square, first, second, a, b, c, d] : pairs) {
+  for (const auto& [square, first, second, a, b, c, d] : quadrilaterals) {
     if (isPaired[first] || isPaired[second]) continue;
     isPaired[first] = isPaired[second] = true;
     ordered.push_back({a, b, c});
@@ -77,8 +79,8 @@ std::vector<Flip> pairTriangles(std::vector<Corners>& triangles, std::span<const
   return flips;
 }
 
-Corners flipped(std::span<const Corners> triangles, std::span<const Flip> flips, std::size_t i,
-                const SquaredSides& sides) {
+Corners withShorterDiagonal(std::span<const Corners> triangles, std::span<const Flip> flips,
+                            std::size_t i, const SquaredSides& sides) {
   const Corners& triangle = triangles[i];
   if (i / 2 >= flips.size() || !flips[i / 2].isShorter(sides)) return triangle;
   // (a, b, c) becomes (c, a, d), and (b, a, d) becomes (d, b, c).

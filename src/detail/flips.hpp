@@ -1,6 +1,6 @@
-// Flips of the diagonals of a tessellation. A tessellation knows the numbers of pieces of its
-// sides, but these are rounded up, and raised by neighbors. Of the two diagonals of a
-// quadrilateral, the one that is shorter for the bend of the triangle itself errs less.
+// Chooses between the two diagonals of each quadrilateral of a tessellation: the one that is
+// shorter in the metric of the triangle's bend errs less. A tessellation doesn't know that metric,
+// since its numbers of pieces are rounded up, and shared with neighbors.
 #pragma once
 
 #include <array>
@@ -34,15 +34,15 @@ struct Flip {
   }
 };
 
-// Pairs triangles to convex quadrilaterals, longest diagonals first. Reorders the triangles: the
+// Pairs triangles into convex quadrilaterals, longest diagonals first. Reorders the triangles: the
 // halves of pair k are triangle 2k = (a, b, c) and triangle 2k + 1 = (b, a, d), and triangles
 // without a partner come last. `points` are weights of the corners of the whole triangle, and
 // `sides` the squares of its sides, by which diagonals are compared.
-std::vector<Flip> pairTriangles(std::vector<Corners>& triangles, std::span<const glm::dvec3> points,
-                                const SquaredSides& sides);
+std::vector<Flip> orderIntoPairs(std::vector<Corners>& triangles,
+                                 std::span<const glm::dvec3> points, const SquaredSides& sides);
 
-// Returns triangle `i` of those that `pairTriangles` has ordered, with the shorter diagonal.
-Corners flipped(std::span<const Corners> triangles, std::span<const Flip> flips, std::size_t i,
-                const SquaredSides& sides);
+// Returns triangle `i` of those that `orderIntoPairs` has ordered, with the shorter diagonal.
+Corners withShorterDiagonal(std::span<const Corners> triangles, std::span<const Flip> flips,
+                            std::size_t i, const SquaredSides& sides);
 
 }  // namespace warpjet

@@ -163,6 +163,7 @@ bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
       const PlanarTriangle planar(place(a), place(b), place(c));
       const TriangleNeeds needs =
           needsOf(planar, directionsOf(planar, patches.empty() ? nullptr : &patches[t]), screen);
+      // All triangles have samples, and the worst one decides, so no margin like `aim` is needed.
       squaredUniformNeed = std::max(squaredUniformNeed, needs.uniform / tolerance);
       for (int i = 0; i < 3 && !isFine; ++i) {
         raise(i, needs.sides[i] / aim);

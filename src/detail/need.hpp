@@ -33,8 +33,8 @@ class Needs {
   bool update(const WarpedMesh& mesh, std::span<const ScreenView> views, float tolerance);
 
   std::span<const std::uint32_t> pieces() const { return pieces_; }
-  // The squared sides of each triangle in the metric of its bend; zeros for triangles that are
-  // close to all of their samples.
+  // The squared sides of each triangle in the metric of its bend, in which a side of length 1 errs
+  // by a pixel; zeros for triangles that are invisible, or close to all of their samples.
   std::span<const SquaredSides> squaredSides() const { return squaredSides_; }
   // The number of pieces, not rounded, that would suffice if all sides of the given mesh had the
   // same number.

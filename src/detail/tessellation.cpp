@@ -15,8 +15,9 @@ const double heightOfRow = std::sqrt(0.75);
 // Places the corners such that the sides have these lengths, counterclockwise from the start of the
 // longest. The number of pieces of each side is the largest that is needed anywhere along it, and
 // rounded up, so the three numbers may be lengths of the sides of a degenerate triangle, or of
-// none. Therefore, the longest side is at most as long as both others, with pieces shorter than 1,
-// and the triangle is at least as high as one whose shortest side is at 60 degrees to the longest.
+// none. Therefore, the longest side is at most as long as the other two together, with shorter
+// pieces then, and the triangle is at least as high as one whose shortest side is at 60 degrees to
+// the longest.
 std::array<dvec2, 3> cornersFor(const SidePieces& pieces, int longest) {
   const double right = pieces[(longest + 1) % 3], left = pieces[(longest + 2) % 3];
   const double base = std::min<double>(pieces[longest], left + right);
@@ -126,8 +127,8 @@ Tessellation makeTessellation(const SidePieces& pieces) {
                      bulgeAt(w, corners, 0.08 * std::min(1.0, height)));
   tessellation.triangles = triangulate(placed, hullSize);
   const auto square = [](std::uint32_t count) { return static_cast<float>(count * count); };
-  tessellation.flips = pairTriangles(tessellation.triangles, points,
-                                     {square(pieces[0]), square(pieces[1]), square(pieces[2])});
+  tessellation.flips = orderIntoPairs(tessellation.triangles, points,
+                                      {square(pieces[0]), square(pieces[1]), square(pieces[2])});
   return tessellation;
 }
 

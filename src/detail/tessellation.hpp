@@ -25,8 +25,8 @@ struct Tessellation {
   // Corners are indices of points: first those of sides 0, 1 and 2, each without its end, then the
   // inner ones.
   std::vector<Corners> triangles;
-  // The flips of the first triangles: see `pairTriangles`. There are none if all sides have the
-  // same number of pieces: then each side of a triangle is a piece, and as long as it may be.
+  // The flips of the first triangles: see `orderIntoPairs`. Empty if all sides have the same number
+  // of pieces: then each side of a triangle is exactly one piece, and no diagonal is better.
   std::vector<Flip> flips{};
 };
 

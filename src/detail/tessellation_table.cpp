@@ -1,5 +1,6 @@
 #include "detail/tessellation_table.hpp"
 
+#include <cassert>
 #include <cstring>
 
 namespace warpjet {
@@ -19,6 +20,7 @@ bool TessellationTable::makeNext() {
   const auto [inner, triangles, flips] =
       makeTessellation({pieceCounts[count_ / (base * base)], pieceCounts[count_ / base % base],
                         pieceCounts[count_ % base]});
+  assert(inner.size() < 1 << 11 && flips.size() < 1 << 10 && triangles.size() < 1 << 11);
   words_[2 * count_] = static_cast<std::uint32_t>(words_.size());
   words_[2 * count_ + 1] =
       static_cast<std::uint32_t>(inner.size() << 21 | flips.size() << 11 | triangles.size());

@@ -81,7 +81,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   for (std::size_t i = 0; i < states.size(); ++i) writer_.name(states[i].local, variables[i]);
   const std::string counter = temporaries_.next();
   const auto flag = earlyEnd(graph_, states);
-  // If no state depends on the end of the loop, no step changes any.
+  // If no state that is needed reads the end of the loop, steps after the first change nothing.
   const std::uint32_t steps = graph_.loop(loop).isCounted() || flag ? graph_.loop(loop).steps : 1;
   code_ += indent_;
   appendExpanded(code_, plan_.dialect.loop, {counter, std::to_string(steps)});

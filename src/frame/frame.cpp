@@ -27,9 +27,11 @@ struct SeparatedModule {
 // Returns true if all loops, unrolled, are small enough to compile quickly.
 bool canUnroll(const Graph& graph) {
   if (!graph.has(foldOp)) return false;
-  std::size_t unrolledSize = graph.size();
-  for (std::uint32_t i = 0; i < graph.loopCount() && unrolledSize <= maxUnrolledNodes; ++i)
+  std::uint64_t unrolledSize = graph.size();
+  for (std::uint32_t i = 0; i < graph.loopCount() && unrolledSize <= maxUnrolledNodes; ++i) {
+    if (!graph.loop(i).isCounted()) return false;
     unrolledSize *= graph.loop(i).steps;
+  }
   return unrolledSize <= maxUnrolledNodes;
 }
 

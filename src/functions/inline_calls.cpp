@@ -19,10 +19,7 @@ class Inliner {
  public:
   // Without a library, loops are unrolled, but calls remain.
   Inliner(Graph& graph, Library* library)
-      : graph_(graph),
-        library_(library),
-        maxSize_(graph.size() + maxUncountedNodes),
-        inlined_(graph.size(), noNode) {}
+      : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
 
   void run(std::span<const NodeId> nodes) {
     if (!graph_.has(foldOp)) return visitAll(nodes);
@@ -72,6 +69,8 @@ class Inliner {
       for (std::size_t i = 0; i < states.size(); ++i) inlined_[index(states[i].local)] = values[i];
     };
     assign();
+    const bool isCounted = graph_.loop(loop).isCounted();
+    if (!isCounted && openUncounted_++ == 0) start_ = graph_.size();
     const NodeId stepNode = graph_.stepOf(loop);
     inlined_.resize(std::max(inlined_.size(), std::size_t{index(stepNode)} + 1), noNode);
     for (std::uint32_t step = 0; !isOver(loop, step); ++step) {
@@ -82,16 +81,19 @@ class Inliner {
       for (std::size_t i = 0; i < states.size(); ++i) values[i] = inlined(states[i].next);
       assign();
     }
-    if (graph_.loop(loop).isCounted()) return;
+    if (isCounted) return;
+    if (--openUncounted_ == 0) uncountedNodes_ += graph_.size() - start_;
     replaceUnended(states, values);
     assign();
   }
 
-  // An uncounted loop that ends after `assumedSteps` needs one more step to find that out.
+  // An uncounted loop that ends after `assumedSteps` needs one more step to find that out, unless
+  // its condition comes last.
   bool isOver(std::uint32_t loop, std::uint32_t step) const {
     if (graph_.isFull()) return true;
     if (graph_.loop(loop).isCounted()) return step == graph_.loop(loop).steps;
-    return step > Loop::assumedSteps || graph_.size() > maxSize_;
+    return step > Loop::assumedSteps ||
+           uncountedNodes_ + graph_.size() - start_ > maxUncountedNodes;
   }
 
   // Replaces the values after an uncounted loop by NaN where the loop has not ended.
@@ -176,7 +178,9 @@ class Inliner {
 
   Graph& graph_;
   Library* library_;
-  std::size_t maxSize_;          // of the graph, for uncounted loops
+  // The number of uncounted loops that are unrolled now, one in another; the size of the graph
+  // before them; and the number of nodes that finished ones have added.
+  std::size_t openUncounted_ = 0, start_ = 0, uncountedNodes_ = 0;
   std::vector<NodeId> inlined_;  // by node
   std::vector<Copy> copies_;
   const Loops* loops_ = nullptr;

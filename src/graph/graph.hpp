@@ -94,9 +94,9 @@ struct Function {
   bool isFromLibrary() const { return values > 0; }
 };
 
-// The number of iterations of a loop that ends by itself: once its first state, variable 1, is more
-// than 0.5, no further step changes any state. No vertex shader runs that many, and float32 counts
-// them exactly.
+// Marks an uncounted loop, which ends by itself: once its first state, variable 1, is more than
+// 0.5, no further step changes any state. It is also the limit of the loop in the shader: no vertex
+// shader runs that many iterations, and float32 counts them exactly.
 inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
 
 // A loop: its number of iterations and of variables. Variable 0 is the step number, counted from 0;

@@ -44,7 +44,9 @@ std::string line(const Graph& graph, NodeId id) {
   if (graph.isOutcome(id))
     return nameOf(graph, graph.operand(id, 1)) + " after " + nameOf(graph, graph.operand(id, 0));
   if (graph.isFold(id)) {
-    std::string all = std::to_string(graph.loop(graph.loopOf(id)).steps) + " times";
+    const Loop& loop = graph.loop(graph.loopOf(id));
+    std::string all =
+        loop.isCounted() ? std::to_string(loop.steps) + " times" : "until the first state is 1";
     for (const auto& [local, start, next] : graph.states(id))
       all += "; " + nameOf(graph, local) + " from " + nameOf(graph, start) + " to " +
              nameOf(graph, next);

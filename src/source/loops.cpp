@@ -33,6 +33,7 @@ std::optional<double> LoopRun::find(Id id, int depth) {
     if (packed >> 16 != loop_) return std::nullopt;
     if (operation.code == Code::StepNumber) return step_;
     const std::size_t state = packed >> 8 & 255;
+    if (state >= states_.size()) return std::nullopt;
     isQueried_[state] = true;
     return states_[state];
   }

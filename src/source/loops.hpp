@@ -27,8 +27,8 @@ namespace warpjet::source {
 // measurements.
 inline constexpr std::size_t minSavedOperations = 100;
 
-// Values of `maxIterations` that limit nothing: loops whose end only the shader knows are rejected;
-// or they run until they end, except that those that can't stay loops are cut off.
+// Values of `maxIterations` other than a limit. `rejectUnknown` rejects loops whose end only the
+// shader knows. With `untilEnd` they run until they end; a loop that can't stay a loop is cut off.
 inline constexpr int rejectUnknown = 0, untilEnd = -1;
 
 // A variable that the body of a loop changes.
@@ -42,7 +42,8 @@ struct Changing {
   } kind = Kind::State;
   double by = 0;  // the change of a counter per step
   // True for an int or uint that does more than count. It has two states, since a state is a float,
-  // which can't represent 32 bits: its lower 16 bits, and at the index `high` the others.
+  // which can't represent 32 bits: the remainder of a division by 2^16, and at the index `high` the
+  // quotient, rounded towards 0.
   bool isWide = false;
   std::size_t high = 0;
   // The values of the variable: before a step (`now`); at the end of the step, if the loop
@@ -52,7 +53,7 @@ struct Changing {
 
 struct Folding {
   std::vector<Changing> all;
-  // The number of steps; while it is unknown, a number that the loop doesn't exceed.
+  // The number of steps; until it is known, the largest that a counted loop may have.
   std::uint32_t steps;
   Id test;
   // True if the condition is evaluated in each step, since the number of iterations is unknown.

@@ -156,7 +156,7 @@ class Lowering {
   bool isWorthIt(const Folding& folding, std::size_t once) const;
 
   // lower_states.cpp
-  Id withoutBreak(Id value, Id start) const;
+  Id valueIfContinued(Id value, Id start) const;
   std::vector<Changing> changesOf(const Store::Changes& changes) const;
   bool isRepresentable(const Changing& counter, const Folding& folding) const;
   Id valueInStep(const Changing& each, const Folding& folding, std::size_t location);

@@ -13,6 +13,7 @@ constexpr std::uint32_t maxFoldedSteps = 10'000;
 constexpr std::size_t maxFoldDepth = 8;
 // Every element of an array that a loop fills is a state.
 constexpr std::size_t maxStates = 32;
+
 }  // namespace
 
 // Runs condition, body and step once, in branches that end at a break, continue or return; the

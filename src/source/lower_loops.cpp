@@ -15,10 +15,11 @@ constexpr const char* endsUnknown =
     "the number of iterations of this loop is known only when the shader runs; count to a constant "
     "and break, or set the option maxIterations";
 // The limit for loops that can't stay loops, if others run until they end.
-constexpr int maxWrittenOut = 256;
-constexpr const char* isCutOff =
+constexpr int maxUnrolledUnknown = 256;
+constexpr const char* cutOffMessage =
     "only the shader knows where this loop ends, and it can't stay a loop there, since it changes "
-    "more than 32 numbers or is nested more than 8 deep, so it is cut off after 256 iterations; "
+    "more than about 30 numbers or is nested more than 8 deep, so it is cut off after 256 "
+    "iterations; "
     "let it change fewer numbers, such as a shorter array, or set the option maxIterations (1 to "
     "4096)";
 
@@ -55,9 +56,9 @@ void Lowering::unroll(const Statement& statement) {
   // iteration of a `do` counts, too.
   int unknown = statement.testsAfterBody;
   const bool isEndless = hasNoEnd(statement), rejectsUnknown = maxIterations_ == rejectUnknown;
-  const int limit = maxIterations_ == untilEnd ? maxWrittenOut : maxIterations_;
+  const int limit = maxIterations_ == untilEnd ? maxUnrolledUnknown : maxIterations_;
   const auto cutOff = [&] {
-    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, isCutOff);
+    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, cutOffMessage);
   };
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {
     if (iteration > maxUnrolledIterations) {

@@ -9,9 +9,10 @@ namespace warpjet::source {
 
 namespace {
 
-// The integers up to `maxExact` are floats. Counters start and are reset to at most `large`.
+// Float32 represents all integers up to `maxExact`. Counters start at, or are reset to, at most
+// `large`.
 constexpr double maxExact = 1 << 24, large = 1 << 22;
-// One more than the largest number of 16 bits.
+// The number of values of a half of 16 bits.
 constexpr double halfSize = 1 << 16;
 // Limits recursion in the expression of a counter.
 constexpr int maxCountDepth = 16;
@@ -28,7 +29,7 @@ bool isExact(const Changing& counter, double start, const Folding& folding) {
 }  // namespace
 
 // Returns the value that a variable has if the loop goes on: a break leaves it as it was.
-Id Lowering::withoutBreak(Id value, Id start) const {
+Id Lowering::valueIfContinued(Id value, Id start) const {
   while (recorder_.at(value).code == Code::IfElse || recorder_.at(value).code == Code::IntIfElse) {
     const auto operands = recorder_.operands(value);
     if (operands[1] != start && operands[2] != start) break;
@@ -41,7 +42,7 @@ Id Lowering::withoutBreak(Id value, Id start) const {
 std::vector<Changing> Lowering::changesOf(const Store::Changes& changes) const {
   std::vector<Changing> all;
   for (const auto& [slot, changed] : changes) {
-    const Id start = store_.get(slot), value = withoutBreak(changed, start);
+    const Id start = store_.get(slot), value = valueIfContinued(changed, start);
     Changing each{slot, start};
     const bool areKnown = recorder_.isConstant(start) && recorder_.isConstant(value);
     if (value == start) {
@@ -89,7 +90,7 @@ Id Lowering::fromState(const Changing& each, Id state, const At& at) {
     return recorder_.apply(Code::Gt, Base::Bool, {state, number(Base::Float, 0.5)});
   const Id low = recorder_.convert(state, base);
   if (!each.isWide) return low;
-  // GLSL 1.00 lacks bitwise operations.
+  // Multiplies instead of shifting, since GLSL 1.00 has no bitwise operators.
   const Id high = scalar(Operator::Multiply, base, recorder_.convert(at(each.high), base),
                          number(base, halfSize));
   return scalar(Operator::Add, base, high, low);

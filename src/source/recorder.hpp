@@ -32,7 +32,7 @@ struct Operation {
 };
 
 // The number of iterations of a loop that ends by itself: a number that no vertex shader reaches,
-// and that float32 counts exactly. The builder has the same number.
+// and that float32 counts exactly.
 inline constexpr std::uint32_t uncountedSteps = std::uint32_t{1} << 22;
 
 // A loop of the shader. Loop numbers start at 1.

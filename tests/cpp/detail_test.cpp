@@ -41,7 +41,7 @@ std::vector<dvec2> pointsOf(const SidePieces& pieces, const Tessellation& tessel
 std::vector<Corners> trianglesFor(const Tessellation& tessellation, const SquaredSides& sides) {
   std::vector<Corners> triangles;
   for (std::size_t i = 0; i < tessellation.triangles.size(); ++i)
-    triangles.push_back(flipped(tessellation.triangles, tessellation.flips, i, sides));
+    triangles.push_back(withShorterDiagonal(tessellation.triangles, tessellation.flips, i, sides));
   return triangles;
 }
 

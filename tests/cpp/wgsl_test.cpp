@@ -176,7 +176,7 @@ TEST(WgslMessages, SayWhatToWrite) {
   EXPECT_EQ(problemIn("let x = siin(p.x);"), "there is no function \"siin\"; did you mean sin?");
   EXPECT_EQ(
       problemIn("let x = p.x; x = 2;"),
-      "\"x\" is a value and cannot be changed; copy it to a var before, or assign one component "
+      "\"x\" is a value and cannot be changed; copy it to a var first, or assign one component "
       "at a time.");
   EXPECT_EQ(problemIn("let x = a & b | c;"), "\"a\" is not declared.");
   EXPECT_EQ(problemIn("let x = 1 & 2 | 4;"),

@@ -185,7 +185,7 @@ StatementId Parser::assignment() {
                                                 "changed"
                                           : name +
                                                 " is a value and cannot be changed; copy it to a "
-                                                "var before, or assign one component at a time");
+                                                "var first, or assign one component at a time");
     return nothing;
   }
   const Type type = target.type;
