@@ -56,6 +56,10 @@ declare global {
   /**
    * Makes a shader of `modify()` or `buildMaterialShader()` transform normals to match the positions that its hooks move. Needs
    * warpjet.glsl.min.js. If that is impossible, the console says why, and the shader is returned unchanged.
+   *
+   * A loop whose end only the shader knows runs until it ends. If it cannot stay a loop in the shader, its normals are those of 256
+   * iterations, and a console warning says which loop that is. `options.maxIterations`, from 1 to 4096, limits every such loop and
+   * silences the warning.
    */
   function exactNormals<Shader extends object>(
     shader: Shader,

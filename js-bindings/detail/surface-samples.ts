@@ -80,8 +80,10 @@ export class SurfaceSamples {
   /** Moves the samples into the space of the offset, if the numbers `place` that the transform depends on have changed. */
   place(toSpace: ToSpace | undefined, place: readonly number[]) {
     if (this.lastPlace.are(place)) return
-    if (toSpace) this.inSpace = arraysInSpace(this.arrays, this.inSpace)
-    this.placed = toSpace ? toSpace(this.arrays, this.inSpace!) : this.arrays
+    if (toSpace) {
+      this.inSpace = arraysInSpace(this.arrays, this.inSpace)
+      this.placed = toSpace(this.arrays, this.inSpace)
+    } else this.placed = this.arrays
     this.lastPlace.set(place)
     this.lastPhases.forget()
   }

@@ -7,17 +7,16 @@ export interface InSpace {
   readonly normals: Float32Array
 }
 
-/** Returns arrays for samples; `before` if they have the right length. */
-export const arraysInSpace = (
-  { positions, normals }: Vertices,
-  before: InSpace | undefined,
-): InSpace =>
-  before?.positions.length === positions.length
+/** Returns arrays for samples; `before` if they have the right lengths. */
+export function arraysInSpace({ positions, normals }: Vertices, before?: InSpace): InSpace {
+  const lengths = { positions: positions.length, normals: normals?.length ?? 0 }
+  return before?.positions.length === lengths.positions && before.normals.length === lengths.normals
     ? before
     : {
-        positions: new Float32Array(positions.length),
-        normals: new Float32Array(normals?.length ?? 0),
+        positions: new Float32Array(lengths.positions),
+        normals: new Float32Array(lengths.normals),
       }
+}
 
 interface Transform {
   /** Transforms positions: 16 numbers by columns. */

@@ -78,9 +78,13 @@ const offsetOf = <Uniforms extends UniformValues>(
   readOffset<Uniforms>(place, language, source, offsetOptions.read(options, place)).offset
 
 /** Valid options; `maxIterations` may be `untilEnd`. */
-interface ReadOptions {
+interface LoweringOptions {
   function: string | undefined
   maxIterations: number
+}
+
+interface OffsetLoweringOptions extends LoweringOptions {
+  returns: 'offset' | 'position'
 }
 
 /**
@@ -91,7 +95,7 @@ export function readOffset<Uniforms extends UniformValues>(
   place: Place,
   language: SourceLanguage,
   source: string,
-  { returns, ...options }: ReadOptions & Required<Pick<GlslOffsetOptions, 'returns'>>,
+  { returns, ...options }: OffsetLoweringOptions,
 ): { offset: GlslOffset<Uniforms>; externals: readonly External[]; cutOff: string } {
   const { numbersFor, externals, cutOff } = readNumbers(place, language, source, options, 'vec3')
   const offset: GlslOffset<Uniforms> = markLibraryFunction((inputs) => {
@@ -109,7 +113,7 @@ export function readPositionWithOthers(
   place: Place,
   language: SourceLanguage,
   source: string,
-  options: ReadOptions,
+  options: LoweringOptions,
 ): {
   read: (inputs: WarpInputs) => { offset: Vec3; others: readonly Expression[] }
   cutOff: string
@@ -133,7 +137,7 @@ function readNumbers(
   place: Place,
   language: SourceLanguage,
   source: string,
-  { function: name, maxIterations }: ReadOptions,
+  { function: name, maxIterations }: LoweringOptions,
   type: 'vec3' | 'mat4',
 ) {
   const text = sourceKinds[language].read(source, place.part('the source'))

@@ -1,19 +1,22 @@
 // The options of all functions that read source in GLSL or WGSL.
-import { maxIterationsOr } from '../options/iterations.js'
+import { maxIterationsKind } from '../options/iterations.js'
 import { kind, optional, text } from '../options/kinds.js'
 import type { KindsOf } from '../options/schema.js'
 
 export interface GlslOptions {
   /** The name of the function. Default: `offset` or, if the source has no such function, the last one. */
   function?: string
-  /** Max number of iterations of a loop whose end depends on values in the shader; without this option such a loop is unsupported. */
+  /**
+   * Max number of iterations, from 1 to 4096, of every loop whose end depends on values in the shader. A loop that goes on for longer is
+   * cut off there, without a message. Without this option such a loop is unsupported.
+   */
   maxIterations?: number
 }
 
 export const glslKinds = {
   function: optional(text('the name of a function')),
   /** 0 if the option is missing. */
-  maxIterations: maxIterationsOr(0),
+  maxIterations: maxIterationsKind(0),
 } satisfies KindsOf<GlslOptions>
 
 const isFileName = (value: unknown) =>

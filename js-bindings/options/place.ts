@@ -52,6 +52,12 @@ export class Place {
     return new WarpError(`${this.method}: ${message}`)
   }
 
+  /** Removes the name of the called function from the start of a message. */
+  withoutMethod(message: string): string {
+    const start = `${this.method}: `
+    return message.startsWith(start) ? message.slice(start.length) : message
+  }
+
   /** Makes the error for a wrong value. `got` describes the value; `advice` says what to write instead. */
   expected(what: string, got: string, advice?: string): WarpError {
     const subject = this.subject && ` for ${this.subject}`

@@ -141,7 +141,7 @@ test('a loop that cannot stay a loop is cut off with a message, once', (t) => {
   assert.deepEqual(
     warn.mock.calls.map(({ arguments: [text] }) => text.split('\n')[0].replace(/\d+/g, 'N')),
     [
-      "tslOffset: line N, column N: only the shader knows where this loop ends, and it can't stay a loop there, since it changes more than N numbers or is nested more than N deep, so it is cut off after N iterations; let it change fewer numbers, such as a shorter array, or set the option maxIterations (N to N).",
+      "tslOffset: only the shader knows where this loop ends, and it can't stay a loop there, since it changes more than about N numbers or is nested more than N deep, so it is cut off after N iterations; let it change fewer numbers, such as a shorter array, or set the option maxIterations (N to N).",
     ],
   )
   const { positions } = compileWarp(offset, { uniforms: offset.uniforms }).evaluate({

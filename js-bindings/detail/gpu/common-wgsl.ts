@@ -63,18 +63,26 @@ export const lanes = 8
 /** The members of the struct `State`, each with 4 bytes. They are followed by three numbers for each triangle of the base. */
 export const stateNames = ['isStale', 'isWritten', 'vertices', 'triangles'] as const
 
-/** `squaredSides` are those of `Needs` in src/detail/need.hpp. They are here since passes can have eight storage buffers. */
-export const state = `struct State {
-  isStale: ATOMIC,
+/**
+ * Declares the struct `State`; passes may set its `flag` at the same time if that is atomic. `squaredSides` are those of `Needs` in
+ * src/detail/need.hpp. They share this buffer because a pass can bind only eight storage buffers.
+ */
+export const stateOf = (flag: 'u32' | 'atomic<u32>') => `struct State {
+  isStale: ${flag},
   isWritten: u32,
   vertices: u32,
   triangles: u32,
   squaredSides: array<f32>,
 }`
 
-export const plainState = state.replace('ATOMIC', 'u32')
+/** Declares functions that read the chosen levels, from the bindings `pieces` and `topology`. */
+export const levelOf = `fn levelOf(side: u32) -> u32 {
+  return pieces[topology[6 * parameters.triangles + 3 * side + 2]];
+}
 
-/** Finds the sum of the counts before an item. Items are the sides of the base, followed by its triangles. */
-export const startOf = `fn startOf(item: u32) -> vec2u {
-  return sums[item] + sums[parameters.sides + parameters.triangles + item / ${blockSize}u];
+/** Returns the index of a triangle's tessellation in the table. */
+fn tessellationOf(triangle: u32) -> u32 {
+  let at = 6 * triangle + 3;
+  let first = levelOf(topology[at] >> 1);
+  return (first * levels + levelOf(topology[at + 1] >> 1)) * levels + levelOf(topology[at + 2] >> 1);
 }`

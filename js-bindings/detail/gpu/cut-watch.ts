@@ -39,7 +39,7 @@ export class CutWatch {
         new Float32Array(count * (length / (parts.samples.positions.length / 3))),
       ]),
     ) as unknown as Vertices
-    this.inSpace = arraysInSpace(this.samples, undefined)
+    this.inSpace = arraysInSpace(this.samples)
     this.phases = new Float32Array((surface?.size ?? 0) * count)
   }
 

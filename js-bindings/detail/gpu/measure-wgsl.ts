@@ -1,6 +1,6 @@
 // The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/need.cpp explains the
 // formulas.
-import { groupSize, parameters, plainState } from './common-wgsl.js'
+import { groupSize, parameters, stateOf } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
 /** An input of the warp in the buffer of samples, which contains one array per input. */
@@ -91,7 +91,7 @@ const cells = [0, 1, 2].flatMap((row) =>
 /** Measures what the edges of each triangle need. */
 export const measurePass = (constants: string) => `${parameters}
 ${constants}
-${plainState}
+${stateOf('u32')}
 struct View {
   clip: mat4x4f,
   halfSize: vec2f,

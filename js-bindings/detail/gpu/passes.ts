@@ -4,7 +4,7 @@ import { arrayNames } from '../../core/inputs/vertices.js'
 import { details } from '../../wasm/detail.js'
 import type { DetailBase } from '../detail-base.js'
 import { blockSize, constantsOf } from './common-wgsl.js'
-import { choosePass, placePass, totalPass, writePass } from './divide-wgsl.js'
+import { choosePass, placePass, totalPass } from './divide-wgsl.js'
 import {
   evaluatePass,
   measurePass,
@@ -16,6 +16,7 @@ import { tessellationTable } from './table.js'
 import { VertexLayout } from './vertex-layout.js'
 import { PackedNumbers, warpInWgsl } from './warp-wgsl.js'
 import { usage, type GpuBuffer, type GpuDevice, type GpuPipeline } from './webgpu.js'
+import { writePass } from './write-wgsl.js'
 
 export type PassName = 'evaluate' | 'measure' | 'choose' | 'place' | 'total' | 'write'
 

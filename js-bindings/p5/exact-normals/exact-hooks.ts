@@ -3,10 +3,11 @@ import { compileWarp } from '#text-compiler'
 import { drawInputs, type OffsetFunction, type Target } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import { markLibraryFunction } from '../../errors/operators.js'
+import { withoutLocation } from '../../glsl-source/generated.js'
 import { readOffset } from '../../glsl-source/offset.js'
-import { Place } from '../../options/place.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
+import { place } from './place.js'
 import { randomCallsOf } from './random-calls.js'
 import { storageReadsOf } from './storage-reads.js'
 import { wgslOfHook } from './strands-wgsl.js'
@@ -128,15 +129,13 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
         : new WarpError(strandsMessage(error.message, hookName!))
     }
   }
-  const language = isWgsl(shader) ? 'wgsl' : 'glsl'
   const read = withStrandsMessages(() =>
-    readOffset(new Place(`${language}Offset`), language, source, {
+    readOffset(place, isWgsl(shader) ? 'wgsl' : 'glsl', source, {
       function: moved,
       returns: 'position',
       maxIterations,
     }),
   )
-  if (read.cutOff) warnCutOff(hookName!, hook, read.cutOff)
   // Passes only these inputs: in a hook, millis, size and instance may be variables of the sketch.
   const offset: OffsetFunction = markLibraryFunction(
     ({ glsl, position, normal, uv, color, uniforms }) =>
@@ -146,6 +145,7 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     compileWarp(offset, { ...options, normals: false }),
   )
   if (withoutNormals.stats.operations === 0) return undefined
+  if (read.cutOff) warnCutOff(hookName!, hook, read.cutOff)
   if (withoutNormals.uniforms.some((each) => each.name === vertexId)) throw randomError(hookName!)
   const exact = withStrandsMessages(() => compileWarp(offset, options))
   const isExact = isFirst || !readsVariation(exact)
@@ -163,9 +163,7 @@ const warnSecondHook = (hookName: string) =>
 
 /** Lines of p5.strands have numbers that no user knows. */
 function warnCutOff(hookName: string, hook: string, message: string) {
-  const located = isGeneratedByStrands(hook)
-    ? message.replace(/^line \d+, column \d+: /, '')
-    : message
+  const located = isGeneratedByStrands(hook) ? withoutLocation(message) : message
   console.warn(`exactNormals: ${hookName} has normals as if a loop ended early: ${located}`)
 }
 

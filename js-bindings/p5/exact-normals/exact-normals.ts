@@ -5,8 +5,7 @@
  */
 import { WarpError } from '../../errors/errors.js'
 import { loopKinds, type LoopOptions } from '../../options/iterations.js'
-import { Place } from '../../options/place.js'
-import { object, type KindsOf } from '../../options/schema.js'
+import { object } from '../../options/schema.js'
 import { normalMatrices } from '../hooks/struct-hooks.js'
 import type { Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
@@ -24,6 +23,7 @@ import {
 } from '../variation/variation-wgsl.js'
 import { makeExactHooks, type ExactHooks, type Hooks } from './exact-hooks.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
+import { place } from './place.js'
 import { describeShader } from './unreadable-hooks.js'
 
 /** Each of these hooks moves positions in its own space; its normals are transformed in the same space. */
@@ -34,18 +34,21 @@ const normalHooks = ['vec3 getLocalNormal', 'vec3 getWorldNormal']
 
 export type ExactNormalsOptions = LoopOptions
 
-const optionsKind = object(loopKinds satisfies KindsOf<ExactNormalsOptions>)
+const optionsKind = object(loopKinds)
 
 /**
  * Returns the shader with exact normals, if its hooks move positions. If a hook is unsupported, for example because its position depends
  * on an attribute that the sketch defines, warns on the console and returns the shader unchanged. Throws a `WarpError` for anything but
  * a shader of surfaces.
+ *
+ * A loop whose end only the shader knows runs until it ends. If it cannot stay a loop in the shader, its normals are those of 256
+ * iterations, and a console warning says which loop that is. The option `maxIterations` limits every such loop and silences the warning.
  */
 export function exactNormals<Given extends object>(
   shader: Given,
   options?: ExactNormalsOptions,
 ): Given {
-  const { maxIterations } = optionsKind.read(options, new Place('exactNormals'))
+  const { maxIterations } = optionsKind.read(options, place)
   const modified = shader as unknown as ModifiedShader
   const hooks = modified?.hooks?.modified?.vertex && modified.hooks.vertex
   const has = (names: readonly string[]) => names.every((name) => name in (hooks ?? {}))
@@ -66,7 +69,7 @@ export function exactNormals<Given extends object>(
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
     console.warn(
-      `exactNormals: the shader stays as it is. ${error.message.replace(/^(?:glsl|wgsl)Offset: /, '')}`,
+      `${place.method}: the shader stays as it is. ${place.withoutMethod(error.message)}`,
     )
     return shader
   }

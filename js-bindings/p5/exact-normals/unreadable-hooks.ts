@@ -1,6 +1,8 @@
 /** Messages about hooks that `exactNormals` cannot read. They name calls of the sketch, not the source that p5 generated from it. */
 import { WarpError, describe } from '../../errors/errors.js'
+import { withoutLocation } from '../../glsl-source/generated.js'
 import type { ModifiedShader } from './modified-shader.js'
+import { place } from './place.js'
 
 /** Patterns of hook names, each with a description of the shaders that have such a hook. */
 const otherShaders: readonly (readonly [RegExp, string])[] = [
@@ -50,8 +52,9 @@ export const storageError = (storage: string, hookName: string) =>
 
 /** Returns a message about source that p5.strands generated, without line numbers, since no user wrote those lines. */
 export const strandsMessage = (message: string, hookName: string) =>
-  `p5.strands generates source for ${hookName} that exactNormals cannot read (${message
-    .replace(/^(?:(?:glsl|wgsl)Offset: )?line \d+, column \d+: /, '')
+  `p5.strands generates source for ${hookName} that exactNormals cannot read (${withoutLocation(
+    place.withoutMethod(message),
+  )
     .split('\n')[0]!
     .replace(/[.;]?$/, '')}); write the motion for createWarp.`
 

@@ -22,8 +22,10 @@ export interface Parameter {
 export interface Displacement {
   warp: ThreeWarp
   parameters: readonly Parameter[]
-  /** Messages about statements of the shader that are ignored, or about a loop that is cut off. */
-  notes: readonly string[]
+  /** The message about statements of the shader that are ignored, if there are any. */
+  note: string | undefined
+  /** The message about a loop that is cut off before its end, if there is one. */
+  cutOff: string | undefined
 }
 
 /** A warp made of the displacement of a shader. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
@@ -83,11 +85,12 @@ export function readDisplacement(
       type,
       isAttribute: attributes.has(withNamesOfShader(name)) || name.startsWith('gl_'),
     }))
-  const notes = [
-    note ?? [],
-    cutOff ? `has normals as if a loop ended early: ${withNamesOfShader(cutOff)}` : [],
-  ].flat()
-  return { warp, parameters: warp.parameters, notes }
+  return {
+    warp,
+    parameters: warp.parameters,
+    note,
+    cutOff: cutOff && `has normals as if a loop ended early: ${withNamesOfShader(cutOff)}`,
+  }
 }
 
 const isSampler = (type: string) => /sampler/i.test(type)

@@ -150,8 +150,10 @@ export class ExactMaterial {
     if (!usesChunks && !isShaderMaterial) return
     try {
       const displacement = this.read(shader)
-      for (const note of displacement.notes) this.warn(note)
-      if (displacement.warp.isRigid) return
+      const { warp, note, cutOff } = displacement
+      if (note) this.warn(note)
+      if (warp.isRigid) return
+      if (cutOff) this.warn(cutOff)
       const woven = usesChunks
         ? this.weaveChunks(shader, renderer, displacement)
         : this.weaveAttribute(shader, displacement)

@@ -40,6 +40,9 @@ const optionKinds = object({
  *
  * With a mesh, its shadows, culling and rays follow the displacement, too.
  *
+ * A loop whose end only the shader knows runs until it ends. If it cannot stay a loop in the shader, its normals are those of 256
+ * iterations, and a console warning says which loop that is. The option `maxIterations` limits every such loop and silences the warning.
+ *
  * A shader that cannot be read stays as it is, with one message on the console. Throws a `WarpError` for anything but a material or a
  * mesh, for materials of sprites, lines, points and nodes, and for a material that `warpMaterial` has warped. Other materials without
  * normals stay as they are.

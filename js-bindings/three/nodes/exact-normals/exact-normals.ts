@@ -7,7 +7,7 @@ import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
 import { addExact } from './exact-node-materials.js'
-import type { ExactSettings } from './exact-warp.js'
+import type { ExactNodeSettings } from './exact-warp.js'
 
 export interface ExactNormalsOptions extends LoopOptions {
   /**
@@ -25,7 +25,7 @@ const optionsKind = object({
 } satisfies KindsOf<ExactNormalsOptions>)
 
 /** Returns settings for the warp that is read from a positionNode. */
-export const settingsWith = (normals: NormalsOption, maxIterations: number): ExactSettings => ({
+export const settingsWith = (normals: NormalsOption, maxIterations: number): ExactNodeSettings => ({
   method: place.method,
   space: 'local',
   isAfterInstances: true,
@@ -42,6 +42,10 @@ export const settingsWith = (normals: NormalsOption, maxIterations: number): Exa
  * Makes the normals, tangents and velocities of a material follow its `positionNode`: `exactNormals(material)`. We read the position from
  * the shader code that three.js writes for the node, on WebGPU and on WebGL 2, and differentiate it. The material's `normalNode` and
  * normal maps are applied to the new normals.
+ *
+ * A loop whose end only the shader knows runs until it ends. If it cannot stay a loop in the shader, it is cut off after 256 iterations,
+ * position and normal, and a console warning says which loop that is. The option `maxIterations` limits every such loop and silences the
+ * warning.
  *
  * Returns the material. Throws a `WarpError` unless it is a node material with a `positionNode` and without a `vertexNode`. If the position
  * cannot be differentiated, for example because it depends on `vertexIndex`, the material keeps its normals, and a console warning gives

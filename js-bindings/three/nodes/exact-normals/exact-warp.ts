@@ -7,6 +7,7 @@ import {
   type Target,
 } from '../../../compile/hosts.js'
 import { markLibraryFunction } from '../../../errors/operators.js'
+import { readGenerated } from '../../../glsl-source/generated.js'
 import { readOffset, readPositionWithOthers } from '../../../glsl-source/offset.js'
 import { Place } from '../../../options/place.js'
 import type { Settings } from '../../settings.js'
@@ -15,7 +16,7 @@ import { tsl, type AnyNode } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
 import { functionName, sizeOfEffects, type PositionSource } from './read-position.js'
 
-export interface ExactSettings extends Settings {
+export interface ExactNodeSettings extends Settings {
   /** The option, or `untilEnd`. */
   maxIterations: number
 }
@@ -29,18 +30,19 @@ interface ExactOffset {
   cutOff: string
 }
 
-const placeOf = (language: string) => new Place(`${language}Offset`)
-
 /** Returns the offset function of a positionNode. */
 export function offsetOf(
   { language, text }: PositionSource,
-  { maxIterations }: ExactSettings,
+  { method, maxIterations }: ExactNodeSettings,
 ): ExactOffset {
-  const read = readOffset(placeOf(language), language, text, {
-    function: functionName,
-    returns: 'position',
-    maxIterations,
-  })
+  const place = new Place(method)
+  const read = readGenerated(place, () =>
+    readOffset(place, language, text, {
+      function: functionName,
+      returns: 'position',
+      maxIterations,
+    }),
+  )
   // The other inputs, such as millis, would be taken for uniforms of the source that have their names.
   const offset: OffsetFunction = markLibraryFunction(({ glsl, position, normal, uv, uniforms }) =>
     read.offset({ glsl, position, normal, uv, uniforms } as never),
@@ -56,13 +58,13 @@ const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 /** Returns the offset function of a positionNode with its effects. */
 function offsetWithEffectsOf(
   { language, effects }: PositionSource,
-  { maxIterations }: ExactSettings,
+  { method, maxIterations }: ExactNodeSettings,
   text: string,
 ): ExactOffset {
-  const { read, cutOff } = readPositionWithOthers(placeOf(language), language, text, {
-    function: functionName,
-    maxIterations,
-  })
+  const place = new Place(method)
+  const { read, cutOff } = readGenerated(place, () =>
+    readPositionWithOthers(place, language, text, { function: functionName, maxIterations }),
+  )
   let numbers: readonly Expression[] = []
   const offset: OffsetFunction = markLibraryFunction(({ glsl, position, normal, uv, uniforms }) => {
     const { offset, others } = read({ glsl, position, normal, uv, uniforms } as never)
@@ -85,7 +87,7 @@ export class ExactWarp extends ThreeWarp {
   private readonly elements: readonly string[]
 
   /** `text` is the `textWithEffects` of the source. If it is passed, the shader code computes the effects, too. */
-  constructor(source: PositionSource, settings: ExactSettings, text?: string) {
+  constructor(source: PositionSource, settings: ExactNodeSettings, text?: string) {
     const types = new Map([...source.values].map(([name, { type }]) => [name, type]))
     const images = Object.fromEntries(
       [...source.textures].map(([name, node]) => [name, () => node.value as Texture]),

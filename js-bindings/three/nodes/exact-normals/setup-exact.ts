@@ -3,6 +3,7 @@ import type { Material } from 'three'
 import { variationAttribute } from '../../../compile/hosts.js'
 import { WarpError } from '../../../errors/errors.js'
 import { surfaceVariation } from '../../../mesh/surface-variation.js'
+import { Place } from '../../../options/place.js'
 import { nameOf, nameOfMaterial } from '../../describe.js'
 import type { ThreeWarp } from '../../three-warp.js'
 import { addVariation } from '../../variation.js'
@@ -19,7 +20,8 @@ import { previousValues } from './previous-values.js'
 import { readPosition, siblingOf, sizeOfEffects, type PositionSource } from './read-position.js'
 import { endWarmUp } from './warm-up.js'
 
-const method = 'exactNormals'
+const place = new Place('exactNormals')
+const { method } = place
 
 /**
  * Adds a material's `positionNode` to the vertex shader that is being built, as three.js does: after morph targets, bones, the displacement
@@ -42,7 +44,7 @@ export function displaceExactly(
       if (!(error instanceof WarpError)) throw error
       warnOnce(
         exact,
-        `the normals of ${nameOfMaterial(builder.material)} of ${nameOf(builder.object)} stay as they are: ${withoutPlace(error.message)}`,
+        `the normals of ${nameOfMaterial(builder.material)} of ${nameOf(builder.object)} stay as they are: ${place.withoutMethod(error.message)}`,
       )
     }
   }
@@ -60,11 +62,9 @@ function moveExactly(
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)
-  if (warp.cutOff)
-    warnOnce(
-      exact,
-      `${nameOfMaterial(builder.material)} cuts off a loop: ${withoutPlace(warp.cutOff)}`,
-    )
+  // Without operations and effects, the warp reads no result of the loop.
+  if (warp.cutOff && (warp.operations() > 0 || warp.otherNames.length > 0))
+    warnOnce(exact, `${nameOfMaterial(builder.material)} cuts off a loop: ${warp.cutOff}`)
   if (warp.varies) ensureVariation(builder)
   for (const node of source.updated) {
     builder.addNode(node)
@@ -193,10 +193,6 @@ function ensureVariation({ geometry }: Builder) {
   if (!geometry.hasAttribute(variationAttribute('normalXGradient')))
     addVariation(geometry, surfaceVariation)
 }
-
-/** Removes the name of the method, and the line and column, since three.js has written the code. */
-const withoutPlace = (message: string) =>
-  message.replace(/^(?:(?:exactNormals|(?:glsl|wgsl)Offset): )?(?:line \d+, column \d+: )?/, '')
 
 function warnOnce({ warned }: ExactNodeMaterial, message: string) {
   if (warned.has(message)) return

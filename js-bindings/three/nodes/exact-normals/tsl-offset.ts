@@ -4,6 +4,7 @@ import type { Node } from 'three/webgpu'
 import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
 import { WarpError, describe } from '../../../errors/errors.js'
 import { markLibraryFunction } from '../../../errors/operators.js'
+import { readGenerated } from '../../../glsl-source/generated.js'
 import { readOffset } from '../../../glsl-source/offset.js'
 import { loopKinds, type LoopOptions } from '../../../options/iterations.js'
 import { callback, oneOf } from '../../../options/kinds.js'
@@ -45,6 +46,10 @@ const optionsKind = object({
  * any host, and on the CPU for evaluation, bounds and so on. `time` is the input `millis` in seconds; the result's `uniforms` has the other
  * uniforms.
  *
+ * A loop whose end only the shader knows runs until it ends; on the CPU it runs at most 256 iterations, and a vertex that needs more is
+ * `NaN`. If it cannot stay a loop in the shader, it is cut off after 256 iterations, and a console warning says which loop that is. The
+ * option `maxIterations` limits every such loop, on the CPU, too, and silences the warning.
+ *
  * Throws a `WarpError` if the function reads something that offset functions do not have, such as `instanceIndex` or the camera.
  */
 export function tslOffset(
@@ -64,11 +69,9 @@ export function tslOffset(
   ]
   const unknownNode = source.updated.find((node) => !uniformsOfNodes.has(node))
   if (unknownNode) throw unknownValueError(unknownNode)
-  const read = readOffset(new Place('glslOffset'), 'glsl', source.text, {
-    function: functionName,
-    returns,
-    maxIterations,
-  })
+  const read = readGenerated(place, () =>
+    readOffset(place, 'glsl', source.text, { function: functionName, returns, maxIterations }),
+  )
   if (read.cutOff) console.warn(`${place.method}: ${read.cutOff}`)
   const offset = markLibraryFunction((inputs: WarpInputs) => {
     const { glsl, position, normal, uv } = inputs
