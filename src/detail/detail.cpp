@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::size_t numbersPerView = 19;
 
+// The approximate max number of triangles of a divided mesh. A surface that needs more is drawn
+// less exactly.
+constexpr double maxDrawnTriangles = 1 << 20;
+
 ScreenView readView(std::span<const float> numbers) {
   ScreenView view;
   for (int i = 0; i < 16; ++i) view.clip[i / 4][i % 4] = numbers[i];
@@ -134,21 +138,25 @@ bool Detail::cut(float maxLength) {
   return true;
 }
 
+double Detail::countTriangles() {
+  double count = 0;
+  for (std::size_t t = 0; t < base_->triangles().size(); ++t)
+    count += static_cast<double>(
+        tessellations_.get(piecesOf(*base_, t, needs_.pieces())).triangles.size());
+  return count;
+}
+
 // A uniform division of the given mesh is better where the surface bends about equally everywhere:
 // it does without the cuts, which only serve to measure, and can have any number of pieces. It is
 // chosen once it has fewer triangles, and given up once it has 1.2 times as many, so that the
 // choice doesn't alternate.
-std::uint32_t Detail::chooseUniform() {
+std::uint32_t Detail::chooseUniform(double adaptiveTriangles) {
   constexpr float maxUniform = 256;
   const float need = std::max(1.0f, needs_.uniformNeed());
   if (cuts_.empty() || need > maxUniform) return 0;
   const auto pieces =
       std::clamp(uniformPieces_, static_cast<std::uint32_t>(std::ceil(need)),
                  static_cast<std::uint32_t>(std::ceil(need * criterion.hysteresis)));
-  double adaptiveTriangles = 0;
-  for (std::size_t t = 0; t < base_->triangles().size(); ++t)
-    adaptiveTriangles += static_cast<double>(
-        tessellations_.get(piecesOf(*base_, t, needs_.pieces())).triangles.size());
   const auto givenTriangles =
       static_cast<double>(makeInterpolationOfGiven().base().triangles().size());
   const double uniformTriangles = givenTriangles * pieces * pieces;
@@ -166,9 +174,15 @@ const std::vector<std::uint32_t>& Detail::show(bool listsSamples) {
 
 bool Detail::update(float tolerance) {
   const std::span<const Patch> patches = cuts_.empty() ? std::span<const Patch>() : patches_;
-  const bool isChanged =
-      needs_.update({*base_, patches, warped_, visible_.triangles()}, views_, tolerance);
-  const std::uint32_t uniform = chooseUniform();
+  const WarpedMesh mesh{*base_, patches, warped_, visible_.triangles()};
+  bool isChanged = needs_.update(mesh, views_, tolerance);
+  double triangles = countTriangles();
+  // The error is inversely proportional to the number of triangles.
+  for (int i = 0; i < 4 && triangles > maxDrawnTriangles; ++i, triangles = countTriangles()) {
+    tolerance *= static_cast<float>(1.1 * triangles / maxDrawnTriangles);
+    isChanged |= needs_.update(mesh, views_, tolerance);
+  }
+  const std::uint32_t uniform = chooseUniform(triangles);
   const bool isSame = uniform == uniformPieces_ && (uniform != 0 || !isChanged);
   if (isSame && !indices_.empty()) return false;
   uniformPieces_ = uniform;

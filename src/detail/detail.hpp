@@ -109,7 +109,9 @@ class Detail {
   }
   // Returns the number of pieces per side of a uniform division of the given mesh, if that has
   // fewer triangles than a division by the needs of each edge; otherwise 0.
-  std::uint32_t chooseUniform();
+  std::uint32_t chooseUniform(double adaptiveTriangles);
+  // Returns the number of triangles of a division by the needs of each edge.
+  double countTriangles();
   void write();
   std::span<const Cut> usedCuts() const;
 

@@ -45,6 +45,20 @@ std::optional<FrontAt> stepAt(Graph& graph, NodeId argument, std::optional<doubl
   return FrontAt{argument, {Profile::Step, *first, *second}};
 }
 
+// A product of equal factors, as a power of one of them.
+struct Power {
+  NodeId base;
+  int exponent;
+};
+
+Power powerAt(const Graph& graph, NodeId id) {
+  if (!graph.is(id, ops::find("mult"))) return {id, 1};
+  const Power first = powerAt(graph, graph.operand(id, 0));
+  const Power second = powerAt(graph, graph.operand(id, 1));
+  if (first.base != second.base) return {id, 1};
+  return {first.base, first.exponent + second.exponent};
+}
+
 std::optional<FrontAt> frontOfDivision(Graph& graph, NodeId divisor) {
   // A sigmoid: 1 / (c + exp(x)).
   for (int i = 0; i < 2 && graph.is(divisor, ops::find("add")); ++i) {
@@ -54,6 +68,8 @@ std::optional<FrontAt> frontOfDivision(Graph& graph, NodeId divisor) {
     return stepAt(graph, graph.operand(term, 0), std::log(*c) - endOfSigmoid,
                   std::log(*c) + endOfSigmoid);
   }
+  if (const auto [base, exponent] = powerAt(graph, divisor); exponent > 1)
+    return powerOf(base, -exponent);
   // Vectors are often normalized. That has no narrow peak, and measuring it takes milliseconds.
   if (graph.is(divisor, ops::find("sqrt"))) return std::nullopt;
   return powerOf(divisor, -1);
