@@ -276,3 +276,19 @@ test('wrong arguments are named', () => {
   })
   divided.dispose()
 })
+
+// Without a limit there would be thirty million triangles.
+test('a wave with thousands of periods makes about a million triangles', () => {
+  const warp = compileWarp(
+    ({ glsl, position, uniforms }) =>
+      glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0),
+    { normals: false, uniforms: { waves: 1 } },
+  )
+  const { attributes, index } = new THREE.BoxGeometry()
+  const mesh = { positions: attributes.position.array, indices: index.array }
+  const divided = createDetail(mesh, warp)
+  divided.update(near, { uniforms: { waves: 1e5 } })
+  const count = divided.indices.length / 3
+  divided.dispose()
+  assert.ok(count > 2 ** 16 && count < 1.2 * 2 ** 20, `${count} triangles`)
+})

@@ -45,6 +45,17 @@ const bump = (x, y) => (z) => ({
 })
 const squareOfDistance = (p, q) => p.reduce((sum, a, i) => sum + (a - q[i]) ** 2, 0)
 
+/** A peak of (1 + 300 r²)⁻² at a place of the mesh, r being the distance from an axis along z. */
+const spike = (x, y) => () => ({
+  offset({ glsl, position }) {
+    const d = position.sub(glsl.vec3(x, y, 0))
+    const square = d.x().mult(d.x()).add(d.y().mult(d.y()))
+    return raise(glsl, square.mult(300).add(1).pow(-2))
+  },
+  height: (p) => (1 + 300 * ((p[0] - x) ** 2 + (p[1] - y) ** 2)) ** -2,
+  isNear: (p) => (p[0] - x) ** 2 + (p[1] - y) ** 2 < 0.12 ** 2,
+})
+
 /** A function of x. */
 const along = (offset, height, isNear) => () => ({
   offset: ({ glsl, position }) => raise(glsl, offset(position.x(), glsl)),
@@ -55,6 +66,7 @@ const along = (offset, height, isNear) => () => ({
 const cases = {
   'a bump in the middle': bump(0, 0),
   'a bump off the middle': bump(0.13, 0.27),
+  'a negative power': spike(0.13, 0.27),
   'a smoothstep of width 0.04': along(
     (x, glsl) => glsl.smoothstep(0.37, 0.41, x),
     (x) => smoothstep(0.37, 0.41, x),
