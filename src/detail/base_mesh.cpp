@@ -1,6 +1,7 @@
 #include "detail/base_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "detail/places.hpp"
@@ -44,6 +45,17 @@ Weights BaseMesh::onTriangle(std::uint32_t side, const std::array<float, 2>& wei
   all[first] = weights[isForward ? 0 : 1];
   all[(first + 1) % 3] = weights[isForward ? 1 : 0];
   return all;
+}
+
+float BaseMesh::lengthOf(std::uint32_t side) const {
+  const auto& [a, b] = sides_[side].ends;
+  const float* positions = attributes_[0].values.data();
+  float square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const float difference = positions[3 * a + k] - positions[3 * b + k];
+    square += difference * difference;
+  }
+  return std::sqrt(square);
 }
 
 }  // namespace warpjet

@@ -55,6 +55,8 @@ class BaseMesh {
   // Returns the number of the place of a vertex, which is below `vertexCount`. Vertices at one
   // place, on both sides of a seam, have the same number.
   std::uint32_t placeOf(std::uint32_t vertex) const { return places_[vertex]; }
+  // Returns the length of a side at the present positions.
+  float lengthOf(std::uint32_t side) const;
   bool startsAt(std::uint32_t side, std::uint32_t vertex) const {
     return sides_[side].ends[0] == vertex;
   }

@@ -84,17 +84,6 @@ std::array<bool, 3> sidesToHalve(const FrontInTriangle& front, const FrontScale&
   return isInside ? std::array{true, true, true} : sides;
 }
 
-float lengthOf(const BaseMesh& base, std::uint32_t side) {
-  const auto& [a, b] = base.sides()[side].ends;
-  const float* positions = base.attributes()[0].values.data();
-  float square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const float difference = positions[3 * a + k] - positions[3 * b + k];
-    square += difference * difference;
-  }
-  return std::sqrt(square);
-}
-
 }  // namespace
 
 std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float minLength) {
@@ -106,7 +95,7 @@ std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples
     for (std::size_t t = 0; t < ranges.size(); ++t) {
       const std::array<bool, 3> sides = sidesToHalve(ranges[t], scale);
       for (int k = 0; k < 3; ++k) {
-        if (sides[k] && lengthOf(base, base.sidesOf(t)[k]) >= minLength)
+        if (sides[k] && base.lengthOf(base.sidesOf(t)[k]) >= minLength)
           edges[base.edgeOf(t, k)] = true;
       }
     }

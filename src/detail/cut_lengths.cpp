@@ -60,11 +60,9 @@ double countTriangles(const BaseMesh& base, const std::vector<float>& lengths) {
 
 std::vector<float> cutLengths(const BaseMesh& base, const PhaseSamples& samples, float maxLength) {
   std::vector<float> lengths(base.edgeCount());
-  const float* positions = base.attributes()[0].values.data();
   for (std::uint32_t side = 0; side < base.sides().size(); ++side) {
-    const auto& [ends, edge, triangle] = base.sides()[side];
-    const float length = distanceOf(positions + 3 * ends[0], positions + 3 * ends[1], 3);
-    lengths[edge] = std::max({lengths[edge], length / maxLength, changeAlong(base, side, samples)});
+    float& length = lengths[base.sides()[side].edge];
+    length = std::max({length, base.lengthOf(side) / maxLength, changeAlong(base, side, samples)});
   }
   const double triangles = countTriangles(base, lengths);
   const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));

@@ -87,7 +87,7 @@ float errorOf(float a, float b, float c) {
   return a * b * c / squaredArea / 2;
 }
 
-// What a triangle needs for an error of one pixel.
+// The needs of a triangle for an error of one pixel.
 struct TriangleNeeds {
   // The squares of the numbers of pieces of its sides.
   SquaredSides sides{};

@@ -51,10 +51,14 @@ struct Power {
   int exponent;
 };
 
-Power powerAt(const Graph& graph, NodeId id) {
-  if (!graph.is(id, ops::find("mult"))) return {id, 1};
-  const Power first = powerAt(graph, graph.operand(id, 0));
-  const Power second = powerAt(graph, graph.operand(id, 1));
+// Products of products are only searched this deep: factors are shared, so that each level can
+// double the visits.
+constexpr int maxProductDepth = 6;
+
+Power powerAt(const Graph& graph, NodeId id, int depth = maxProductDepth) {
+  if (depth == 0 || !graph.is(id, ops::find("mult"))) return {id, 1};
+  const Power first = powerAt(graph, graph.operand(id, 0), depth - 1);
+  const Power second = powerAt(graph, graph.operand(id, 1), depth - 1);
   if (first.base != second.base) return {id, 1};
   return {first.base, first.exponent + second.exponent};
 }

@@ -19,9 +19,8 @@ constexpr int maxUnrolledUnknown = 256;
 constexpr const char* cutOffMessage =
     "only the shader knows where this loop ends, and it can't stay a loop there, since it changes "
     "more than about 30 numbers or is nested more than 8 deep, so it is cut off after 256 "
-    "iterations; "
-    "let it change fewer numbers, such as a shorter array, or set the option maxIterations (1 to "
-    "4096)";
+    "iterations; let it change fewer numbers, such as a shorter array, or set the option "
+    "maxIterations (1 to 4096)";
 
 }  // namespace
 

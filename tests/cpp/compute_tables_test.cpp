@@ -46,11 +46,17 @@ TEST(ComputeTables, TessellationsAreInAscendingOrder) {
   EXPECT_EQ(words[2 * pieceCounts.size() + 1], 2u);
 }
 
+// Makes all tessellations up to number `last`.
+TessellationTable tableUpTo(int last) {
+  TessellationTable table;
+  for (int i = 0; i <= last; ++i) table.makeNext();
+  return table;
+}
+
 // The tessellation with 4, 4 and 4 pieces on its sides is number 333, counted from 0. It has 16
 // equal triangles with three inner points, whose weights are 1/4, 1/4 and 1/2.
 TEST(ComputeTables, TessellationsHaveTheirWeights) {
-  TessellationTable table;
-  for (int i = 0; i <= 333; ++i) table.makeNext();
+  const TessellationTable table = tableUpTo(333);
   const Words& words = table.words();
   const std::uint32_t first = words[666], counts = words[667];
   EXPECT_EQ(counts, 3u << 21 | 16u);
@@ -68,8 +74,7 @@ TEST(ComputeTables, TessellationsHaveTheirWeights) {
 // The tessellation with 3, 3 and 1 pieces is number 220. It has two quadrilaterals between the long
 // sides, whose diagonals can be flipped, and the triangle at the corner between them.
 TEST(ComputeTables, TessellationsHaveTheirFlips) {
-  TessellationTable table;
-  for (int i = 0; i <= 220; ++i) table.makeNext();
+  const TessellationTable table = tableUpTo(220);
   const Words& words = table.words();
   const std::uint32_t first = words[440], counts = words[441];
   EXPECT_EQ(counts, 2u << 11 | 5u);

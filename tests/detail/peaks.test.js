@@ -141,3 +141,23 @@ test('a bump that a uniform moves is followed, and leaves no trail', () => {
     divided.dispose()
   }
 })
+
+// Each factor is the product of the two before it, so that the last one is a product of ten billion shared factors.
+test(
+  'a division by a product of many shared factors is compiled at once',
+  { timeout: 20_000 },
+  () => {
+    const warp = compileWarp(
+      ({ glsl, position }) => {
+        let [product, before] = [position.x().add(2), position.y().add(3)]
+        for (let i = 0; i < 50; i++) [product, before] = [product.mult(before), product]
+        return glsl.vec3(0, glsl.val(1).div(product), 0)
+      },
+      { normals: false },
+    )
+    const divided = createDetail({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] }, warp)
+    divided.update(viewFrom(0, 0, 4))
+    assert.ok(divided.indices.length >= 3)
+    divided.dispose()
+  },
+)
