@@ -17,9 +17,11 @@ set_source_files_properties(
 # Keeps clang from replacing pow(2, x) by exp2, which JavaScript's Math lacks.
 set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp src/ops/interval_functions.cpp src/ops/interval_steps.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
 
-# Enables SIMD for the code that computes four vertices at a time. The core module must not contain that code, since link-time
+# Enables SIMD for the code that computes four vertices or triangles at a time. The core module must not contain that code, since link-time
 # optimization would enable SIMD for all functions of a module that contains one such function.
-set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
+set_source_files_properties(js-bindings/wasm/evaluation.cpp js-bindings/wasm/detail.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
+# Vectorized loops, which are mostly short, would be larger and not faster.
+target_compile_options(warpjet_detail PRIVATE -msimd128 -fno-vectorize)
 set_source_files_properties(
   src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp src/eval/stages.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
@@ -93,7 +95,6 @@ warpjet_module_without_exceptions(glsl 1048576 warpjet_source)
 target_link_options(warpjet_glsl_wasm PRIVATE ${without_simd} -Wl,--stack-first)
 
 warpjet_module_without_exceptions(detail 262144 warpjet_detail)
-target_link_options(warpjet_detail_wasm PRIVATE ${without_simd})
 
 # A malicious file may request any amount of memory and nest arbitrarily deep. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.

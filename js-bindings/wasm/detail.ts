@@ -2,7 +2,7 @@
 import type { Bound, Detail } from '../generated/detail-bindings.js'
 import inlined from '../generated/detail-wasm.js'
 import factory from '../generated/detail.js'
-import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
+import { WasmInstance, explainNoSimd, outOfMemory, type Emscripten } from './instance.js'
 
 export type { Detail }
 
@@ -28,6 +28,7 @@ export const details = new WasmInstance<DetailModule>({
     (megabytes) =>
       `There is not enough memory to draw this mesh with detail: meshes already take ${megabytes} MB.`,
   ),
+  explainStart: explainNoSimd('Detail'),
 })
 
 /**

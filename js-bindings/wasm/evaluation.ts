@@ -1,10 +1,9 @@
 // Loads the wasm module that evaluates programs at many vertices (evaluation.cpp). It is separate from the compiler's, which does not need
 // SIMD. It starts when the first warp is evaluated, and frees its memory after each call.
-import { WarpError } from '../errors/errors.js'
 import type { Bound } from '../generated/evaluation-bindings.js'
 import inlined from '../generated/evaluation-wasm.js'
 import factory from '../generated/evaluation.js'
-import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
+import { WasmInstance, explainNoSimd, outOfMemory, type Emscripten } from './instance.js'
 
 export type { Code, InputArray, Program } from '../generated/evaluation-bindings.js'
 
@@ -21,11 +20,7 @@ export const evaluation = new WasmInstance<Evaluation>({
     (megabytes) =>
       `There is not enough memory to evaluate so large a warp on the CPU, which already takes ${megabytes} MB.`,
   ),
-  explainStart: (cause) =>
-    cause instanceof WebAssembly.CompileError &&
-    new WarpError(
-      'A warp on the CPU needs WebAssembly with SIMD, which this browser lacks; update it (Chrome 114, Firefox 89, Safari 16.4 and Node have it).',
-    ),
+  explainStart: explainNoSimd('A warp on the CPU'),
 })
 
 function withImports(bound: Bound & Emscripten): Evaluation {

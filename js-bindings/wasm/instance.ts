@@ -41,6 +41,13 @@ interface Options {
   maxKeptBytes?: number
 }
 
+/** Explains why a module with SIMD does not start in an old browser. `user` is what needs it. */
+export const explainNoSimd = (user: string) => (cause: unknown) =>
+  cause instanceof WebAssembly.CompileError &&
+  new WarpError(
+    `${user} needs WebAssembly with SIMD, which this browser lacks; update it (Chrome 114, Firefox 89, Safari 16.4 and Node have it).`,
+  )
+
 export class WasmInstance<Bound extends Emscripten> {
   private instance: Bound | undefined
 

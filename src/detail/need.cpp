@@ -4,119 +4,85 @@
 #include <array>
 #include <cmath>
 
+#include "detail/bend.hpp"
 #include "detail/criterion.hpp"
 #include "detail/tessellation.hpp"
+#include "detail/triangles_on_screen.hpp"
 
 namespace warpjet {
 
 namespace {
 
-using glm::vec2, glm::vec3;
-
-// A triangle in its plane: corner 0 is the origin, corner 1 on the first axis.
-struct PlanarTriangle {
-  float width;  // the first coordinate of corner 1
-  vec2 apex;    // corner 2
-
-  PlanarTriangle(vec3 a, vec3 b, vec3 c) {
-    const vec3 u = b - a, v = c - a;
-    width = glm::length(u);
-    apex.x = dot(u, v) / width;
-    const float lowest = criterion.lowest * std::sqrt(dot(u, u) + dot(v, v));
-    apex.y = std::max(lowest, std::sqrt(std::max(0.0f, dot(v, v) - apex.x * apex.x)));
-  }
+// How much four triangles bend, for an error of one pixel.
+struct Bends {
+  // The squared sides in the metric of the bend: see `Needs::squaredSides`.
+  std::array<Lanes, 3> squares{0.0f, 0.0f, 0.0f};
+  // The error of the given triangles that they are parts of, if these had the same bend everywhere.
+  Lanes error = 0.0f;
 };
 
-// The symmetric matrix ((xx, xy), (xy, yy)).
-struct Quadratic {
-  float xx = 0, xy = 0, yy = 0;
-
-  float along(vec2 v) const { return xx * v.x * v.x + 2 * xy * v.x * v.y + yy * v.y * v.y; }
-};
-
-// Returns M such that e' M e bounds the second derivative along e. M is the root of the sum of the
-// squared Hessians of x and y on the screen, in the plane of the triangle. Second derivatives along
-// the sides alone would miss the bend of a saddle.
-Quadratic bendOf(const PlanarTriangle& triangle, const std::array<vec2, 3>& alongSides) {
-  Quadratic sum;
-  for (int k = 0; k < 2; ++k) {
-    const float first = alongSides[0][k], second = alongSides[1][k], third = alongSides[2][k];
-    const float mixed = 0.5f * (first + third - second);
-    const auto [x, y] = std::array{triangle.apex.x, triangle.apex.y};
-    const float xx = first / (triangle.width * triangle.width);
-    const float xy = (mixed - xx * triangle.width * x) / (triangle.width * y);
-    const float yy = (third - xx * x * x - 2 * xy * x * y) / (y * y);
-    sum.xx += xx * xx + xy * xy;
-    sum.xy += xy * (xx + yy);
-    sum.yy += xy * xy + yy * yy;
-  }
-  const float root = std::sqrt(std::max(0.0f, sum.xx * sum.yy - sum.xy * sum.xy));
-  const float scale = 1 / std::sqrt(sum.xx + sum.yy + 2 * root);
-  return {(sum.xx + root) * scale, sum.xy * scale, (sum.yy + root) * scale};
-}
-
-// The sides of a triangle in its plane, then those of the given triangle that its patch is a part
-// of.
-using Directions = std::array<vec2, 6>;
-
-Directions directionsOf(const PlanarTriangle& triangle, const Patch* patch) {
-  const vec2 first(triangle.width, 0), second = triangle.apex;
-  Directions directions{first, second - first, second};
-  if (!patch) return directions;
-  // u and v are the sides of the patch at its first corner, as changes of the weights of corners 1
-  // and 2 of the given triangle, whose sides are (1, 0), (-1, 1) and (0, 1) in these coordinates.
-  const auto& [a, b, c] = patch->corners;
-  const vec2 u(b[1] - a[1], b[2] - a[2]), v(c[1] - a[1], c[2] - a[2]);
-  const float area = u.x * v.y - u.y * v.x;
-  const vec2 wholeFirst = (v.y * first - u.y * second) / area;
-  const vec2 wholeSecond = (u.x * second - v.x * first) / area;
-  directions[3] = wholeFirst;
-  directions[4] = wholeSecond - wholeFirst;
-  directions[5] = wholeSecond;
-  return directions;
-}
-
-// Returns the error of a flat triangle, whose sides have these squares in the metric of its bend:
-// half of the squared radius of the smallest circle around it. That is the circle through its
-// corners, unless an angle is obtuse.
-float errorOf(float a, float b, float c) {
-  const float longest = std::max({a, b, c});
-  const float others = a + b + c - longest;
-  if (others <= longest) return longest / 8;
-  const float squaredArea = 4 * (a * b + b * c + c * a) - (a + b + c) * (a + b + c);  // times 16
-  return a * b * c / squaredArea / 2;
-}
-
-// The needs of a triangle for an error of one pixel.
-struct TriangleNeeds {
-  // The squares of the numbers of pieces of its sides.
-  SquaredSides sides{};
-  // The square of the number of pieces per side, if all sides of the given mesh have the same.
-  float uniform = 0;
-};
-
-TriangleNeeds needsOf(const PlanarTriangle& triangle, const Directions& directions,
-                      const TriangleOnScreen& screen) {
-  SquaredSides sum{};
-  TriangleNeeds needs;
+Bends bendsOf(const PlanarTriangles& planar, const Directions& directions,
+              const TrianglesOnScreen& screen) {
+  Bends bends;
+  std::array<Lanes, 3> sum{0.0f, 0.0f, 0.0f};
   for (const Cell& cell : cells) {
-    std::array<vec2, 3> alongSides = screen.secondDifferences(cell);
-    for (vec2& along : alongSides) along *= float{sampleIntervals * sampleIntervals};
-    const Quadratic bend = bendOf(triangle, alongSides);
-    // A flat cell has no bend, but NaN: a root of zero divided by zero.
-    if (!std::isfinite(bend.xx + bend.xy + bend.yy)) continue;
+    std::array<Vec2, 3> alongSides = screen.secondDifferences(cell);
+    for (Vec2& along : alongSides) along *= Lanes(float{sampleIntervals * sampleIntervals});
+    const Quadratics bend = bendOf(planar, alongSides);
+    const auto ifBent = [isBent = bend.areFinite()](Lanes x) { return ifElse(isBent, x, 0.0f); };
+    std::array<Lanes, 6> squares;
+    for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = bend.along(directions[i]);
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      const float along = bend.along(directions[i]);
-      needs.sides[i] = std::max(needs.sides[i], along);
-      sum[i] += along;
+      bends.squares[i] = max(bends.squares[i], ifBent(squares[i]));
+      sum[i] += ifBent(squares[i]);
     }
-    needs.uniform = std::max(
-        needs.uniform,
-        errorOf(bend.along(directions[3]), bend.along(directions[4]), bend.along(directions[5])));
+    bends.error = max(bends.error, ifBent(errorOf(squares[3], squares[4], squares[5])));
   }
   for (std::size_t i = 0; i < sum.size(); ++i) {
-    const float max = needs.sides[i], mean = sum[i] / static_cast<float>(cells.size());
-    needs.sides[i] = (max + criterion.beyondCells * (max - mean)) * criterion.error;
+    Lanes& square = bends.squares[i];
+    const Lanes mean = sum[i] / static_cast<float>(cells.size());
+    square = (square + criterion.beyondCells * (square - mean)) * criterion.error;
+  }
+  return bends;
+}
+
+// What four triangles need.
+struct TriangleNeeds {
+  std::array<Lanes, 3> sides{0.0f, 0.0f, 0.0f};    // the squares of the numbers of pieces
+  std::array<Lanes, 3> squares{0.0f, 0.0f, 0.0f};  // see `Needs::squaredSides`
+  Lanes uniform = 0.0f;                            // the square of `Needs::uniformNeed`
+};
+
+// Raises the numbers of these lanes.
+void raise(Lanes& numbers, Mask lanes, Lanes to) {
+  numbers = max(numbers, ifElse(lanes, to, 0.0f));
+}
+
+TriangleNeeds needsOf(const WarpedMesh& mesh, const FourTriangles& triangles,
+                      std::span<const ScreenView> views, float tolerance) {
+  const Samples samples = samplesOf(mesh.base, triangles, mesh.warped);
+  const PlanarTriangles planar(mesh.base, triangles);
+  const Directions directions = directionsOf(planar, mesh.patches, triangles);
+  const float aim = criterion.aim * tolerance;
+  TriangleNeeds needs;
+  for (const ScreenView& view : views) {
+    const TrianglesOnScreen screen(view, samples);
+    const Mask areVisible = screen.areVisible();
+    if (!any(areVisible)) continue;
+    // A triangle within which the surface bends back and forth can be close to all samples,
+    // although the bends ask for pieces.
+    const Lanes errorShare = screen.flatError() * criterion.beyondFlat / aim;
+    const Mask areFine = logicalAnd(areVisible, le(errorShare, 1.0f));
+    const Mask areRough = logicalAnd(areVisible, logicalNot(areFine));
+    for (Lanes& side : needs.sides) raise(side, areFine, errorShare);
+    if (mesh.patches.empty() && !any(areRough)) continue;
+    const Bends bends = bendsOf(planar, directions, screen);
+    // All triangles have samples, and the worst one decides, so no margin like `aim` is needed.
+    raise(needs.uniform, areVisible, bends.error / tolerance);
+    for (std::size_t i = 0; i < needs.sides.size(); ++i) {
+      raise(needs.sides[i], areRough, bends.squares[i] / aim);
+      raise(needs.squares[i], areRough, bends.squares[i]);
+    }
   }
   return needs;
 }
@@ -132,42 +98,20 @@ std::uint32_t roundUp(float need) {
 
 bool Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, float tolerance) {
   const BaseMesh& base = mesh.base;
-  const std::span<const Patch> patches = mesh.patches;
-  const auto place = [&](std::uint32_t vertex) {
-    const float* p = base.attributes()[0].values.data() + 3 * vertex;
-    return vec3(p[0], p[1], p[2]);
-  };
-  const float aim = criterion.aim * tolerance;
   needs_.assign(base.edgeCount(), 0);
   float squaredUniformNeed = 0;
   squaredSides_.assign(base.triangles().size(), {});
   pieces_.resize(base.edgeCount(), 1);
-  for (const std::uint32_t t : mesh.triangles) {
-    const Samples samples = samplesOf(base, t, mesh.warped);
-    const auto raise = [&](int side, float squaredNeed) {
-      float& need = needs_[base.edgeOf(t, side)];
-      need = std::max(need, squaredNeed);
-    };
-    for (const ScreenView& view : views) {
-      const TriangleOnScreen screen(view, samples);
-      if (!screen.isVisible()) continue;
-      // A triangle within which the surface bends back and forth can be close to all samples,
-      // although the bends ask for pieces.
-      const float errorShare = screen.flatError() * criterion.beyondFlat / aim;
-      const bool isFine = errorShare <= 1;
-      if (isFine) {
-        for (int i = 0; i < 3; ++i) raise(i, errorShare);
-        if (patches.empty()) continue;
-      }
-      const auto [a, b, c] = base.triangles()[t];
-      const PlanarTriangle planar(place(a), place(b), place(c));
-      const TriangleNeeds needs =
-          needsOf(planar, directionsOf(planar, patches.empty() ? nullptr : &patches[t]), screen);
-      // All triangles have samples, and the worst one decides, so no margin like `aim` is needed.
-      squaredUniformNeed = std::max(squaredUniformNeed, needs.uniform / tolerance);
-      for (int i = 0; i < 3 && !isFine; ++i) {
-        raise(i, needs.sides[i] / aim);
-        squaredSides_[t][i] = std::max(squaredSides_[t][i], needs.sides[i]);
+  for (std::size_t first = 0; first < mesh.triangles.size(); first += Lanes::count) {
+    const FourTriangles triangles = fourAt(mesh.triangles, first);
+    const TriangleNeeds needs = needsOf(mesh, triangles, views, tolerance);
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+      const std::uint32_t t = triangles[lane];
+      squaredUniformNeed = std::max(squaredUniformNeed, needs.uniform[lane]);
+      for (int i = 0; i < 3; ++i) {
+        float& need = needs_[base.edgeOf(t, i)];
+        need = std::max(need, needs.sides[i][lane]);
+        squaredSides_[t][i] = needs.squares[i][lane];
       }
     }
   }

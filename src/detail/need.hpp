@@ -9,7 +9,7 @@
 #include "detail/base_mesh.hpp"
 #include "detail/flips.hpp"
 #include "detail/interpolation.hpp"
-#include "detail/triangle_on_screen.hpp"
+#include "detail/triangles_on_screen.hpp"
 
 namespace warpjet {
 

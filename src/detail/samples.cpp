@@ -22,13 +22,17 @@ SampleIndices sampleIndicesOf(const BaseMesh& base, std::size_t triangle) {
   return indices;
 }
 
-Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const float> warped) {
-  const SampleIndices indices = sampleIndicesOf(base, triangle);
+Samples samplesOf(const BaseMesh& base, const FourTriangles& triangles,
+                  std::span<const float> warped) {
+  std::array<SampleIndices, Lanes::count> indices;
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane)
+    indices[lane] = sampleIndicesOf(base, triangles[lane]);
   Samples samples;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float* position = warped.data() + 3 * indices[i];
-    samples[i] = {position[0], position[1], position[2]};
-  }
+  const auto at = [&](std::size_t lane, std::size_t i) {
+    return warped.data() + 3 * indices[lane][i];
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] = gatherVectors({at(0, i), at(1, i), at(2, i), at(3, i)});
   return samples;
 }
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 
 #include "detail/base_mesh.hpp"
+#include "detail/four_triangles.hpp"
 
 namespace warpjet {
 
@@ -19,7 +19,8 @@ inline constexpr int sampleIntervals = 4;
 // and 2.
 constexpr int sampleAt(int row, int i) { return row * (row + 1) / 2 + i; }
 inline constexpr int samplesPerTriangle = sampleAt(sampleIntervals + 1, 0);
-using Samples = std::array<glm::vec3, samplesPerTriangle>;
+// The samples of four triangles.
+using Samples = std::array<Vec3, samplesPerTriangle>;
 using SampleIndices = std::array<std::uint32_t, samplesPerTriangle>;
 
 inline constexpr std::array cornerSamples{0, sampleAt(sampleIntervals, 0),
@@ -56,7 +57,8 @@ inline constexpr std::array cells = [] {
 // Returns the indices of the samples of a triangle in the mesh: see `BaseMesh::sampleOfSide`.
 SampleIndices sampleIndicesOf(const BaseMesh& base, std::size_t triangle);
 
-// Reads the samples of a triangle. `warped` has three numbers for each sample of the mesh.
-Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const float> warped);
+// Reads the samples of triangles. `warped` has three numbers for each sample of the mesh.
+Samples samplesOf(const BaseMesh& base, const FourTriangles& triangles,
+                  std::span<const float> warped);
 
 }  // namespace warpjet

@@ -1,6 +1,7 @@
 #include "detail/visible_triangles.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "detail/criterion.hpp"
 
@@ -36,11 +37,23 @@ void VisibleTriangles::markCorners(const BaseMesh& base, std::span<const float> 
   clip_.clear();
   for (std::size_t i = 0; i < 3 * base.vertexCount(); i += 3)
     clip_.push_back(view.clip * glm::vec4(warped[i], warped[i + 1], warped[i + 2], 1));
-  for (const auto& [a, b, c] : base.triangles()) {
-    const std::array corners{clip_[a], clip_[b], clip_[c]};
-    if (areOutside(corners, criterion.flatMargin)) continue;
-    if (isHidden(view, corners, criterion.flatAway)) continue;
-    for (const std::uint32_t vertex : {a, b, c}) isMarked_[base.placeOf(vertex)] = true;
+  const std::size_t count = base.triangles().size();
+  for (std::size_t first = 0; first < count; first += Lanes::count) {
+    const auto triangleAt = [&](std::size_t lane) -> const Corners& {
+      return base.triangles()[std::min(first + lane, count - 1)];
+    };
+    std::array<Vec4, 3> corners;
+    for (int i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t lane) { return &clip_[triangleAt(lane)[i]][0]; };
+      const std::array<const float*, Lanes::count> clip{at(0), at(1), at(2), at(3)};
+      for (int k = 0; k < 4; ++k) corners[i][k] = gather(clip, k);
+    }
+    const Mask areShown = logicalNot(logicalOr(areOutside(corners, criterion.flatMargin),
+                                               areHidden(view, corners, criterion.flatAway)));
+    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+      if (areShown.bits[lane] == 0) continue;
+      for (const std::uint32_t vertex : triangleAt(lane)) isMarked_[base.placeOf(vertex)] = true;
+    }
   }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "detail/base_mesh.hpp"
-#include "detail/triangle_on_screen.hpp"
+#include "detail/triangles_on_screen.hpp"
 
 namespace warpjet {
 

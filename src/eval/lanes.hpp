@@ -50,6 +50,11 @@ inline Lanes operator-(Lanes x, Lanes y) { return x.floats - y.floats; }
 inline Lanes operator*(Lanes x, Lanes y) { return x.floats * y.floats; }
 inline Lanes operator/(Lanes x, Lanes y) { return x.floats / y.floats; }
 inline Lanes operator-(Lanes x) { return -x.floats; }
+// The compound operators are for vectors of glm.
+inline Lanes& operator+=(Lanes& x, Lanes y) { return x = x + y; }
+inline Lanes& operator-=(Lanes& x, Lanes y) { return x = x - y; }
+inline Lanes& operator*=(Lanes& x, Lanes y) { return x = x * y; }
+inline Lanes& operator/=(Lanes& x, Lanes y) { return x = x / y; }
 
 inline Mask lt(Lanes x, Lanes y) { return {x.floats < y.floats}; }
 inline Mask le(Lanes x, Lanes y) { return {x.floats <= y.floats}; }

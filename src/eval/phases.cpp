@@ -7,6 +7,7 @@
 
 #include "eval/dependence.hpp"
 #include "eval/fronts.hpp"
+#include "eval/moving_part.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
 
@@ -55,24 +56,29 @@ double stepOfCall(const Module& module, NodeId id) {
 
 Phases addPhases(Module& module, std::span<const std::uint32_t> results,
                  std::span<const std::uint32_t> varying) {
-  const Graph& graph = module.graph;
+  // A loaded graph has no room for the nodes of moving parts.
+  module.graph = module.graph.copy();
+  Graph& graph = module.graph;
   Dependence dependence(graph, varying);
+  MovingParts movingParts(graph, dependence);
   const auto isVarying = [&](NodeId id) { return dependence.isVarying(id); };
   const auto isInLoop = [&](NodeId id) { return dependence.isInLoop(id); };
   std::map<std::vector<NodeId>, double> steps;
   std::vector<FrontAt> fronts;
   for (const NodeId id : reachable(graph, module.roots(results))) {
     dependence.add(id);
-    const std::optional<FrontAt> front = frontOf(module.graph, id);
+    movingParts.add(id);
+    const std::optional<FrontAt> front = frontOf(graph, id);
     if (front && isVarying(front->argument) &&
         std::find(fronts.begin(), fronts.end(), *front) == fronts.end())
       fronts.push_back(*front);
-    const std::vector<NodeId> point = pointOf(module, id);
+    std::vector<NodeId> point = pointOf(module, id);
     if (std::none_of(point.begin(), point.end(), isVarying) ||
         std::any_of(point.begin(), point.end(), isInLoop))
       continue;
     const double step =
         graph.isLibraryCall(id) ? stepOfCall(module, id) : *stepOfWave(graph.node(id).op);
+    for (NodeId& coordinate : point) coordinate = movingParts[coordinate];
     const auto [found, isNew] = steps.try_emplace(point, step);
     if (!isNew) found->second = std::min(found->second, step);
   }

@@ -1,0 +1,47 @@
+// A value without what is the same at all vertices: differences of the value between vertices stay,
+// so a host that only needs these need not compute them anew when a uniform is added.
+#pragma once
+
+#include <vector>
+
+#include "eval/dependence.hpp"
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+// Nodes are added in ascending order, after they were added to the `Dependence`.
+class MovingParts {
+ public:
+  MovingParts(Graph& graph, const Dependence& dependence)
+      : graph_(graph), dependence_(dependence), parts_(graph.size(), noNode) {}
+
+  void add(NodeId id) { parts_[index(id)] = partOf(id); }
+
+  // Returns a node that differs from the given one by a number that is the same at all vertices.
+  // Changes at jumps of step functions, such as floor, are left out.
+  NodeId operator[](NodeId id) const { return parts_[index(id)]; }
+
+ private:
+  NodeId partOf(NodeId id) {
+    if (!dependence_.isVarying(id)) return dependence_.isInLoop(id) ? id : graph_.constant(0);
+    const Op op = graph_.isOperation(id) ? graph_.node(id).op : inputOp;
+    const auto operand = [&](int i) { return graph_.operand(id, i); };
+    const auto part = [&](int i) { return parts_[index(operand(i))]; };
+    if (op == ops::find("neg")) return graph_.apply(op, {part(0)});
+    if (op == ops::find("add") || op == ops::find("sub"))
+      return graph_.apply(op, {part(0), part(1)});
+    if (op == ops::find("mult") && isSame(operand(0)))
+      return graph_.apply(op, {operand(0), part(1)});
+    if ((op == ops::find("mult") || op == ops::find("div")) && isSame(operand(1)))
+      return graph_.apply(op, {part(0), operand(1)});
+    return id;
+  }
+
+  bool isSame(NodeId id) const { return !dependence_.isVarying(id) && !dependence_.isInLoop(id); }
+
+  Graph& graph_;
+  const Dependence& dependence_;
+  std::vector<NodeId> parts_;
+};
+
+}  // namespace warpjet
