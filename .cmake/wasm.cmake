@@ -20,11 +20,11 @@ set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp src/ops/interval_functi
 # Enables SIMD for the code that computes four vertices or triangles at a time. The core module must not contain that code, since link-time
 # optimization would enable SIMD for all functions of a module that contains one such function.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp js-bindings/wasm/detail.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
-# Vectorized loops, which are mostly short, would be larger and not faster.
-target_compile_options(warpjet_detail PRIVATE -msimd128 -fno-vectorize)
 set_source_files_properties(
   src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp src/eval/stages.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
+# Vectorized loops, which are mostly short, would be larger and not faster.
+target_compile_options(warpjet_detail PRIVATE -msimd128 -fno-vectorize)
 
 # emcc 3.1.25 renamed the setting.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)

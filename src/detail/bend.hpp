@@ -1,4 +1,4 @@
-// How much the warped surface of triangles bends, as a metric in their planes.
+// The bends of the warped surface of triangles, each as a metric in the plane of its triangle.
 #pragma once
 
 #include <array>

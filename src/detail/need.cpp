@@ -13,7 +13,7 @@ namespace warpjet {
 
 namespace {
 
-// How much four triangles bend, for an error of one pixel.
+// The bends of four triangles, for an error of one pixel.
 struct Bends {
   // The squared sides in the metric of the bend: see `Needs::squaredSides`.
   std::array<Lanes, 3> squares{0.0f, 0.0f, 0.0f};
@@ -46,7 +46,7 @@ Bends bendsOf(const PlanarTriangles& planar, const Directions& directions,
   return bends;
 }
 
-// What four triangles need.
+// The needs of four triangles.
 struct TriangleNeeds {
   std::array<Lanes, 3> sides{0.0f, 0.0f, 0.0f};    // the squares of the numbers of pieces
   std::array<Lanes, 3> squares{0.0f, 0.0f, 0.0f};  // see `Needs::squaredSides`
