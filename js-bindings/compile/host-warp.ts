@@ -25,7 +25,7 @@ const quickBudget = 20_000
 
 /**
  * The arguments of the waves and noises in the warped position, called phases, and of functions that change within a short part of their
- * argument's range, called fronts. They determine how far apart samples may be.
+ * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be.
  */
 export interface SurfacePhases {
   /** The number of floats per vertex, for each phase. */
@@ -34,6 +34,10 @@ export interface SurfacePhases {
   readonly steps: readonly number[]
   /** 3 numbers per front: its profile and two parameters (src/eval/front.hpp). Each front has 1 float per vertex, after the phases. */
   readonly fronts: readonly number[]
+  /** `true` if any front is neither a kink nor a cusp: the mesh is cut at these where they move, too. */
+  readonly hasFronts: boolean
+  /** `true` if any front is a kink: triangles that it passes through are divided more finely. */
+  readonly hasKinks: boolean
   /** The number of floats per vertex, for all phases and fronts together. */
   readonly size: number
   /** Writes the numbers on which the phases depend, other than vertices, to the start of an array. Returns how many there are. */
@@ -41,6 +45,9 @@ export interface SurfacePhases {
   /** Writes the phases of the first `count` vertices. */
   evaluate(vertices: Vertices, count: number, drawValues: DrawValues, into: Float32Array): void
 }
+
+/** The number of `Profile::Kink` (src/eval/front.hpp). Only that of a cusp is larger. */
+const kink = 4
 
 const noValues = new Float32Array()
 
@@ -118,6 +125,7 @@ export class HostWarp extends OffsetWarp {
     const sizes = madePhases.phases.map((each) => each.size)
     const steps = madePhases.phases.map((each) => each.step)
     const { fronts } = madePhases
+    const profiles = fronts.filter((_, i) => i % 3 === 0)
     const size = sizes.reduce((sum, each) => sum + each, fronts.length / 3)
     const results = new ResultSet(Array.from({ length: size }, (_, i) => i))
     const program = this.withUserNames(madePhases.program)
@@ -133,6 +141,8 @@ export class HostWarp extends OffsetWarp {
       sizes,
       steps,
       fronts,
+      hasFronts: profiles.some((profile) => profile < kink),
+      hasKinks: profiles.includes(kink),
       size,
       writeState: (drawValues, to) => this.writeNumbers(inputsOfPhases, drawValues, to),
       evaluate: (vertices, count, drawValues, into) =>

@@ -17,6 +17,8 @@ export const noPhases: SurfacePhases = {
   sizes: [],
   steps: [],
   fronts: [],
+  hasFronts: false,
+  hasKinks: false,
   size: 0,
   writeState: () => 0,
   evaluate: () => undefined,
@@ -57,7 +59,7 @@ export class SurfaceSamples {
   }
 
   get haveFronts(): boolean {
-    return this.phases.fronts.length > 0
+    return this.phases.hasFronts
   }
 
   /** Reads the samples after the mesh was cut or moved. */

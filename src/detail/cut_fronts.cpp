@@ -14,6 +14,11 @@ namespace {
 // The max change of a front within a triangle, on its scale.
 constexpr double maxChange = 1.1;
 
+// Edges that are this many times shorter than the max length are not cut at fronts: a mesh has
+// about a thousand of them across, so that narrower steps look like jumps.
+constexpr float maxShortening = 128;
+constexpr float maxShorteningAtKinks = 8;
+
 using Numbers = std::array<double, samplesPerTriangle>;
 
 // The ranges of a front within a triangle. A front that isn't finite everywhere has empty ones.
@@ -79,19 +84,24 @@ std::array<bool, 3> sidesToHalve(const FrontInTriangle& front, const FrontScale&
   const double change = front.inside.isEmpty() ? 0 : scale.changeWithin(front.inside);
   if (change <= maxChange) return {};
   std::array<bool, 3> sides{};
-  for (int i = 0; i < 3; ++i) sides[i] = scale.changeWithin(front.alongSides[i]) >= 0.5 * change;
+  for (int i = 0; i < 3; ++i) sides[i] = scale.changeWithin(front.alongSides[i]) > 0.5 * change;
   const bool isInside = std::none_of(sides.begin(), sides.end(), [](bool is) { return is; });
   return isInside ? std::array{true, true, true} : sides;
 }
 
 }  // namespace
 
-std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float minLength) {
+std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float maxLength,
+                               CutKinks cutKinks) {
   std::vector<bool> edges(base.edgeCount());
   for (std::size_t i = 0; i < samples.fronts.size(); ++i) {
+    const Front& front = samples.fronts[i];
+    if (front.isKink() && (cutKinks == CutKinks::No || !front.isStill())) continue;
+    const float minLength =
+        maxLength / (front.profile == Profile::Kink ? maxShorteningAtKinks : maxShortening);
     const auto offset = static_cast<std::uint32_t>(samples.firstFront() + i);
     const std::vector<FrontInTriangle> ranges = findRanges(base, samples, offset);
-    const FrontScale scale = scaleOf(samples.fronts[i], ranges);
+    const FrontScale scale = scaleOf(front, ranges);
     for (std::size_t t = 0; t < ranges.size(); ++t) {
       const std::array<bool, 3> sides = sidesToHalve(ranges[t], scale);
       for (int k = 0; k < 3; ++k) {

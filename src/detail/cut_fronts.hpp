@@ -9,9 +9,13 @@
 
 namespace warpjet {
 
+// Kinks that stay where they are can be cut, too: then fewer pieces follow them.
+enum class CutKinks : bool { No, Yes };
+
 // Marks the edges that must be halved. Within a triangle, the number of a front is estimated by
-// quadratics through its samples, so that a peak is found between them, too. Edges that are shorter
-// than `minLength` are not halved.
-std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float minLength);
+// quadratics through its samples, so that a peak is found between them, too. Edges that are much
+// shorter than `maxLength` are not halved.
+std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float maxLength,
+                               CutKinks cutKinks);
 
 }  // namespace warpjet

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "detail/cut_fronts.hpp"
 
@@ -14,9 +15,8 @@ namespace {
 // evaluations of a warp for each of them.
 constexpr double maxCutTriangles = 1 << 16;
 
-// Edges that are this many times shorter than the max length are not cut at fronts: a mesh has
-// about a thousand of them across, so that narrower steps look like jumps.
-constexpr float maxShortening = 128;
+// The approximate max number of triangles of a mesh that is cut at kinks.
+constexpr double maxTrianglesAtKinks = 1 << 14;
 
 // Returns the distance of two points with `size` coordinates.
 float distanceOf(const float* a, const float* b, std::uint32_t size) {
@@ -67,12 +67,17 @@ std::vector<float> cutLengths(const BaseMesh& base, const PhaseSamples& samples,
   const double triangles = countTriangles(base, lengths);
   const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
   for (float& length : lengths) length *= scale;
-  if (samples.fronts.empty()) return lengths;
-  std::vector<float> withFronts = lengths;
-  const std::vector<bool> halved = edgesToHalve(base, samples, maxLength / maxShortening);
-  for (std::size_t edge = 0; edge < lengths.size(); ++edge)
-    if (halved[edge]) withFronts[edge] = std::max(2.0f, lengths[edge]);
-  return countTriangles(base, withFronts) <= maxCutTriangles ? withFronts : lengths;
+  if (samples.fronts.empty() || samples.areFrontsSettled()) return lengths;
+  for (const auto& [cutKinks, maxTriangles] :
+       {std::pair(CutKinks::Yes, maxTrianglesAtKinks), {CutKinks::No, maxCutTriangles}}) {
+    if (cutKinks == CutKinks::Yes && samples.areKinksCut) continue;
+    std::vector<float> withFronts = lengths;
+    const std::vector<bool> halved = edgesToHalve(base, samples, maxLength, cutKinks);
+    for (std::size_t edge = 0; edge < lengths.size(); ++edge)
+      if (halved[edge]) withFronts[edge] = std::max(2.0f, lengths[edge]);
+    if (countTriangles(base, withFronts) <= maxTriangles) return withFronts;
+  }
+  return lengths;
 }
 
 }  // namespace warpjet

@@ -59,6 +59,7 @@ void Detail::begin() {
     triangles.push_back({givenIndices_[i], givenIndices_[i + 1], givenIndices_[i + 2]});
   baseGroups_ = givenGroups_;
   cuts_.clear();
+  phases_.areKinksCut = false;
   BaseMesh mesh(given_, std::move(triangles));
   surface_.reset();
   const auto normals = std::find_if(given_.begin(), given_.end(), [](auto& a) { return a.isUnit; });
@@ -79,6 +80,7 @@ void Detail::setBase(BaseMesh base, std::vector<Patch> patches) {
   patches_ = std::move(patches);
   samples_ = makeInterpolation().samples();
   warped_.resize(samples_[0].values.size());
+  phases_.settled.clear();
   forgetSamples();
   needs_ = {};
   uniformPieces_ = 0;
@@ -95,6 +97,7 @@ void Detail::pose() {
   }
   base_->setAttributes(*attributes);
   samples_ = makeInterpolation().samples();
+  phases_.settled.clear();
   forgetSamples();
   indices_.clear();
 }
@@ -128,7 +131,10 @@ std::vector<std::uint32_t> Detail::piecesToCut(float maxLength) const {
 
 bool Detail::cut(float maxLength) {
   std::vector<std::uint32_t> pieces = piecesToCut(maxLength);
-  if (pieces.empty()) return false;
+  if (pieces.empty()) {
+    phases_.settleFronts();
+    return false;
+  }
   division_.write(makeInterpolation(), pieces, tessellations_);
   std::vector<Patch> patches = dividePatches(makeInterpolation(), pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
@@ -174,7 +180,7 @@ const std::vector<std::uint32_t>& Detail::show(bool listsSamples) {
 
 bool Detail::update(float tolerance) {
   const std::span<const Patch> patches = cuts_.empty() ? std::span<const Patch>() : patches_;
-  const WarpedMesh mesh{*base_, patches, warped_, visible_.triangles()};
+  const WarpedMesh mesh{*base_, patches, warped_, phases_, visible_.triangles()};
   bool isChanged = needs_.update(mesh, views_, tolerance);
   double triangles = countTriangles();
   // The error is inversely proportional to the number of triangles.

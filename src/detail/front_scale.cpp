@@ -31,6 +31,9 @@ constexpr double endOfArctangent = 5.3;
 // largest one.
 constexpr double minShare = 1e-5;
 
+// Numbers that differ by less than this share of the range on the mesh are equal.
+constexpr double rounding = 1e-6;
+
 // The following functions are continuous, increasing, and within 1% of their names. In wasm, those
 // of the standard library would call JavaScript, which allocates an object for each result.
 double exp2(double x) {
@@ -74,6 +77,10 @@ FrontScale::FrontScale(const Front& front, const ValueRange& estimated, const Va
       break;
     case Profile::Arctangent:
       break;
+    case Profile::Kink:
+    case Profile::Cusp:
+      closeness_ = rounding * sampled.length();
+      break;
   }
 }
 
@@ -92,6 +99,11 @@ double FrontScale::at(double number) const {
                          : partsOfPeak * exp2(std::min(0.0, 0.5 * first_ * log2(number / second_)));
     case Profile::Arctangent:
       return std::clamp(asinh(number), -endOfArctangent, endOfArctangent) / stepOfArctangent;
+    case Profile::Kink:
+      // A part that begins or ends at the kink changes by 1, which is allowed.
+      return std::abs(number - first_) <= closeness_ ? 1 : (number < first_ ? 0 : 2);
+    case Profile::Cusp:
+      return number <= first_ + closeness_ ? 0 : 2;
   }
   return 0;
 }

@@ -25,6 +25,7 @@ class FrontScale {
   Profile profile_;
   double first_;
   double second_ = 0;
+  double closeness_ = 0;  // numbers that differ by less are equal
   bool isUsed_ = true;
 };
 

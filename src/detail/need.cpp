@@ -6,6 +6,7 @@
 
 #include "detail/bend.hpp"
 #include "detail/criterion.hpp"
+#include "detail/kinked.hpp"
 #include "detail/tessellation.hpp"
 #include "detail/triangles_on_screen.hpp"
 
@@ -53,6 +54,8 @@ struct TriangleNeeds {
   Lanes uniform = 0.0f;                            // the square of `Needs::uniformNeed`
 };
 
+Lanes squareOf(Lanes x) { return x * x; }
+
 // Raises the numbers of these lanes.
 void raise(Lanes& numbers, Mask lanes, Lanes to) {
   numbers = max(numbers, ifElse(lanes, to, 0.0f));
@@ -64,6 +67,7 @@ TriangleNeeds needsOf(const WarpedMesh& mesh, const FourTriangles& triangles,
   const PlanarTriangles planar(mesh.base, triangles);
   const Directions directions = directionsOf(planar, mesh.patches, triangles);
   const float aim = criterion.aim * tolerance;
+  const Mask areBroken = areKinked(mesh.base, triangles, mesh.phases);
   TriangleNeeds needs;
   for (const ScreenView& view : views) {
     const TrianglesOnScreen screen(view, samples);
@@ -83,6 +87,13 @@ TriangleNeeds needsOf(const WarpedMesh& mesh, const FourTriangles& triangles,
       raise(needs.sides[i], areRough, bends.squares[i] / aim);
       raise(needs.squares[i], areRough, bends.squares[i]);
     }
+    // Pieces of a kink err by their length, not by its square.
+    const Mask areRoughKinks = logicalAnd(areBroken, areRough);
+    if (!any(areRoughKinks)) continue;
+    raise(needs.uniform, areRoughKinks, squareOf(bends.error / tolerance));
+    for (std::size_t i = 0; i < needs.sides.size(); ++i)
+      raise(needs.sides[i], areRoughKinks,
+            squareOf(min(criterion.kink * bends.squares[i] / aim, criterion.maxAtKinks)));
   }
   return needs;
 }

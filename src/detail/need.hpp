@@ -9,6 +9,7 @@
 #include "detail/base_mesh.hpp"
 #include "detail/flips.hpp"
 #include "detail/interpolation.hpp"
+#include "detail/phase_samples.hpp"
 #include "detail/triangles_on_screen.hpp"
 
 namespace warpjet {
@@ -20,6 +21,8 @@ struct WarpedMesh {
   std::span<const Patch> patches;
   // Three numbers for each sample of the mesh.
   std::span<const float> warped;
+  // The numbers of kinks at the same samples.
+  const PhaseSamples& phases;
   // The triangles whose samples are warped. The others ask for no pieces.
   std::span<const std::uint32_t> triangles;
 };

@@ -22,11 +22,17 @@ SampleIndices sampleIndicesOf(const BaseMesh& base, std::size_t triangle) {
   return indices;
 }
 
-Samples samplesOf(const BaseMesh& base, const FourTriangles& triangles,
-                  std::span<const float> warped) {
+std::array<SampleIndices, Lanes::count> sampleIndicesOf(const BaseMesh& base,
+                                                        const FourTriangles& triangles) {
   std::array<SampleIndices, Lanes::count> indices;
   for (std::size_t lane = 0; lane < triangles.size(); ++lane)
     indices[lane] = sampleIndicesOf(base, triangles[lane]);
+  return indices;
+}
+
+Samples samplesOf(const BaseMesh& base, const FourTriangles& triangles,
+                  std::span<const float> warped) {
+  const std::array<SampleIndices, Lanes::count> indices = sampleIndicesOf(base, triangles);
   Samples samples;
   const auto at = [&](std::size_t lane, std::size_t i) {
     return warped.data() + 3 * indices[lane][i];

@@ -56,6 +56,8 @@ inline constexpr std::array cells = [] {
 
 // Returns the indices of the samples of a triangle in the mesh: see `BaseMesh::sampleOfSide`.
 SampleIndices sampleIndicesOf(const BaseMesh& base, std::size_t triangle);
+std::array<SampleIndices, Lanes::count> sampleIndicesOf(const BaseMesh& base,
+                                                        const FourTriangles& triangles);
 
 // Reads the samples of triangles. `warped` has three numbers for each sample of the mesh.
 Samples samplesOf(const BaseMesh& base, const FourTriangles& triangles,

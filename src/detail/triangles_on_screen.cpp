@@ -36,7 +36,7 @@ Mask areOutside(std::span<const Vec4> clip, float margin) {
 }
 
 Mask areHidden(const ScreenView& view, const std::array<Vec4, 3>& clip, float share) {
-  if (view.facing == 0) return {};
+  if (view.facing == 0) return Mask{};
   Mask inFront = gt(clip[0].w, 0.0f);
   std::array<Vec2, 3> screen;
   for (int i = 0; i < 3; ++i) {

@@ -18,6 +18,11 @@ class Dependence {
       : graph_(graph), varying_(varying), kinds_(graph.size()) {}
 
   void add(NodeId id) { kinds_[index(id)] = kindOf(id); }
+  // Adds the nodes that the graph has got since the last call, or since the start.
+  void addNew() {
+    for (auto i = static_cast<std::uint32_t>(kinds_.size()); i < graph_.size(); ++i)
+      kinds_.push_back(kindOf(NodeId{i}));
+  }
 
   bool isVarying(NodeId id) const { return kinds_[index(id)] == Kind::Varying; }
   bool isInLoop(NodeId id) const { return kinds_[index(id)] == Kind::InLoop; }

@@ -7,7 +7,9 @@
 
 #include "eval/dependence.hpp"
 #include "eval/fronts.hpp"
+#include "eval/kinks.hpp"
 #include "eval/moving_part.hpp"
+#include "eval/slope_jumps.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
 
@@ -18,6 +20,9 @@ namespace {
 // The step of a noise, as a share of the wavelength of its second octave; later octaves add little.
 constexpr double stepOfNoise = 0.36;
 constexpr int octavesOfNoise = 2;
+
+// A function with more kinks, such as a noise in shader source, has too many to cut a mesh at them.
+constexpr std::size_t maxKinks = 8;
 
 // Operations with crests or kinks at regular distances.
 struct Wave {
@@ -52,6 +57,14 @@ double stepOfCall(const Module& module, NodeId id) {
   return stepOfNoise * wavelengthOf(noise, octavesOfNoise - 1);
 }
 
+std::vector<std::uint32_t> otherInputs(const Graph& graph, std::span<const std::uint32_t> inputs) {
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
+    if (std::find(inputs.begin(), inputs.end(), i) == inputs.end()) others.push_back(i);
+  }
+  return others;
+}
+
 }  // namespace
 
 Phases addPhases(Module& module, std::span<const std::uint32_t> results,
@@ -64,14 +77,16 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   const auto isVarying = [&](NodeId id) { return dependence.isVarying(id); };
   const auto isInLoop = [&](NodeId id) { return dependence.isInLoop(id); };
   std::map<std::vector<NodeId>, double> steps;
-  std::vector<FrontAt> fronts;
-  for (const NodeId id : reachable(graph, module.roots(results))) {
+  std::vector<FrontAt> fronts, kinks;
+  const auto add = [&](std::vector<FrontAt>& to, const FrontAt& front) {
+    if (isVarying(front.argument) && std::find(to.begin(), to.end(), front) == to.end())
+      to.push_back(front);
+  };
+  const std::vector<NodeId> nodes = reachable(graph, module.roots(results));
+  for (const NodeId id : nodes) {
     dependence.add(id);
     movingParts.add(id);
-    const std::optional<FrontAt> front = frontOf(graph, id);
-    if (front && isVarying(front->argument) &&
-        std::find(fronts.begin(), fronts.end(), *front) == fronts.end())
-      fronts.push_back(*front);
+    if (const std::optional<FrontAt> front = frontOf(graph, id)) add(fronts, *front);
     std::vector<NodeId> point = pointOf(module, id);
     if (std::none_of(point.begin(), point.end(), isVarying) ||
         std::any_of(point.begin(), point.end(), isInLoop))
@@ -82,6 +97,15 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
     const auto [found, isNew] = steps.try_emplace(point, step);
     if (!isNew) found->second = std::min(found->second, step);
   }
+  const std::vector<FrontAt> found = kinksOf(graph, nodes);
+  dependence.addNew();
+  for (const FrontAt& kink : found) add(kinks, kink);
+  const std::vector<std::uint32_t> uniforms = otherInputs(graph, varying);
+  Dependence onUniforms(graph, uniforms);
+  for (std::uint32_t i = 0; i < graph.size(); ++i) onUniforms.add(NodeId{i});
+  for (auto& [argument, kink] : kinks) kink.second = onUniforms.isVarying(argument) ? 0 : 1;
+  removeSmooth(kinks, module, results, varying);
+  if (kinks.size() <= maxKinks) fronts.insert(fronts.end(), kinks.begin(), kinks.end());
   Phases all;
   Output output{.name = "phases", .shape = {}, .components = {}};
   for (const auto& [point, step] : steps) {

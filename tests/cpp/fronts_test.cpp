@@ -77,8 +77,9 @@ struct FrontsFound : Bench {
     const std::uint32_t results[] = {0};
     std::vector<std::uint32_t> varying;
     for (std::uint32_t i = 0; i < module.graph.inputCount(); ++i) varying.push_back(i);
-    const std::vector<Front> found = addPhases(module, results, varying).fronts;
+    std::vector<Front> found = addPhases(module, results, varying).fronts;
     EXPECT_EQ(module.outputs.back().components.size(), found.size());
+    std::erase_if(found, [](const Front& front) { return front.isKink(); });
     return found;
   }
 };

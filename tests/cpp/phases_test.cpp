@@ -1,4 +1,4 @@
-// Phases: the arguments of waves and noises, at which a mesh is sampled finely enough.
+// Phases: the arguments of waves and noises, at which a mesh is sampled finely enough; and kinks.
 #include "eval/phases.hpp"
 
 #include <gtest/gtest.h>
@@ -26,6 +26,65 @@ TEST(Phases, LackWhatIsTheSameAtAllVertices) {
   const NodeId x = graph.component(varying[0], 0);
   const NodeId twiceX = graph.apply(ops::find("mult"), {x, graph.constant(2)});
   EXPECT_EQ(module.outputs.back().components, (std::vector<NodeId>{x, twiceX}));
+}
+
+// A result of x, and of the uniform u.
+struct KinksFound : Bench {
+  std::vector<Front> kinks(int value) {
+    builder.output("gen", "result", value);
+    EXPECT_TRUE(builder.finish()) << builder.problem();
+    Module module = load(save(builder.module()));
+    const std::uint32_t results[] = {0}, varying[] = {module.graph.findInput("x").value()};
+    std::vector<Front> found = addPhases(module, results, varying).fronts;
+    std::erase_if(found, [](const Front& front) { return !front.isKink(); });
+    return found;
+  }
+
+  int u = input("u");
+};
+
+TEST(Kinks, AreWhereASlopeJumps) {
+  const auto expectKinks = [](const char* op, std::vector<double> numbers,
+                              const std::vector<Front>& expected) {
+    KinksFound bench;
+    std::vector<int> operands{bench.x};
+    for (const double each : numbers) operands.push_back(bench.number(each));
+    EXPECT_EQ(bench.kinks(bench.call(op, operands)), expected) << op;
+  };
+  expectKinks("abs", {}, {{Profile::Kink, 0, 1}});
+  expectKinks("max", {0.5}, {{Profile::Kink, 0.5, 1}});
+  expectKinks("clamp", {-2, 3}, {{Profile::Kink, -2, 1}, {Profile::Kink, 3, 1}});
+  expectKinks("sqrt", {}, {{Profile::Cusp, 0, 1}});
+  expectKinks("sin", {}, {});
+}
+
+TEST(Kinks, OfANumberThatAUniformChangesAreNotStill) {
+  KinksFound bench;
+  EXPECT_EQ(bench.kinks(bench.call("abs", {bench.call("sub", {bench.x, bench.u})})),
+            (std::vector<Front>{{Profile::Kink, 0, 0}}));
+}
+
+TEST(Kinks, OfTwoNumbersAreWhereTheseAreEqual) {
+  KinksFound bench;
+  const int twice = bench.call("mult", {bench.x, bench.number(2)});
+  EXPECT_EQ(bench.kinks(bench.call("min", {twice, bench.u})),
+            (std::vector<Front>{{Profile::Kink, 0, 0}}));
+}
+
+TEST(Kinks, ThatVanishInTheResultAreNotFound) {
+  KinksFound square;
+  const int ramp = square.call("max", {square.x, square.number(0)});
+  EXPECT_TRUE(square.kinks(square.call("mult", {ramp, ramp})).empty());
+
+  KinksFound step;
+  const int numbers[] = {step.number(0.2), step.number(0.6)};
+  EXPECT_TRUE(step.kinks(step.call("smoothstep", {numbers[0], numbers[1], step.x})).empty());
+
+  // A circle that continues straight: sin(c) + (x - c) cos(c), for x limited to [-1, 1].
+  KinksFound bend;
+  const int c = bend.call("clamp", {bend.x, bend.number(-1), bend.number(1)});
+  const int rest = bend.call("mult", {bend.call("sub", {bend.x, c}), bend.call("cos", {c})});
+  EXPECT_TRUE(bend.kinks(bend.call("add", {bend.call("sin", {c}), rest})).empty());
 }
 
 }  // namespace

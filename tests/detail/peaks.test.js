@@ -2,33 +2,19 @@
 // numbers, at random points.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import * as THREE from 'three'
 import { compileWarp } from 'warpjet'
 import { createDetail } from 'warpjet/detail'
-import { quantile, randomScreenErrors } from '../support/screen-error.js'
-import { randomNumbers } from '../support/three-meshes.js'
+import {
+  expectClose,
+  coarseMeshes as meshes,
+  raise,
+  viewFrom,
+  views,
+} from '../support/detail-error.js'
 
-const { abs, exp, sqrt, tanh } = Math
-
-const arraysOf = ({ attributes, index }) => ({
-  positions: attributes.position.array,
-  indices: index.array,
-})
-/** The meshes, with the height of their surface at x and y. */
-const meshes = {
-  'a box of 12 triangles': { ...arraysOf(new THREE.BoxGeometry(2, 2, 2)), z: () => 1 },
-  'a plane of two triangles': { ...arraysOf(new THREE.PlaneGeometry(2, 2)), z: () => 0 },
-  // The default of p5.
-  'a sphere of 24 × 16 parts': {
-    ...arraysOf(new THREE.SphereGeometry(1, 24, 16)),
-    z: (x, y) => sqrt(1 - x * x - y * y),
-  },
-}
+const { abs, exp, tanh } = Math
 
 const dot = (a, b) => a.x().mult(b.x()).add(a.y().mult(b.y())).add(a.z().mult(b.z()))
-/** Moves points along z. */
-const raise = (glsl, height) => glsl.vec3(0, 0, height.mult(0.3))
-
 const smoothstep = (low, high, x) => {
   const t = Math.min(1, Math.max(0, (x - low) / (high - low)))
   return t * t * (3 - 2 * t)
@@ -77,37 +63,6 @@ const cases = {
     (x) => tanh(50 * (x - 0.0137)),
     (x) => abs(x - 0.0137) < 0.1,
   ),
-}
-
-function viewFrom(...place) {
-  const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 30)
-  camera.position.set(...place)
-  camera.lookAt(0, 0, 0)
-  camera.updateMatrixWorld()
-  const { projectionMatrix, matrixWorldInverse } = camera
-  const { elements } = projectionMatrix.clone().multiply(matrixWorldInverse)
-  return { matrix: elements, width: 600, height: 600 }
-}
-const views = [viewFrom(2, 1, 4), viewFrom(3, -2, 2), viewFrom(-1, 3, 2.5)]
-
-const copyOf = ({ positions, indices }) => ({
-  positions: positions.slice(),
-  indices: indices.slice(),
-})
-
-/** Measures near the peak or step, and everywhere. */
-function expectClose(divided, { height, isNear }, view, shift = 0) {
-  const mesh = copyOf(divided)
-  const warpPoint = (p) => [p[0], p[1], p[2] + 0.3 * height(p, shift)]
-  const random = randomNumbers(11)
-  const measure = (count, isMeasured) =>
-    randomScreenErrors(mesh, warpPoint, view, random, count, isMeasured)
-  const near = measure(600_000, (p) => isNear(p, shift))
-  assert.ok(near.length > 400, `${near.length} points`)
-  for (const errors of [near, measure(20_000, () => true)]) {
-    const error = quantile(errors, 0.999)
-    assert.ok(error <= 1, `${error.toFixed(2)} pixels with ${mesh.indices.length / 3} triangles`)
-  }
 }
 
 for (const [meshName, { z, ...mesh }] of Object.entries(meshes))

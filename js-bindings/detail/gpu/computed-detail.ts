@@ -74,6 +74,8 @@ export class ComputedDetail {
       this.release()
       this.framesToWait = framesAfterCut
     }
+    // The passes measure no kinks.
+    if (warp.surfacePhases()?.hasKinks) return
     if (!this.compiling) void this.start()
     if (!passes || this.isWaiting()) return
     const parts = mesh.parts()
