@@ -1,7 +1,9 @@
 // `createDetail`: a mesh that is divided for the screen, for any renderer.
 import { hostWarp, type CompiledWarp } from '../compile/compile-warp.js'
+import { arrayNames } from '../core/inputs/vertices.js'
 import { missingInput } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
+import { didYouMean } from '../errors/nearest.js'
 import { isList } from '../options/guards.js'
 import { boolean, kind } from '../options/kinds.js'
 import { describeNumber, finiteFloat, firstWrong } from '../options/numbers.js'
@@ -62,6 +64,17 @@ const place = new Place('createDetail')
 
 const sizes = { normals: 3, uvs: 2, colors: 4, tangents: 4 } as const
 
+const meshArrays = ['positions', ...Object.keys(sizes), 'indices']
+/** All properties of a `Mesh` of 'warpjet/mesh' and of the vertices that `evaluate` reads. */
+const meshProperties = new Set<string>([
+  ...meshArrays,
+  ...Object.values(arrayNames),
+  'material',
+  'warnings',
+])
+/** Maps names of other libraries → names of this one. */
+const synonyms = { vertices: 'positions', index: 'indices', faces: 'indices', triangles: 'indices' }
+
 const meshOptions = object({ curved: boolean(false) } satisfies KindsOf<DetailMeshOptions>)
 const isBufferGeometry = (value: unknown) =>
   (value as { isBufferGeometry?: unknown } | undefined)?.isBufferGeometry === true
@@ -93,6 +106,7 @@ export function createDetail(
   options?: DetailMeshOptions,
 ): DividedMesh {
   const given = meshKind.read(mesh, place.argument(1))
+  rejectUnknownArrays(given)
   const { curved: isCurved } = meshOptions.read(options, place)
   const host = warpKind.read(warp, place.argument(2))[hostWarp]
   if (!host.canRunOnCpu)
@@ -131,6 +145,14 @@ export function createDetail(
     Object.defineProperty(result, name, { get: () => detailed.values(i), enumerable: true }),
   )
   return result
+}
+
+function rejectUnknownArrays(mesh: DetailMesh) {
+  for (const name of Object.keys(mesh))
+    if (!meshProperties.has(name))
+      throw place.error(
+        `there is no array "${name}" in a mesh; ${didYouMean(name, meshArrays, `the arrays are ${meshArrays.join(', ')}.`, synonyms)}`,
+      )
 }
 
 function readArray(given: unknown, name: string, size: number, vertices?: number) {

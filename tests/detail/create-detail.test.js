@@ -4,6 +4,7 @@ import { test } from 'node:test'
 import * as THREE from 'three'
 import { compileWarp } from 'warpjet'
 import { createDetail } from 'warpjet/detail'
+import { bakeWarp, surfaceVariation } from 'warpjet/mesh'
 import { edgesNotUsed } from '../support/deviation.js'
 import { pixelsOf, quantile, screenErrors } from '../support/screen-error.js'
 
@@ -275,6 +276,35 @@ test('wrong arguments are named', () => {
     message: /which only the GPU can do/,
   })
   divided.dispose()
+})
+
+test('unknown arrays of a mesh are named', () => {
+  const known = 'positions, normals, uvs, colors, tangents, indices'
+  const { positions, ...others } = mesh
+  for (const [given, message] of [
+    [{ ...mesh, index: [0, 1, 2] }, 'there is no array "index" in a mesh; did you mean indices?'],
+    [
+      { position: positions, ...others },
+      'there is no array "position" in a mesh; did you mean positions?',
+    ],
+    [{ vertices: positions }, 'there is no array "vertices" in a mesh; did you mean positions?'],
+    [{ ...mesh, faces: [0, 1, 2] }, 'there is no array "faces" in a mesh; did you mean indices?'],
+    [{ ...mesh, normal: [] }, 'there is no array "normal" in a mesh; did you mean normals?'],
+    [{ ...mesh, uv: [] }, 'there is no array "uv" in a mesh; did you mean uvs?'],
+    [{ ...mesh, color: undefined }, 'there is no array "color" in a mesh; did you mean colors?'],
+    [{ ...mesh, weight: [] }, `there is no array "weight" in a mesh; the arrays are ${known}.`],
+  ])
+    assert.throws(() => createDetail(given, warp), {
+      name: 'WarpError',
+      message: `createDetail: ${message}`,
+    })
+})
+
+test('createDetail accepts meshes of warpjet/mesh', () => {
+  const baked = bakeWarp({ ...mesh, material: { baseColor: [1, 0, 0, 1] } }, warp)
+  assert.deepEqual(baked.material, { baseColor: [1, 0, 0, 1] })
+  createDetail({ ...baked, warnings: ['animations are left out'] }, warp)
+  createDetail({ ...baked, ...surfaceVariation(baked) }, warp)
 })
 
 // Without a limit there would be thirty million triangles.
