@@ -105,9 +105,12 @@ export class OffsetWarp {
     return numbers
   }
 
-  /** Writes the numbers of `state` to the start of an array, and returns how many there are. Inputs that are numbers create no garbage. */
-  writeState(drawValues: DrawValues, to: number[]): number {
-    return this.writeNumbers(this.namedInputsRead(), drawValues, to)
+  /**
+   * Writes the numbers of `state` to the start of an array, and returns how many there are. Inputs that are numbers create no garbage.
+   * Errors name the call `place`. Default: the call that made the warp.
+   */
+  writeState(drawValues: DrawValues, to: number[], place = this.place): number {
+    return this.writeNumbers(this.namedInputsRead(), drawValues, to, place)
   }
 
   /** Writes the current numbers of inputs like `writeState`. Inputs that differ by vertex have none. */
@@ -115,12 +118,13 @@ export class OffsetWarp {
     inputs: readonly NamedInput[],
     drawValues: DrawValues,
     to: number[],
+    place: Place,
   ): number {
     let count = 0
     for (const { label, name } of inputs) {
       const value = ownProperty(drawValues, name)
       if (typeof value === 'number' && !this.uniforms.declared.has(name)) to[count++] = value
-      else for (const each of this.numbersNow(name, label, drawValues)) to[count++] = each
+      else for (const each of this.numbersNow(place, name, label, drawValues)) to[count++] = each
     }
     return count
   }
@@ -141,7 +145,7 @@ export class OffsetWarp {
 
   /** Returns the numbers of a uniform, by its name in the shader: those of a value that the draw call passes, or the current ones. */
   uniformNumbers(label: string, drawValues: DrawValues): readonly number[] {
-    return this.numbersNow(this.userName(label), label, drawValues)
+    return this.numbersNow(this.place, this.userName(label), label, drawValues)
   }
 
   text(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
@@ -229,11 +233,16 @@ export class OffsetWarp {
     return this.drawNames().get(number) ?? this.userName(label)
   }
 
-  private numbersNow(name: string, label: string, drawValues: DrawValues): readonly number[] {
+  private numbersNow(
+    place: Place,
+    name: string,
+    label: string,
+    drawValues: DrawValues,
+  ): readonly number[] {
     const value = ownProperty(drawValues, name)
     if (value === undefined) return this.byLabel().get(label)?.numbers() ?? noNumbers
     return this.uniforms.declared.has(name)
-      ? this.uniforms.numbersFor(name, value)
+      ? this.uniforms.numbersFor(name, value, place)
       : [value as number | number[]].flat()
   }
 

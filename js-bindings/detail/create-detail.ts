@@ -11,7 +11,14 @@ import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
 import type { DetailAttribute } from './detail-base.js'
 import { DetailedMesh } from './detailed-mesh.js'
-import { noUniforms, readUpdate, writeViews, type DetailUpdate, type DetailView } from './update.js'
+import {
+  noUniforms,
+  readUpdate,
+  updatePlace,
+  writeViews,
+  type DetailUpdate,
+  type DetailView,
+} from './update.js'
 
 export type { DetailUpdate, DetailView } from './update.js'
 
@@ -125,7 +132,8 @@ export function createDetail(
     if (host.reads(input as 'uv') && !given[name as 'uvs']) throw missingInput(place, input, name)
   if (isCurved && !given.normals)
     throw place.part('normals').expected('3 numbers per vertex, which a curved mesh needs,', 'none')
-  const detailed = new DetailedMesh(host, { positions, attributes, indices, isCurved })
+  const base = { positions, attributes, indices, isCurved }
+  const detailed = new DetailedMesh(host, base, updatePlace)
   const numbers: number[] = []
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {

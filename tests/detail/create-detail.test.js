@@ -307,6 +307,71 @@ test('createDetail accepts meshes of warpjet/mesh', () => {
   createDetail({ ...baked, ...surfaceVariation(baked) }, warp)
 })
 
+test('messages about uniforms name update', () => {
+  const offset = ({ glsl, position, uniforms, millis }) =>
+    glsl.vec3(0, position.x().mult(uniforms.turn, uniforms.now).sin().mult(millis), 0)
+  let value = 1
+  const warp = compileWarp(offset, { uniforms: { turn: 0.01, now: () => value } })
+  const wavy = compileWarp(({ glsl, position }) =>
+    glsl.vec3(position.x().mult(glsl.param('k')).sin(), 0, 0),
+  )
+  const update = (warp, uniforms) => {
+    const divided = createDetail(mesh, warp)
+    try {
+      divided.update(near, { uniforms })
+    } finally {
+      divided.dispose()
+    }
+  }
+  const known = 'millis, mouse, size, pixelDensity, instance'
+  for (const [given, uniforms, message] of [
+    [
+      warp,
+      undefined,
+      'the warp reads "millis"; pass a value in the uniforms, as in { "millis": 0 }.',
+    ],
+    [
+      warp,
+      { millis: 'late' },
+      'expected a finite number for the uniform "millis", got the text "late".',
+    ],
+    [
+      warp,
+      { millis: 1, turn: [1, 2] },
+      'expected a finite number for the uniform "turn", got an array of 2.',
+    ],
+    [warp, { millis: 1, turn: NaN }, 'expected a finite number for the uniform "turn", got NaN.'],
+    [warp, { millis: 1, turm: 1 }, `the warp has no uniform "turm"; it has ${known}, turn, now.`],
+    [wavy, undefined, 'the warp reads "k"; pass a value in the uniforms, as in { "k": 0 }.'],
+    [wavy, { k: [1, 2] }, 'expected a finite number for the uniform "k", got an array of 2.'],
+    [
+      wavy,
+      5,
+      'expected an object, such as { millis: 1200 }, for the option "uniforms", got the number 5.',
+    ],
+    [
+      wavy,
+      null,
+      'expected an object, such as { millis: 1200 }, for the option "uniforms", got null.',
+    ],
+    [
+      warp,
+      [1],
+      'expected an object, such as { millis: 1200 }, for the option "uniforms", got an array of 1.',
+    ],
+  ])
+    assert.throws(() => update(given, uniforms), {
+      name: 'WarpError',
+      message: `update: ${message}`,
+    })
+  value = 'late'
+  assert.throws(() => update(warp, { millis: 1 }), {
+    name: 'WarpError',
+    message:
+      'update: expected a finite number for the uniform "now", got the text "late"; its function must always return a value of the same type as at first.',
+  })
+})
+
 // Without a limit there would be thirty million triangles.
 test('a wave with thousands of periods makes about a million triangles', () => {
   const warp = compileWarp(
