@@ -1,5 +1,5 @@
 // A recorded offset function without evaluation on the CPU: its uniforms, shader code and frame constants.
-import type { Variable } from '../core/expression/shapes.js'
+import type { ReadAsFloats, Variable } from '../core/expression/shapes.js'
 import { drawInputs, type InputName } from '../core/inputs/inputs.js'
 import { withUniforms } from '../core/inputs/uniform-expressions.js'
 import { numbersFor } from '../core/inputs/uniform-values.js'
@@ -96,6 +96,11 @@ export class OffsetWarp {
   /** Tests whether the warped position of a vertex depends on the input. */
   reads(input: InputName): boolean {
     return this.inputNumbersRead().has(this.recorded.inputs[input])
+  }
+
+  /** Returns an integer of the host of which the code reads 16 bits at a time; `undefined` if there is none. */
+  findHalvedInteger(): ReadAsFloats | undefined {
+    return [...this.recorded.module.conversions.values()].find(({ half }) => half)
   }
 
   /** Returns the numbers of uniforms and of the draw call's inputs that the warped position of a vertex depends on. */
