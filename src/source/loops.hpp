@@ -27,6 +27,9 @@ namespace warpjet::source {
 // measurements.
 inline constexpr std::size_t minSavedOperations = 100;
 
+// The limit of the builder for the product of the iterations of nested loops.
+inline constexpr std::uint32_t maxFoldedSteps = 10'000;
+
 // Values of `maxIterations` other than a limit. `rejectUnknown` rejects loops whose end only the
 // shader knows. With `untilEnd` they run until they end; a loop that can't stay a loop is cut off.
 inline constexpr int rejectUnknown = 0, untilEnd = -1;
