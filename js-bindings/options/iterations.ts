@@ -2,6 +2,7 @@
 import { wholeNumber } from './kinds.js'
 import type { KindsOf } from './schema.js'
 
+/** Equal to `maxIterationLimit` in loops.hpp. */
 export const maxIterationLimit = 4096
 
 /** `missing` is the value if the option is missing. */

@@ -6,15 +6,6 @@
 
 namespace warpjet::source {
 
-namespace {
-
-// The limit of the builder for the depth of nested loops.
-constexpr std::size_t maxFoldDepth = 8;
-// Every element of an array that a loop fills is a state.
-constexpr std::size_t maxStates = 32;
-
-}  // namespace
-
 // Runs condition, body and step once, in branches that end at a break, continue or return; the
 // condition of a `do` comes last. Returns the condition, which is assumed to hold unless
 // `evaluatesTest` is set. Calls `end` where the next iteration would start.

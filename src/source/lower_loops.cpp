@@ -18,11 +18,18 @@ constexpr const char* endsUnknown =
     "and break, or set the option maxIterations";
 // The limit for loops that can't stay loops, if others run until they end.
 constexpr int maxUnrolledUnknown = 256;
-constexpr const char* cutOffMessage =
-    "only the shader knows where this loop ends, and it can't stay a loop there, since it changes "
-    "more than about 30 numbers or is nested more than 8 deep, so it is cut off after 256 "
-    "iterations; let it change fewer numbers, such as a shorter array, or set the option "
-    "maxIterations (1 to 4096)";
+
+std::string cutOffMessage() {
+  // Up to two states say that the loop or the function has ended.
+  return "only the shader knows where this loop ends, and it can't stay a loop there, since it "
+         "changes more than about " +
+         std::to_string(maxStates - 2) + " numbers or is nested more than " +
+         std::to_string(maxFoldDepth) + " deep, so it is cut off after " +
+         std::to_string(maxUnrolledUnknown) +
+         " iterations; let it change fewer numbers, such as a shorter array, or set the option "
+         "maxIterations (1 to " +
+         std::to_string(maxIterationLimit) + ")";
+}
 
 }  // namespace
 
@@ -84,7 +91,7 @@ void Lowering::unroll(const Statement& statement) {
   const bool isEndless = hasNoEnd(statement), rejectsUnknown = maxIterations_ == rejectUnknown;
   const int limit = maxIterations_ == untilEnd ? maxUnrolledUnknown : maxIterations_;
   const auto cutOff = [&] {
-    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, cutOffMessage);
+    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, cutOffMessage());
   };
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {
     if (iteration > maxUnrolledIterations) {

@@ -457,6 +457,10 @@ TEST(GlslFold, ALoopThatCannotStayALoopIsCutOffWithAMessage) {
   const Listing listing = lowerToListing(text, 0, untilEnd);
   EXPECT_EQ(listing.cutOff.find("line 3, column 3: only the shader knows where this loop ends"), 0u)
       << listing.cutOff;
+  EXPECT_NE(listing.cutOff.find("changes more than about 30 numbers or is nested more than 8 deep, "
+                                "so it is cut off after 256 iterations; "),
+            std::string::npos);
+  EXPECT_NE(listing.cutOff.find("set the option maxIterations (1 to 4096).\n"), std::string::npos);
   EXPECT_NE(listing.cutOff.find("while (n < x)"), std::string::npos);
   EXPECT_DOUBLE_EQ(Interpreter(listing, {900.0}).results.at(0), 256);
   EXPECT_DOUBLE_EQ(Interpreter(listing, {255.0}).results.at(0), 255);
