@@ -46,6 +46,19 @@ function stageOf(warp: OffsetWarp, option: boolean | NormalsOption): NormalStage
   return option === true ? 'vertex' : warp.stageOfNormals(option)
 }
 
+/** Throws if the warp reads the bits of an integer of the host, which GLSL 1.00 cannot do. A warp that is recorded for it reads none. */
+function rejectHalves(place: Place, warp: OffsetWarp, target: Target) {
+  const integer = target === 'glsl100' && warp.findHalvedInteger()
+  if (!integer) return
+  const { name, type } = integer
+  const others = 'use glsl300 or wgsl'
+  throw place.error(
+    type.startsWith('u')
+      ? `the variable "${name}" is a ${type}, which glsl100 lacks; ${others}.`
+      : `the variable "${name}" is an ${type}, and this code reads its bits, which glsl100 cannot do; compile the warp with { target: 'glsl100' }, or ${others}.`,
+  )
+}
+
 function publicText({ parameters: _, frame: __, ...text }: HostText): WarpText {
   return text
 }
@@ -62,6 +75,7 @@ export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Em
     normals,
     emit(given, names) {
       const target = targetKind.read(given, emitPlace.part('the target'))
+      rejectHalves(emitPlace, warp, target)
       return publicText(warp.text(target, results, textOptions.read(names, emitPlace)))
     },
     emitFragment(given = target!, names) {
@@ -70,6 +84,7 @@ export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Em
           'the warp was compiled with "normals: false", which leaves normals out; compile it without this option.',
         )
       const target = targetKind.read(given, fragmentPlace.part('the target'))
+      rejectHalves(fragmentPlace, warp, target)
       const options = textOptions.read(names, fragmentPlace)
       return publicText(warp.fragmentText(target, normalResults, options))
     },

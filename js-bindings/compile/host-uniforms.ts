@@ -77,8 +77,8 @@ export class HostUniforms {
   }
 
   /** Returns the numbers of a value that a call passes in place of the current one. */
-  numbersFor(name: string, value: unknown): number[] {
-    return numbersFor(this.place.uniform(name), this.declared.get(name)!.shape, value)
+  numbersFor(name: string, value: unknown, place = this.place): number[] {
+    return numbersFor(place.uniform(name), this.declared.get(name)!.shape, value)
   }
 
   private declare(option: object | undefined): DeclaredUniforms {

@@ -14,6 +14,7 @@ import { Pool } from '../cpu/pool.js'
 import { positionsAlone } from '../cpu/results.js'
 import { runOnVertices } from '../cpu/vertex-run.js'
 import { warpProgram, type WarpProgram } from '../cpu/warp-program.js'
+import type { Place } from '../options/place.js'
 import { warpResults } from '../wasm/tables.js'
 import { OffsetWarp, type DrawValues } from './offset-warp.js'
 import { onSurface } from './recorded-warp.js'
@@ -25,7 +26,8 @@ const quickBudget = 20_000
 
 /**
  * The arguments of the waves and noises in the warped position, called phases, and of functions that change within a short part of their
- * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be.
+ * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be. Errors name the call
+ * `place`. Default: the call that made the warp.
  */
 export interface SurfacePhases {
   /** The number of floats per vertex, for each phase. */
@@ -41,9 +43,15 @@ export interface SurfacePhases {
   /** The number of floats per vertex, for all phases and fronts together. */
   readonly size: number
   /** Writes the numbers on which the phases depend, other than vertices, to the start of an array. Returns how many there are. */
-  writeState(drawValues: DrawValues, to: number[]): number
+  writeState(drawValues: DrawValues, to: number[], place?: Place): number
   /** Writes the phases of the first `count` vertices. */
-  evaluate(vertices: Vertices, count: number, drawValues: DrawValues, into: Float32Array): void
+  evaluate(
+    vertices: Vertices,
+    count: number,
+    drawValues: DrawValues,
+    into: Float32Array,
+    place?: Place,
+  ): void
 }
 
 /** The number of `Profile::Kink` (src/eval/front.hpp). Only that of a cusp is larger. */
@@ -103,15 +111,24 @@ export class HostWarp extends OffsetWarp {
 
   /**
    * Calls the uniforms that are functions, and returns `drawValues` with their current values, so that several evaluations use the same
-   * values.
+   * values. Errors name the call `place`. Default: the call that made the warp.
    */
-  withUniformsNow(drawValues: DrawValues): DrawValues {
-    return snapshotUniforms(this.place, this.uniforms.declared, drawValues)!
+  withUniformsNow(drawValues: DrawValues, place = this.place): DrawValues {
+    return snapshotUniforms(place, this.uniforms.declared, drawValues)!
   }
 
-  /** Writes the warped positions of the first `count` vertices into an array, and computes nothing else. */
-  evaluatePositions(vertices: Vertices, count: number, drawValues: DrawValues, into: Float32Array) {
-    this.runOn(this.positionProgram(), vertices, count, drawValues, positionsAlone, into)
+  /**
+   * Writes the warped positions of the first `count` vertices into an array, and computes nothing else. Errors name the call `place`.
+   * Default: the call that made the warp.
+   */
+  evaluatePositions(
+    vertices: Vertices,
+    count: number,
+    drawValues: DrawValues,
+    into: Float32Array,
+    place = this.place,
+  ) {
+    this.runOn(this.positionProgram(), place, vertices, count, drawValues, positionsAlone, into)
   }
 
   /** Returns the phases of the warped position; `undefined` if it has none, or if only the GPU can evaluate it. */
@@ -144,15 +161,17 @@ export class HostWarp extends OffsetWarp {
       hasFronts: profiles.some((profile) => profile < kink),
       hasKinks: profiles.includes(kink),
       size,
-      writeState: (drawValues, to) => this.writeNumbers(inputsOfPhases, drawValues, to),
-      evaluate: (vertices, count, drawValues, into) =>
-        this.runOn(phaseProgram, vertices, count, drawValues, results, into),
+      writeState: (drawValues, to, place = this.place) =>
+        this.writeNumbers(inputsOfPhases, drawValues, to, place),
+      evaluate: (vertices, count, drawValues, into, place = this.place) =>
+        this.runOn(phaseProgram, place, vertices, count, drawValues, results, into),
     }
   })
 
   /** Creates no garbage if the inputs are numbers. */
   private runOn(
     program: WarpProgram,
+    place: Place,
     vertices: Vertices,
     count: number,
     drawValues: DrawValues,
@@ -163,7 +182,7 @@ export class HostWarp extends OffsetWarp {
     const [sink] = sinks
     sink.values = into
     sink.results = results.numbers
-    runOnVertices(program, this.place, vertices, count, drawValues as never, results, sinks)
+    runOnVertices(program, place, vertices, count, drawValues as never, results, sinks)
     sink.values = noValues
     this.sinks.giveBack(sinks)
   }

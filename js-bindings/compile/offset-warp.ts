@@ -1,5 +1,5 @@
 // A recorded offset function without evaluation on the CPU: its uniforms, shader code and frame constants.
-import type { Variable } from '../core/expression/shapes.js'
+import type { ReadAsFloats, Variable } from '../core/expression/shapes.js'
 import { drawInputs, type InputName } from '../core/inputs/inputs.js'
 import { withUniforms } from '../core/inputs/uniform-expressions.js'
 import { numbersFor } from '../core/inputs/uniform-values.js'
@@ -98,6 +98,11 @@ export class OffsetWarp {
     return this.inputNumbersRead().has(this.recorded.inputs[input])
   }
 
+  /** Returns an integer of the host of which the code reads 16 bits at a time; `undefined` if there is none. */
+  findHalvedInteger(): ReadAsFloats | undefined {
+    return [...this.recorded.module.conversions.values()].find(({ half }) => half)
+  }
+
   /** Returns the numbers of uniforms and of the draw call's inputs that the warped position of a vertex depends on. */
   state(drawValues: DrawValues): number[] {
     const numbers: number[] = []
@@ -105,9 +110,12 @@ export class OffsetWarp {
     return numbers
   }
 
-  /** Writes the numbers of `state` to the start of an array, and returns how many there are. Inputs that are numbers create no garbage. */
-  writeState(drawValues: DrawValues, to: number[]): number {
-    return this.writeNumbers(this.namedInputsRead(), drawValues, to)
+  /**
+   * Writes the numbers of `state` to the start of an array, and returns how many there are. Inputs that are numbers create no garbage.
+   * Errors name the call `place`. Default: the call that made the warp.
+   */
+  writeState(drawValues: DrawValues, to: number[], place = this.place): number {
+    return this.writeNumbers(this.namedInputsRead(), drawValues, to, place)
   }
 
   /** Writes the current numbers of inputs like `writeState`. Inputs that differ by vertex have none. */
@@ -115,12 +123,13 @@ export class OffsetWarp {
     inputs: readonly NamedInput[],
     drawValues: DrawValues,
     to: number[],
+    place: Place,
   ): number {
     let count = 0
     for (const { label, name } of inputs) {
       const value = ownProperty(drawValues, name)
       if (typeof value === 'number' && !this.uniforms.declared.has(name)) to[count++] = value
-      else for (const each of this.numbersNow(name, label, drawValues)) to[count++] = each
+      else for (const each of this.numbersNow(place, name, label, drawValues)) to[count++] = each
     }
     return count
   }
@@ -141,7 +150,7 @@ export class OffsetWarp {
 
   /** Returns the numbers of a uniform, by its name in the shader: those of a value that the draw call passes, or the current ones. */
   uniformNumbers(label: string, drawValues: DrawValues): readonly number[] {
-    return this.numbersNow(this.userName(label), label, drawValues)
+    return this.numbersNow(this.place, this.userName(label), label, drawValues)
   }
 
   text(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
@@ -229,11 +238,16 @@ export class OffsetWarp {
     return this.drawNames().get(number) ?? this.userName(label)
   }
 
-  private numbersNow(name: string, label: string, drawValues: DrawValues): readonly number[] {
+  private numbersNow(
+    place: Place,
+    name: string,
+    label: string,
+    drawValues: DrawValues,
+  ): readonly number[] {
     const value = ownProperty(drawValues, name)
     if (value === undefined) return this.byLabel().get(label)?.numbers() ?? noNumbers
     return this.uniforms.declared.has(name)
-      ? this.uniforms.numbersFor(name, value)
+      ? this.uniforms.numbersFor(name, value, place)
       : [value as number | number[]].flat()
   }
 

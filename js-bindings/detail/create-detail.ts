@@ -1,7 +1,9 @@
 // `createDetail`: a mesh that is divided for the screen, for any renderer.
 import { hostWarp, type CompiledWarp } from '../compile/compile-warp.js'
+import { arrayNames } from '../core/inputs/vertices.js'
 import { missingInput } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
+import { didYouMean } from '../errors/nearest.js'
 import { isList } from '../options/guards.js'
 import { boolean, kind } from '../options/kinds.js'
 import { describeNumber, finiteFloat, firstWrong } from '../options/numbers.js'
@@ -9,7 +11,14 @@ import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
 import type { DetailAttribute } from './detail-base.js'
 import { DetailedMesh } from './detailed-mesh.js'
-import { noUniforms, readUpdate, writeViews, type DetailUpdate, type DetailView } from './update.js'
+import {
+  noUniforms,
+  readUpdate,
+  updatePlace,
+  writeViews,
+  type DetailUpdate,
+  type DetailView,
+} from './update.js'
 
 export type { DetailUpdate, DetailView } from './update.js'
 
@@ -62,6 +71,17 @@ const place = new Place('createDetail')
 
 const sizes = { normals: 3, uvs: 2, colors: 4, tangents: 4 } as const
 
+const meshArrays = ['positions', ...Object.keys(sizes), 'indices']
+/** All properties of a `Mesh` of 'warpjet/mesh' and of the vertices that `evaluate` reads. */
+const meshProperties = new Set<string>([
+  ...meshArrays,
+  ...Object.values(arrayNames),
+  'material',
+  'warnings',
+])
+/** Maps names of other libraries → names of this one. */
+const synonyms = { vertices: 'positions', index: 'indices', faces: 'indices', triangles: 'indices' }
+
 const meshOptions = object({ curved: boolean(false) } satisfies KindsOf<DetailMeshOptions>)
 const isBufferGeometry = (value: unknown) =>
   (value as { isBufferGeometry?: unknown } | undefined)?.isBufferGeometry === true
@@ -93,6 +113,7 @@ export function createDetail(
   options?: DetailMeshOptions,
 ): DividedMesh {
   const given = meshKind.read(mesh, place.argument(1))
+  rejectUnknownArrays(given)
   const { curved: isCurved } = meshOptions.read(options, place)
   const host = warpKind.read(warp, place.argument(2))[hostWarp]
   if (!host.canRunOnCpu)
@@ -111,7 +132,8 @@ export function createDetail(
     if (host.reads(input as 'uv') && !given[name as 'uvs']) throw missingInput(place, input, name)
   if (isCurved && !given.normals)
     throw place.part('normals').expected('3 numbers per vertex, which a curved mesh needs,', 'none')
-  const detailed = new DetailedMesh(host, { positions, attributes, indices, isCurved })
+  const base = { positions, attributes, indices, isCurved }
+  const detailed = new DetailedMesh(host, base, updatePlace)
   const numbers: number[] = []
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {
@@ -131,6 +153,14 @@ export function createDetail(
     Object.defineProperty(result, name, { get: () => detailed.values(i), enumerable: true }),
   )
   return result
+}
+
+function rejectUnknownArrays(mesh: DetailMesh) {
+  for (const name of Object.keys(mesh))
+    if (!meshProperties.has(name))
+      throw place.error(
+        `there is no array "${name}" in a mesh; ${didYouMean(name, meshArrays, `the arrays are ${meshArrays.join(', ')}.`, synonyms)}`,
+      )
 }
 
 function readArray(given: unknown, name: string, size: number, vertices?: number) {

@@ -2,6 +2,7 @@
 import type { HostWarp } from '../compile/host-warp.js'
 import type { DrawValues } from '../compile/offset-warp.js'
 import type { Vertices } from '../core/inputs/vertices.js'
+import type { Place } from '../options/place.js'
 import { diagonalOf } from './arrays.js'
 import type { DetailBase } from './detail-base.js'
 import { LastNumbers } from './last-numbers.js'
@@ -73,6 +74,8 @@ export class DetailedMesh {
   constructor(
     private readonly warp: HostWarp,
     private readonly base: DetailBase,
+    /** The call that errors name. Default: the call that made the warp. */
+    private readonly call?: Place,
   ) {
     this.maxLength = diagonalOf(base.positions) / minPiecesAcross || 1
   }
@@ -90,7 +93,7 @@ export class DetailedMesh {
   ): boolean {
     this.startedMesh()
     const { state, lastState, lastViews } = this
-    const now = this.warp.withUniformsNow(given)
+    const now = this.warp.withUniformsNow(given, this.call)
     const count = this.writeState(now, place, state)
     if (!lastState.are(state, count)) {
       this.cut(now, toSpace, place)
@@ -115,7 +118,7 @@ export class DetailedMesh {
     const { mesh, samples } = this.startedMesh()
     if (!samples.haveFronts) return false
     samples.place(toSpace, place)
-    if (!samples.writePhases(this.warp.withUniformsNow(given))) return false
+    if (!samples.writePhases(this.warp.withUniformsNow(given, this.call))) return false
     const isCoarse = mesh.isCoarse(this.maxLength)
     if (isCoarse) samples.forgetPhases()
     return isCoarse
@@ -211,7 +214,8 @@ export class DetailedMesh {
     this.dispose()
     const phases = this.warp.surfacePhases() ?? noPhases
     const mesh = new WasmMesh(this.base, phases)
-    this.started = { mesh, samples: new SurfaceSamples(this.warp, phases, this.base, mesh) }
+    const samples = new SurfaceSamples(this.warp, phases, this.base, mesh, this.call)
+    this.started = { mesh, samples }
     this.firstSampleCount = undefined
     this.lastState.forget()
     this.baseVersion++
@@ -219,7 +223,7 @@ export class DetailedMesh {
   }
 
   private writeState(given: DrawValues, place: readonly number[], to: number[]): number {
-    let count = this.warp.writeState(given, to)
+    let count = this.warp.writeState(given, to, this.call)
     for (let i = 0; i < place.length; i++) to[count++] = place[i]!
     return count
   }

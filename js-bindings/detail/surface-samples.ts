@@ -3,6 +3,7 @@ import type { HostWarp, SurfacePhases } from '../compile/host-warp.js'
 import type { DrawValues } from '../compile/offset-warp.js'
 import type { VertexInput } from '../core/inputs/inputs.js'
 import { arrayNames, type Vertices } from '../core/inputs/vertices.js'
+import type { Place } from '../options/place.js'
 import { copyInto, gather, scatter } from './arrays.js'
 import type { DetailBase } from './detail-base.js'
 import { LastNumbers } from './last-numbers.js'
@@ -53,6 +54,8 @@ export class SurfaceSamples {
     private readonly phases: SurfacePhases,
     private readonly base: DetailBase,
     private readonly mesh: WasmMesh,
+    /** The call that errors name. Default: the call that made the warp. */
+    private readonly call?: Place,
   ) {
     this.areAllWarped = warp.operations() < minOperations
     this.read()
@@ -93,9 +96,9 @@ export class SurfaceSamples {
   /** Writes the phases into the wasm. Returns `false` if it has written the same ones before. */
   writePhases(given: DrawValues): boolean {
     const { mesh, phases, phaseState, lastPhases } = this
-    const count = phases.writeState(given, phaseState)
+    const count = phases.writeState(given, phaseState, this.call)
     if (lastPhases.are(phaseState, count)) return false
-    phases.evaluate(this.placed, mesh.cutSampleCount, given, mesh.phaseArray())
+    phases.evaluate(this.placed, mesh.cutSampleCount, given, mesh.phaseArray(), this.call)
     lastPhases.set(phaseState, count)
     return true
   }
@@ -121,13 +124,13 @@ export class SurfaceSamples {
     if (count > maxShare * sampleCount) return this.warpUpTo(sampleCount)
     const at = mesh.missingSamplesAt()
     gather(this.placed, words, at, count, chosen)
-    this.warp.evaluatePositions(chosen, count, this.given, warpedChosen)
+    this.warp.evaluatePositions(chosen, count, this.given, warpedChosen, this.call)
     scatter(warpedChosen, words, at, count, mesh.warped())
   }
 
   /** Warps the first `count` samples. */
   private warpUpTo(count: number) {
-    this.warp.evaluatePositions(this.placed, count, this.given, this.mesh.warped())
+    this.warp.evaluatePositions(this.placed, count, this.given, this.mesh.warped(), this.call)
     this.warpedFirst = count
   }
 

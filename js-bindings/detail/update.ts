@@ -1,6 +1,6 @@
 // The arguments of `update` of a divided mesh. Reading them creates no garbage, since that is done in each frame.
 import type { Uniforms } from '../core/inputs/vertices.js'
-import { anything, oneOf, positiveNumber, record } from '../options/kinds.js'
+import { anything, oneOf, optional, positiveNumber, record } from '../options/kinds.js'
 import { copyNumbers, readNumbers } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -30,12 +30,12 @@ export interface DetailUpdate {
   readonly tolerance?: number
 }
 
-const place = new Place('update')
-const viewPlace = place.argument(1)
-const matrixPlace = place.option('matrix')
+export const updatePlace = new Place('update')
+const viewPlace = updatePlace.argument(1)
+const matrixPlace = updatePlace.option('matrix')
 
 const updateOptions = object({
-  uniforms: anything<Uniforms>(),
+  uniforms: optional(record<Uniforms>('an object, such as { millis: 1200 },')),
   tolerance: positiveNumber({ default: 1 }),
 } satisfies KindsOf<DetailUpdate>)
 
@@ -52,18 +52,18 @@ const viewKind = record<DetailView>('a view such as { matrix, width, height }')
 
 export const noUniforms: Uniforms = {}
 
-const updateNow = updateOptions.read({}, place)
+const updateNow = updateOptions.read({}, updatePlace)
 
 /** Returns the options of the update. The next call overwrites them. */
 export function readUpdate(options: DetailUpdate | undefined) {
-  updateOptions.readInto(updateNow, options, place)
+  updateOptions.readInto(updateNow, options, updatePlace)
   return updateNow
 }
 
 /** The numbers of a view: see `DetailViews`. */
 const numbersPerView = 19
 const matrixNow = Array<number>(16).fill(0.5)
-const viewNow = viewOptions.read({ width: 1, height: 1 }, place)
+const viewNow = viewOptions.read({ width: 1, height: 1 }, updatePlace)
 
 /** Replaces the numbers by those of the views. */
 export function writeViews(numbers: number[], views: DetailView | readonly DetailView[]) {
@@ -75,7 +75,7 @@ export function writeViews(numbers: number[], views: DetailView | readonly Detai
 }
 
 function writeView(numbers: number[], at: number, given: unknown) {
-  viewOptions.readInto(viewNow, viewKind.read(given, viewPlace), place)
+  viewOptions.readInto(viewNow, viewKind.read(given, viewPlace), updatePlace)
   const { matrix, width, height, side } = viewNow
   if (!copyNumbers(matrixNow, matrix))
     readNumbers(matrixPlace, matrix, 16, { layout: ', column by column,' })

@@ -8,7 +8,8 @@ export interface GlslOptions {
   function?: string
   /**
    * Max number of iterations, from 1 to 4096, of every loop whose end depends on values in the shader. A loop that goes on for longer is
-   * cut off there, without a message. Without this option such a loop is unsupported.
+   * cut off there, without a message. Nested loops of this kind multiply it, to at most 10,000. Without this option such a loop is
+   * unsupported.
    */
   maxIterations?: number
 }

@@ -7,8 +7,8 @@ import { Columns, Halves, halfOf, halvesOf, recombine, type GlslValue } from './
 import type { Listing } from './listing.js'
 import { record, sessionOf, type Routine } from './record.js'
 
-/** Equal to Builder::untilEnd in C++. */
-const untilEnd = -1
+/** The number of steps of a loop that runs until its first state says that it has ended. Equal to `Builder::uncounted` in C++. */
+const uncounted = -1
 
 /** Maps codes → the builder's names of operations, or the names of leaves and instructions; see codes.hpp. */
 let operationNames: string[] | undefined
@@ -57,7 +57,7 @@ export function replay(glsl: Builder, listing: Listing, inputs: ReplayInputs): E
     }
     const repeat = (steps: number, count: number) => {
       const finalStates = sessionOf(glsl).repeat(
-        steps || untilEnd,
+        steps || uncounted,
         nextOperands(count),
         (states, step) => {
           values.push(step, ...states)

@@ -83,7 +83,7 @@ class Builder {
 
   // The `steps` of a loop that runs until its first state is more than 0.5. From then on, no step
   // may change any state.
-  static constexpr int untilEnd = -1;
+  static constexpr int uncounted = -1;
   // Opens a loop of `steps` iterations; the values pushed are the initial states. Returns the
   // handle of the step number, followed by the handles of the states. `closeRepeat` takes the new
   // states from the values pushed and returns the handle of the first outcome; the other handles

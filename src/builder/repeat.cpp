@@ -16,7 +16,7 @@ constexpr std::string_view repeatMethod = "repeat";
 
 int Builder::openRepeat(int steps) {
   const std::vector<Value> start = std::exchange(operands_, {});
-  const bool isCounted = steps != untilEnd;
+  const bool isCounted = steps != uncounted;
   std::uint64_t totalSteps = isCounted ? static_cast<std::uint64_t>(steps) : 1;
   for (const Repeat& repeat : repeats_) {
     const Loop& loop = graph_.loop(repeat.fold.loop);

@@ -65,15 +65,15 @@ class Lowering : public Rewriter {
 
 }  // namespace
 
-std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
-                                 ops::Language language) {
-  if (!usesMissing(graph, language)) return {};
+std::optional<Op> findUnsupported(const Graph& graph, std::span<const NodeId> roots,
+                                  ops::Language language) {
+  if (!usesMissing(graph, language)) return std::nullopt;
   for (const NodeId id : reachable(graph, roots)) {
     if (!graph.isOperation(id)) continue;
     const Op op = graph.node(id).op;
-    if (isMissing(op, language) && !formulas[index(op)]) return ops::declaration(op).name;
+    if (isMissing(op, language) && !formulas[index(op)]) return op;
   }
-  return {};
+  return std::nullopt;
 }
 
 bool usesMissing(const Graph& graph, ops::Language language) {

@@ -1,8 +1,8 @@
 // Lowering: replaces operations that a language lacks by others that it has.
 #pragma once
 
+#include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "graph/graph.hpp"
@@ -13,9 +13,9 @@ namespace warpjet {
 // Returns true if the graph contains an operation that the language lacks.
 bool usesMissing(const Graph& graph, ops::Language language);
 
-// Returns the name of an operation that the language lacks and that can't be lowered, or empty.
-std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
-                                 ops::Language language);
+// Returns an operation that the language lacks and that can't be lowered; nullopt if there is none.
+std::optional<Op> findUnsupported(const Graph& graph, std::span<const NodeId> roots,
+                                  ops::Language language);
 
 // Returns nodes that have the same values as `roots` and that the language can express. A
 // replacement inherits the comment of its node. Differentiate before lowering: the derivative of an

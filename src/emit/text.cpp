@@ -138,15 +138,17 @@ class ShaderTextWriter {
     return true;
   }
 
-  // Checks that the language has all operations: languages differ in those on integers.
+  // Checks that the language has all operations: languages differ in those on integers. Only
+  // shader source has these, so the message spells the operation as GLSL does.
   bool checkOperations() {
     for (const Output& output : outputs_) {
-      const std::string_view missing =
-          findUnsupported(graph_, output.components, dialect_.language);
-      if (!missing.empty())
-        return reject(output.method, {dialect_.name, " has no ", missing,
-                                      ", an operation on the bits of whole numbers; use ",
-                                      glsl300.name, " or ", wgsl.name, "."});
+      const auto missing = findUnsupported(graph_, output.components, dialect_.language);
+      if (!missing) continue;
+      const std::string_view spelling = ops::spelling(*missing, glsl300.language).text;
+      return reject(output.method,
+                    {dialect_.name, " has no ", quoteShort(expand(spelling, {"x", "y"})),
+                     ", an operation on the bits of whole numbers; use ", glsl300.name, " or ",
+                     wgsl.name, "."});
     }
     return true;
   }

@@ -27,6 +27,14 @@ namespace warpjet::source {
 // measurements.
 inline constexpr std::size_t minSavedOperations = 100;
 
+// The limits of the builder: the product of the iterations of nested loops, and their depth.
+inline constexpr std::uint32_t maxFoldedSteps = 10'000;
+inline constexpr std::size_t maxFoldDepth = 8;
+// The limit for the states of a loop. Every element of an array that a loop fills is a state.
+inline constexpr std::size_t maxStates = 32;
+// The largest value of the option maxIterations. Equal to `maxIterationLimit` in iterations.ts.
+inline constexpr int maxIterationLimit = 4096;
+
 // Values of `maxIterations` other than a limit. `rejectUnknown` rejects loops whose end only the
 // shader knows. With `untilEnd` they run until they end; a loop that can't stay a loop is cut off.
 inline constexpr int rejectUnknown = 0, untilEnd = -1;

@@ -140,6 +140,7 @@ class Lowering {
   bool completeRoutine(Routine& routine) const;
 
   // lower_loops.cpp
+  void enterUnknown(Location location);
   void loop(const Statement& statement);
   bool hasNoEnd(const Statement& statement) const;
   void unroll(const Statement& statement);
@@ -248,6 +249,8 @@ class Lowering {
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
   std::vector<std::uint32_t> openLoops_;
+  // The number of enclosing loops whose ends only the shader knows.
+  std::size_t unknownLoops_ = 0;
   // Represents, in a key, the unknown value of a global that is assigned somewhere.
   static constexpr std::size_t unknowable = 255;
   std::set<RoutineKey> inlined_;

@@ -6,16 +6,6 @@
 
 namespace warpjet::source {
 
-namespace {
-
-// The limits of the builder: the product of the iterations of nested loops, and their depth.
-constexpr std::uint32_t maxFoldedSteps = 10'000;
-constexpr std::size_t maxFoldDepth = 8;
-// Every element of an array that a loop fills is a state.
-constexpr std::size_t maxStates = 32;
-
-}  // namespace
-
 // Runs condition, body and step once, in branches that end at a break, continue or return; the
 // condition of a `do` comes last. Returns the condition, which is assumed to hold unless
 // `evaluatesTest` is set. Calls `end` where the next iteration would start.
@@ -57,8 +47,10 @@ bool Lowering::foldLoop(const Statement& statement) {
   const Id first = iterate(statement, false, [] {});
   const Store::Changes changes = store_.close();
   const std::size_t once = recorder_.size() - size;
+  const std::size_t unknownLoops = unknownLoops_;
   const auto giveUp = [&] {
-    problems_ = before;
+    unknownLoops_ = unknownLoops;
+    problems_.restore(before);
     cutOff_ = cutOffBefore;
     return false;
   };
@@ -74,6 +66,7 @@ bool Lowering::foldLoop(const Statement& statement) {
   } else {
     if (maxIterations_ == rejectUnknown) return giveUp();
     evaluateTest(folding);
+    enterUnknown(statement.location);
     if (!record(statement, folding)) return giveUp();
   }
   while (widenStates(folding))
@@ -81,6 +74,7 @@ bool Lowering::foldLoop(const Statement& statement) {
   const std::uint32_t inner = recorder_.loop(folding.loop).inner;
   const bool isShort = !folding.isCounted() || 1.0 * folding.steps * inner <= maxFoldedSteps;
   if (!isShort || !isWorthIt(folding, once) || !close(statement, folding)) return giveUp();
+  unknownLoops_ = unknownLoops;
   return true;
 }
 

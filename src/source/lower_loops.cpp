@@ -1,4 +1,6 @@
 // Loops: the loops of the source, and unrolling.
+#include <cmath>
+
 #include "source/loops.hpp"
 #include "source/lower.hpp"
 
@@ -16,13 +18,41 @@ constexpr const char* endsUnknown =
     "and break, or set the option maxIterations";
 // The limit for loops that can't stay loops, if others run until they end.
 constexpr int maxUnrolledUnknown = 256;
-constexpr const char* cutOffMessage =
-    "only the shader knows where this loop ends, and it can't stay a loop there, since it changes "
-    "more than about 30 numbers or is nested more than 8 deep, so it is cut off after 256 "
-    "iterations; let it change fewer numbers, such as a shorter array, or set the option "
-    "maxIterations (1 to 4096)";
+
+std::string cutOffMessage() {
+  // Up to two states say that the loop or the function has ended.
+  return "only the shader knows where this loop ends, and it can't stay a loop there, since it "
+         "changes more than about " +
+         std::to_string(maxStates - 2) + " numbers or is nested more than " +
+         std::to_string(maxFoldDepth) + " deep, so it is cut off after " +
+         std::to_string(maxUnrolledUnknown) +
+         " iterations; let it change fewer numbers, such as a shorter array, or set the option "
+         "maxIterations (1 to " +
+         std::to_string(maxIterationLimit) + ")";
+}
 
 }  // namespace
+
+// Counts an enclosing loop whose end only the shader knows. Nested ones multiply `maxIterations`,
+// so that they can't all stay loops, and are too long if they don't.
+void Lowering::enterUnknown(Location location) {
+  ++unknownLoops_;
+  const auto product = [&](int iterations) {
+    return std::pow(iterations, static_cast<double>(unknownLoops_));
+  };
+  if (maxIterations_ <= 0 || product(maxIterations_) <= maxFoldedSteps) return;
+  int allowed = maxIterations_;
+  while (product(allowed) > maxFoldedSteps) --allowed;
+  std::string factors = std::to_string(maxIterations_);
+  for (std::size_t i = 1; i < unknownLoops_; ++i) factors += " * " + std::to_string(maxIterations_);
+  problems_.addFinal(
+      location,
+      "nested loops whose ends only the shader knows multiply the option maxIterations: expected "
+      "at most " +
+          std::to_string(maxFoldedSteps) + " iterations in all, got " + factors + " = " +
+          std::to_string(static_cast<std::int64_t>(product(maxIterations_))) +
+          "; set it to at most " + std::to_string(allowed));
+}
 
 void Lowering::loop(const Statement& statement) {
   execute(statement.children[0]);
@@ -54,10 +84,14 @@ void Lowering::unroll(const Statement& statement) {
   // Counts the iterations of which only the shader knows whether they are reached. The first
   // iteration of a `do` counts, too.
   int unknown = statement.testsAfterBody;
+  const std::size_t unknownLoops = unknownLoops_;
+  const auto enterOnce = [&] {
+    if (unknownLoops_ == unknownLoops) enterUnknown(statement.location);
+  };
   const bool isEndless = hasNoEnd(statement), rejectsUnknown = maxIterations_ == rejectUnknown;
   const int limit = maxIterations_ == untilEnd ? maxUnrolledUnknown : maxIterations_;
   const auto cutOff = [&] {
-    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, cutOffMessage);
+    if (maxIterations_ == untilEnd) cutOff_.add(statement.location, cutOffMessage());
   };
   for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {
     if (iteration > maxUnrolledIterations) {
@@ -77,6 +111,7 @@ void Lowering::unroll(const Statement& statement) {
           cutOff();
           break;
         }
+        enterOnce();
         enter(test);
       }
     }
@@ -90,6 +125,7 @@ void Lowering::unroll(const Statement& statement) {
         cutOff();
         break;
       }
+      if (isEndless) enterOnce();
       if (isEndless && rejectsUnknown && ++unknown > maxUnknown)
         problems_.add(statement.location, endsUnknown);
       enter(recorder_.logicalNot(isOver));
@@ -98,6 +134,7 @@ void Lowering::unroll(const Statement& statement) {
     }
     execute(statement.children[1]);
   }
+  unknownLoops_ = unknownLoops;
   // Reports a loop that ran until it exceeded a limit.
   if (problems_.any() && !before.any() && isEndless && unknown > 1 && rejectsUnknown) {
     problems_ = before;

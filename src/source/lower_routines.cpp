@@ -139,6 +139,7 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   const std::uint32_t routineId = ++routineCount_;
   const Problems before = problems_;
   std::vector<std::uint32_t> outer = std::exchange(openLoops_, {});
+  const std::size_t unknownLoops = std::exchange(unknownLoops_, 0);
   store_.open();
   for (const VariableId each : assignedGlobals_) {
     for (int k = 0; k < sizeOf(tree_.variables[each].type); ++k) {
@@ -160,8 +161,9 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   const bool changesOthers = !store_.close().empty();
   store_.close();
   openLoops_ = std::move(outer);
+  unknownLoops_ = unknownLoops;
   if (problems_.any() || changesOthers) {
-    problems_ = before;
+    problems_.restore(before);
     return -1;
   }
   Routine routine{key, std::string(function.name), routineId, count, {}, std::move(results)};

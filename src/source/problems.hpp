@@ -22,7 +22,18 @@ class Problems {
     if (!found_) found_ = {location, std::move(message)};
   }
 
+  // Adds a problem that `restore` keeps.
+  void addFinal(Location location, std::string message) {
+    add(location, std::move(message));
+    isFinal_ = true;
+  }
+
   bool any() const { return found_.has_value(); }
+
+  // Forgets the problem that was found since `before`, since the same code is lowered otherwise.
+  void restore(const Problems& before) {
+    if (!isFinal_) *this = before;
+  }
 
   // Returns the message with line and column, then the line itself and a caret under the location.
   std::string message(std::string_view source) const;
@@ -34,6 +45,7 @@ class Problems {
   };
 
   std::optional<Found> found_;
+  bool isFinal_ = false;
 };
 
 // A source with '\n' at all line ends. `lines` has its lines unchanged. In `joined`, each line that

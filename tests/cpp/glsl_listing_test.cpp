@@ -406,6 +406,50 @@ TEST(GlslFold, NestedLoopsCanRunUntilTheyEnd) {
   }
 }
 
+TEST(GlslFold, NestedLoopsMultiplyMaxIterations) {
+  const auto problemOf = [](const std::string& loops, int maxIterations) {
+    const std::string text =
+        "float f(float x, float n) {\n  float s = 0.0;\n  " + loops + "\n  return s; }";
+    Source source(parse(text));
+    source.lower(0, maxIterations);
+    return source.problem();
+  };
+  const auto message = [](const std::string& place, const std::string& numbers) {
+    return place +
+           ": nested loops whose ends only the shader knows multiply the option maxIterations: "
+           "expected at most 10000 iterations in all, " +
+           numbers;
+  };
+  const std::string outer = "for (float i = 0.0; i < n; i++)\n";
+  for (const char* inner :
+       {"for (float j = 0.0; j < n; j++) s += sin(x * i + j);",
+        "for (float j = 0.0; j < i; j++) s += sin(x * i + j);",
+        "for (;;) { s += sin(x); if (s > n) break; }", "do s += sin(x * i); while (s < n);"}) {
+    EXPECT_EQ(problemOf(outer + inner, 100), "") << inner;
+    EXPECT_EQ(
+        problemOf(outer + inner, 512)
+            .find(message("line 4, column 1", "got 512 * 512 = 262144; set it to at most 100.\n")),
+        0u)
+        << problemOf(outer + inner, 512);
+  }
+  const std::string three = outer + outer + "for (float k = 0.0; k < n; k++) s += sin(x * k);";
+  EXPECT_EQ(problemOf(three, 21), "");
+  EXPECT_EQ(problemOf(three, 22).find(
+                message("line 5, column 1", "got 22 * 22 * 22 = 10648; set it to at most 21.\n")),
+            0u)
+      << problemOf(three, 22);
+  // These have more states than loops of a shader can have, so they are unrolled.
+  EXPECT_EQ(problemOf("float a[40], i = 0.0, j = 0.0; while (i < n) { a[int(i) % 40] = i++;\n"
+                      "while (j < n) { a[int(j) % 40] = j++; s += a[7]; } }",
+                      200)
+                .find(message("line 4, column 1", "got 200 * 200 = 40000; ")),
+            0u);
+  // Loops one after another, and loops with a known end, do not multiply it.
+  EXPECT_EQ(problemOf(outer + "s += sin(x * i);\n" + outer + "s += cos(x * i);", 4096), "");
+  EXPECT_EQ(problemOf("for (int i = 0; i < 5; i++)\nwhile (s < n) s += sin(x) + 2.0;", 4096), "");
+  EXPECT_EQ(problemOf(outer + "for (int j = 0; j < 5; j++) s += sin(x);", 4096), "");
+}
+
 TEST(GlslFold, ALoopThatCannotStayALoopIsCutOffWithAMessage) {
   const std::string text =
       "float f(float x) {\n  float a[40], n = 0.0;\n  while (n < x) { a[int(n) % 40] = n; n++; "
@@ -413,6 +457,10 @@ TEST(GlslFold, ALoopThatCannotStayALoopIsCutOffWithAMessage) {
   const Listing listing = lowerToListing(text, 0, untilEnd);
   EXPECT_EQ(listing.cutOff.find("line 3, column 3: only the shader knows where this loop ends"), 0u)
       << listing.cutOff;
+  EXPECT_NE(listing.cutOff.find("changes more than about 30 numbers or is nested more than 8 deep, "
+                                "so it is cut off after 256 iterations; "),
+            std::string::npos);
+  EXPECT_NE(listing.cutOff.find("set the option maxIterations (1 to 4096).\n"), std::string::npos);
   EXPECT_NE(listing.cutOff.find("while (n < x)"), std::string::npos);
   EXPECT_DOUBLE_EQ(Interpreter(listing, {900.0}).results.at(0), 256);
   EXPECT_DOUBLE_EQ(Interpreter(listing, {255.0}).results.at(0), 255);

@@ -4,6 +4,7 @@ import { test } from 'node:test'
 import * as THREE from 'three'
 import { compileWarp } from 'warpjet'
 import { createDetail } from 'warpjet/detail'
+import { bakeWarp, surfaceVariation } from 'warpjet/mesh'
 import { edgesNotUsed } from '../support/deviation.js'
 import { pixelsOf, quantile, screenErrors } from '../support/screen-error.js'
 
@@ -275,6 +276,100 @@ test('wrong arguments are named', () => {
     message: /which only the GPU can do/,
   })
   divided.dispose()
+})
+
+test('unknown arrays of a mesh are named', () => {
+  const known = 'positions, normals, uvs, colors, tangents, indices'
+  const { positions, ...others } = mesh
+  for (const [given, message] of [
+    [{ ...mesh, index: [0, 1, 2] }, 'there is no array "index" in a mesh; did you mean indices?'],
+    [
+      { position: positions, ...others },
+      'there is no array "position" in a mesh; did you mean positions?',
+    ],
+    [{ vertices: positions }, 'there is no array "vertices" in a mesh; did you mean positions?'],
+    [{ ...mesh, faces: [0, 1, 2] }, 'there is no array "faces" in a mesh; did you mean indices?'],
+    [{ ...mesh, normal: [] }, 'there is no array "normal" in a mesh; did you mean normals?'],
+    [{ ...mesh, uv: [] }, 'there is no array "uv" in a mesh; did you mean uvs?'],
+    [{ ...mesh, color: undefined }, 'there is no array "color" in a mesh; did you mean colors?'],
+    [{ ...mesh, weight: [] }, `there is no array "weight" in a mesh; the arrays are ${known}.`],
+  ])
+    assert.throws(() => createDetail(given, warp), {
+      name: 'WarpError',
+      message: `createDetail: ${message}`,
+    })
+})
+
+test('createDetail accepts meshes of warpjet/mesh', () => {
+  const baked = bakeWarp({ ...mesh, material: { baseColor: [1, 0, 0, 1] } }, warp)
+  assert.deepEqual(baked.material, { baseColor: [1, 0, 0, 1] })
+  createDetail({ ...baked, warnings: ['animations are left out'] }, warp)
+  createDetail({ ...baked, ...surfaceVariation(baked) }, warp)
+})
+
+test('messages about uniforms name update', () => {
+  const offset = ({ glsl, position, uniforms, millis }) =>
+    glsl.vec3(0, position.x().mult(uniforms.turn, uniforms.now).sin().mult(millis), 0)
+  let value = 1
+  const warp = compileWarp(offset, { uniforms: { turn: 0.01, now: () => value } })
+  const wavy = compileWarp(({ glsl, position }) =>
+    glsl.vec3(position.x().mult(glsl.param('k')).sin(), 0, 0),
+  )
+  const update = (warp, uniforms) => {
+    const divided = createDetail(mesh, warp)
+    try {
+      divided.update(near, { uniforms })
+    } finally {
+      divided.dispose()
+    }
+  }
+  const known = 'millis, mouse, size, pixelDensity, instance'
+  for (const [given, uniforms, message] of [
+    [
+      warp,
+      undefined,
+      'the warp reads "millis"; pass a value in the uniforms, as in { "millis": 0 }.',
+    ],
+    [
+      warp,
+      { millis: 'late' },
+      'expected a finite number for the uniform "millis", got the text "late".',
+    ],
+    [
+      warp,
+      { millis: 1, turn: [1, 2] },
+      'expected a finite number for the uniform "turn", got an array of 2.',
+    ],
+    [warp, { millis: 1, turn: NaN }, 'expected a finite number for the uniform "turn", got NaN.'],
+    [warp, { millis: 1, turm: 1 }, `the warp has no uniform "turm"; it has ${known}, turn, now.`],
+    [wavy, undefined, 'the warp reads "k"; pass a value in the uniforms, as in { "k": 0 }.'],
+    [wavy, { k: [1, 2] }, 'expected a finite number for the uniform "k", got an array of 2.'],
+    [
+      wavy,
+      5,
+      'expected an object, such as { millis: 1200 }, for the option "uniforms", got the number 5.',
+    ],
+    [
+      wavy,
+      null,
+      'expected an object, such as { millis: 1200 }, for the option "uniforms", got null.',
+    ],
+    [
+      warp,
+      [1],
+      'expected an object, such as { millis: 1200 }, for the option "uniforms", got an array of 1.',
+    ],
+  ])
+    assert.throws(() => update(given, uniforms), {
+      name: 'WarpError',
+      message: `update: ${message}`,
+    })
+  value = 'late'
+  assert.throws(() => update(warp, { millis: 1 }), {
+    name: 'WarpError',
+    message:
+      'update: expected a finite number for the uniform "now", got the text "late"; its function must always return a value of the same type as at first.',
+  })
 })
 
 // Without a limit there would be thirty million triangles.

@@ -335,8 +335,47 @@ test('only bit operations are unsupported in GLSL 1.00, and the message names th
   const text = (value) => glslOffset(`vec3 offset(vec3 p) { return vec3(${value}); }`)
   const write = (value) => compileWarp(text(value), { target: 'glsl100' }).code
   assert.match(write('int(p.x) % 3'), /highp int/)
-  assert.throws(() => write('int(p.x) & 3'), /glsl100 has no bitAnd, .* use glsl300 or wgsl\.$/)
-  assert.throws(() => write('floatBitsToInt(p.x)'), /glsl100 has no floatBitsToInt/)
+  for (const [value, name] of [
+    ['int(p.x) & 3', 'x & y'],
+    ['int(p.x) << 3', 'x << y'],
+    ['floatBitsToInt(p.x)', 'floatBitsToInt(x)'],
+  ])
+    assert.throws(() => write(value), {
+      name: 'WarpError',
+      message: `compileWarp: glsl100 has no "${name}", an operation on the bits of whole numbers; use glsl300 or wgsl.`,
+    })
+})
+
+test('emit names an integer of the host that GLSL 1.00 cannot read in halves', () => {
+  const warpOf = (declaration, value, options) =>
+    compileWarp(
+      glslOffset(`${declaration} vec3 offset(vec3 p) { return p.x * vec3(${value}); }`),
+      options,
+    )
+  const remedy =
+    "this code reads its bits, which glsl100 cannot do; compile the warp with { target: 'glsl100' }, or use glsl300 or wgsl."
+  const missing = 'which glsl100 lacks; use glsl300 or wgsl.'
+  for (const [declaration, value, message] of [
+    ['uniform int n;', 'n', `the variable "n" is an int, and ${remedy}`],
+    ['uniform ivec3 way;', 'way', `the variable "way" is an ivec3, and ${remedy}`],
+    [
+      'struct Light { int kind; }; uniform Light lights[2];',
+      'lights[1].kind',
+      `the variable "lights[0].kind" is an int, and ${remedy}`,
+    ],
+    ['uniform uint n;', 'n', `the variable "n" is a uint, ${missing}`],
+    ['uniform uvec3 way;', 'way', `the variable "way" is a uvec3, ${missing}`],
+  ]) {
+    const warp = warpOf(declaration, value)
+    for (const method of ['emit', 'emitFragment'])
+      assert.throws(() => warp[method]('glsl100'), {
+        name: 'WarpError',
+        message: `${method}: ${message}`,
+      })
+    if (message.endsWith(remedy))
+      assert.match(warpOf(declaration, value, { target: 'glsl100' }).code, /float\(|vec3\(way\)/)
+    assert.match(warp.emit('wgsl').code, />> /)
+  }
 })
 
 test('integers of the host that no float can represent are passed in two halves', () => {

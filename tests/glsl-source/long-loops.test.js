@@ -2,9 +2,9 @@
 // with finite differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile } from '../../dist/warpjet.js'
-import '../../dist/glsl.js'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { glslOffset } from '../../dist/glsl.js'
+import { compile, compileWarp } from '../../dist/warpjet.js'
 import { randomLongLoops } from '../glsl/long-loops.js'
 import { walk } from '../glsl/walk.js'
 
@@ -111,4 +111,20 @@ test('a loop ends in the shader once its condition fails, whatever maxIterations
     const fixed = 'for (int i = 0; i < 60; i++) { if (s < 9.0) s += sin(p.x * float(i)); }'
     assert.equal(countBreaks(codeOf(fixed, language)), 0)
   }
+})
+
+test('nested loops whose maxIterations multiply are rejected when the source is read', () => {
+  const source = `uniform float n;
+    vec3 offset(vec3 p) {
+      float s = 0.0;
+      for (float i = 0.0; i < n; i++)
+        for (float j = 0.0; j < n; j++) s += sin(p.x * i + j);
+      return vec3(s, 0.0, 0.0);
+    }`
+  assert.ok(compileWarp(glslOffset(source, { maxIterations: 100 })).code.length < 2000)
+  for (const maxIterations of [101, 512, 1024, 4096])
+    assert.throws(() => glslOffset(source, { maxIterations }), {
+      name: 'WarpError',
+      message: `glslOffset: line 5, column 9: nested loops whose ends only the shader knows multiply the option maxIterations: expected at most 10000 iterations in all, got ${maxIterations} * ${maxIterations} = ${maxIterations ** 2}; set it to at most 100.\n  ${source.split('\n')[4]}\n          ^`,
+    })
 })
