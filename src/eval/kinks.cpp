@@ -40,9 +40,15 @@ class Kinks {
   void add(NodeId x, NodeId y) {
     if (graph_.isConstant(x)) std::swap(x, y);
     if (graph_.isConstant(y))
-      all_.push_back({x, {Profile::Kink, graph_.value(y)}});
+      addAt(x, graph_.value(y));
     else
-      all_.push_back({graph_.apply(ops::find("sub"), {x, y}), {Profile::Kink}});
+      addAt(graph_.apply(ops::find("sub"), {x, y}), 0);
+  }
+
+  // A sum of squares doesn't pass 0, for which vectors that are normalized are tested.
+  void addAt(NodeId argument, double limit) {
+    const Interval range = graph_.range(argument);
+    if (range.low < limit && limit < range.high) all_.push_back({argument, {Profile::Kink, limit}});
   }
 
   // A choice between two constants is a jump, not a kink.

@@ -71,6 +71,17 @@ TEST(Kinks, OfTwoNumbersAreWhereTheseAreEqual) {
             (std::vector<Front>{{Profile::Kink, 0, 0}}));
 }
 
+TEST(Kinks, AreNotFoundWhereANumberOnlyReachesItsLimit) {
+  KinksFound bench;
+  const int square = bench.call("mult", {bench.x, bench.x});
+  EXPECT_TRUE(bench.kinks(bench.call("max", {square, bench.number(0)})).empty());
+  // A vector is tested like this before it is normalized.
+  KinksFound choice;
+  const int isNonzero =
+      choice.call("gt", {choice.call("mult", {choice.x, choice.x}), choice.number(0)});
+  EXPECT_TRUE(choice.kinks(choice.call("ifElse", {isNonzero, choice.x, choice.number(0)})).empty());
+}
+
 TEST(Kinks, ThatVanishInTheResultAreNotFound) {
   KinksFound square;
   const int ramp = square.call("max", {square.x, square.number(0)});
