@@ -36,7 +36,7 @@ export interface SurfacePhases {
   readonly steps: readonly number[]
   /** 3 numbers per front: its profile and two parameters (src/eval/front.hpp). Each front has 1 float per vertex, after the phases. */
   readonly fronts: readonly number[]
-  /** `true` if any front is neither a kink nor a cusp: the mesh is cut at these where they move, too. */
+  /** `true` if any front is neither a kink nor a cusp: the mesh is cut again when such a front moves. */
   readonly hasFronts: boolean
   /** `true` if any front is a kink: triangles that it passes through are divided more finely. */
   readonly hasKinks: boolean
@@ -55,7 +55,7 @@ export interface SurfacePhases {
 }
 
 /** The number of `Profile::Kink` (src/eval/front.hpp). Only that of a cusp is larger. */
-const kink = 4
+const kinkProfile = 4
 
 const noValues = new Float32Array()
 
@@ -158,8 +158,8 @@ export class HostWarp extends OffsetWarp {
       sizes,
       steps,
       fronts,
-      hasFronts: profiles.some((profile) => profile < kink),
-      hasKinks: profiles.includes(kink),
+      hasFronts: profiles.some((profile) => profile < kinkProfile),
+      hasKinks: profiles.includes(kinkProfile),
       size,
       writeState: (drawValues, to, place = this.place) =>
         this.writeNumbers(inputsOfPhases, drawValues, to, place),

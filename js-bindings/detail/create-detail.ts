@@ -159,7 +159,7 @@ function rejectUnknownArrays(mesh: DetailMesh) {
   for (const name of Object.keys(mesh))
     if (!meshProperties.has(name))
       throw place.error(
-        `there is no array "${name}" in a mesh; ${didYouMean(name, meshArrays, `the arrays are ${meshArrays.join(', ')}.`, synonyms)}`,
+        `a mesh has no property "${name}"; ${didYouMean(name, meshArrays, `its arrays are ${meshArrays.join(', ')}.`, synonyms)}`,
       )
 }
 

@@ -28,12 +28,14 @@ struct Criterion {
   // A piece of length h errs by h^2 / 8 times the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;
-  // A kink errs by a quarter of a piece times the jump of the slope. The bend of the cell that
-  // shows it best is from 1 to 2 times what this factor makes of that.
-  float kink = 0.75f;
-  // The max number of pieces because of a kink: where the slope jumps by so much that more would be
-  // needed, the surface is a wall.
-  float maxAtKinks = 8;
+  // A kink at which the slope jumps by j errs by j * h / 4 for pieces of length h. So the number of
+  // pieces is this factor times the square of the number that the bend asks for. The bend is
+  // measured in the cell that shows it best, where it is 1 to 2 times as large as j says.
+  float kinkFactor = 0.75f;
+  // The max number of pieces because of a kink, and their min length, in tolerances: where the
+  // slope jumps by so much that more would be needed, the surface is a wall.
+  float maxPiecesAtKink = 8;
+  float minLengthAtKink = 2;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
   float aim = 0.8f;
   // The number of pieces is lowered only to a number that would suffice for this many times the

@@ -9,12 +9,13 @@
 
 namespace warpjet {
 
-// Kinks that stay where they are can be cut, too: then fewer pieces follow them.
+// Whether to cut at kinks and cusps that stay where they are, too: then the division needs fewer
+// pieces there.
 enum class CutKinks : bool { No, Yes };
 
 // Marks the edges that must be halved. Within a triangle, the number of a front is estimated by
 // quadratics through its samples, so that a peak is found between them, too. Edges that are much
-// shorter than `maxLength` are not halved.
+// shorter than `maxLength` are not halved: 128 times, or 8 times at kinks, which need pieces, too.
 std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float maxLength,
                                CutKinks cutKinks);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "detail/cut_fronts.hpp"
@@ -68,16 +69,18 @@ std::vector<float> cutLengths(const BaseMesh& base, const PhaseSamples& samples,
   const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
   for (float& length : lengths) length *= scale;
   if (samples.fronts.empty() || samples.areFrontsSettled()) return lengths;
-  for (const auto& [cutKinks, maxTriangles] :
-       {std::pair(CutKinks::Yes, maxTrianglesAtKinks), {CutKinks::No, maxCutTriangles}}) {
-    if (cutKinks == CutKinks::Yes && samples.areKinksCut) continue;
-    std::vector<float> withFronts = lengths;
+  const auto cutAlso = [&](CutKinks cutKinks, double maxTriangles) {
+    std::vector<float> longer = lengths;
     const std::vector<bool> halved = edgesToHalve(base, samples, maxLength, cutKinks);
     for (std::size_t edge = 0; edge < lengths.size(); ++edge)
-      if (halved[edge]) withFronts[edge] = std::max(2.0f, lengths[edge]);
-    if (countTriangles(base, withFronts) <= maxTriangles) return withFronts;
+      if (halved[edge]) longer[edge] = std::max(2.0f, lengths[edge]);
+    const bool areFew = countTriangles(base, longer) <= maxTriangles;
+    return areFew ? std::optional(std::move(longer)) : std::nullopt;
+  };
+  if (samples.hasKinksToCut()) {
+    if (auto cut = cutAlso(CutKinks::Yes, maxTrianglesAtKinks)) return *std::move(cut);
   }
-  return lengths;
+  return cutAlso(CutKinks::No, maxCutTriangles).value_or(std::move(lengths));
 }
 
 }  // namespace warpjet

@@ -132,7 +132,7 @@ std::vector<std::uint32_t> Detail::piecesToCut(float maxLength) const {
 bool Detail::cut(float maxLength) {
   std::vector<std::uint32_t> pieces = piecesToCut(maxLength);
   if (pieces.empty()) {
-    phases_.settleFronts();
+    if (!phases_.fronts.empty()) phases_.settleFronts();
     return false;
   }
   division_.write(makeInterpolation(), pieces, tessellations_);
@@ -180,7 +180,9 @@ const std::vector<std::uint32_t>& Detail::show(bool listsSamples) {
 
 bool Detail::update(float tolerance) {
   const std::span<const Patch> patches = cuts_.empty() ? std::span<const Patch>() : patches_;
-  const WarpedMesh mesh{*base_, patches, warped_, phases_, visible_.triangles()};
+  const std::span<const Corners> given =
+      cuts_.empty() ? std::span<const Corners>() : cuts_[0].mesh.triangles();
+  const WarpedMesh mesh{*base_, patches, warped_, phases_, given, visible_.triangles()};
   bool isChanged = needs_.update(mesh, views_, tolerance);
   double triangles = countTriangles();
   // The error is inversely proportional to the number of triangles.

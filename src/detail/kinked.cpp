@@ -1,5 +1,6 @@
 #include "detail/kinked.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,7 +13,7 @@ namespace {
 // Numbers that differ by less than this share of their range within a triangle are equal.
 constexpr float closeness = 1e-4f;
 
-Mask passes(Lanes limit, Lanes low, Lanes high) {
+Mask isBetween(Lanes limit, Lanes low, Lanes high) {
   const Lanes margin = closeness * (high - low);
   return logicalAnd(lt(low, limit - margin), gt(high, limit + margin));
 }
@@ -21,13 +22,15 @@ Mask passes(Lanes limit, Lanes low, Lanes high) {
 
 Mask areKinked(const BaseMesh& base, const FourTriangles& triangles, const PhaseSamples& phases) {
   Mask found{};
-  // The mesh may have been cut since its phases were computed.
+  const auto isKink = [](const Front& front) { return front.profile == Profile::Kink; };
+  if (std::none_of(phases.fronts.begin(), phases.fronts.end(), isKink)) return found;
+  // If the last allowed cut was not enough, the phases of the mesh have not been computed.
   const std::size_t samples = base.sampleOfTriangle(base.triangles().size(), 0);
   if (phases.values.size() != samples * phases.stride()) return found;
   const std::array<SampleIndices, Lanes::count> indices = sampleIndicesOf(base, triangles);
   for (std::size_t i = 0; i < phases.fronts.size(); ++i) {
     const Front& front = phases.fronts[i];
-    if (front.profile != Profile::Kink) continue;
+    if (!isKink(front)) continue;
     const float* values = phases.values.data() + phases.firstFront() + i;
     Lanes low = INFINITY, high = -INFINITY;
     for (std::size_t k = 0; k < samplesPerTriangle; ++k) {
@@ -36,7 +39,7 @@ Mask areKinked(const BaseMesh& base, const FourTriangles& triangles, const Phase
       low = min(low, value);
       high = max(high, value);
     }
-    found = logicalOr(found, passes(front.first, low, high));
+    found = logicalOr(found, isBetween(front.first, low, high));
   }
   return found;
 }

@@ -7,8 +7,8 @@
 
 namespace warpjet {
 
-// Tests whether the number of a kink passes its limit within triangles. Kinks along the sides of
-// triangles are none within them.
+// Tests whether the number of a kink passes its limit within triangles. A kink along a side does
+// not count.
 Mask areKinked(const BaseMesh& base, const FourTriangles& triangles, const PhaseSamples& phases);
 
 }  // namespace warpjet

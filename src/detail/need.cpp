@@ -54,11 +54,30 @@ struct TriangleNeeds {
   Lanes uniform = 0.0f;                            // the square of `Needs::uniformNeed`
 };
 
-Lanes squareOf(Lanes x) { return x * x; }
-
 // Raises the numbers of these lanes.
 void raise(Lanes& numbers, Mask lanes, Lanes to) {
   numbers = max(numbers, ifElse(lanes, to, 0.0f));
+}
+
+// Returns where the corners of triangles would be if the given triangles that they are parts of
+// were flat.
+std::array<Vec3, 3> cornersOnGiven(const WarpedMesh& mesh, const FourTriangles& triangles) {
+  const auto patchOf = [&](std::size_t lane) -> const Patch& {
+    return mesh.patches[triangles[lane]];
+  };
+  std::array<Vec3, 3> given, corners;
+  for (int i = 0; i < 3; ++i) {
+    const auto at = [&](std::size_t lane) {
+      return mesh.warped.data() + 3 * mesh.given[patchOf(lane).triangle][i];
+    };
+    given[i] = gatherVectors({at(0), at(1), at(2), at(3)});
+  }
+  for (int i = 0; i < 3; ++i) {
+    const auto at = [&](std::size_t lane) { return patchOf(lane).corners[i].data(); };
+    const Vec3 weights = gatherVectors({at(0), at(1), at(2), at(3)});
+    corners[i] = given[0] * weights[0] + given[1] * weights[1] + given[2] * weights[2];
+  }
+  return corners;
 }
 
 TriangleNeeds needsOf(const WarpedMesh& mesh, const FourTriangles& triangles,
@@ -67,7 +86,9 @@ TriangleNeeds needsOf(const WarpedMesh& mesh, const FourTriangles& triangles,
   const PlanarTriangles planar(mesh.base, triangles);
   const Directions directions = directionsOf(planar, mesh.patches, triangles);
   const float aim = criterion.aim * tolerance;
-  const Mask areBroken = areKinked(mesh.base, triangles, mesh.phases);
+  // Beside fronts and kinks, the surface can be flat, so that its bends don't show what a uniform
+  // division misses. Then only the given triangles are tested, by the samples themselves.
+  const bool hasFronts = !mesh.phases.fronts.empty();
   TriangleNeeds needs;
   for (const ScreenView& view : views) {
     const TrianglesOnScreen screen(view, samples);
@@ -79,21 +100,27 @@ TriangleNeeds needsOf(const WarpedMesh& mesh, const FourTriangles& triangles,
     const Mask areFine = logicalAnd(areVisible, le(errorShare, 1.0f));
     const Mask areRough = logicalAnd(areVisible, logicalNot(areFine));
     for (Lanes& side : needs.sides) raise(side, areFine, errorShare);
+    if (hasFronts && !mesh.patches.empty()) {
+      const Mask areFlat = le(screen.errorFrom(cornersOnGiven(mesh, triangles)), aim);
+      raise(needs.uniform, areVisible, ifElse(areFlat, 1.0f, INFINITY));
+    }
     if (mesh.patches.empty() && !any(areRough)) continue;
     const Bends bends = bendsOf(planar, directions, screen);
     // All triangles have samples, and the worst one decides, so no margin like `aim` is needed.
-    raise(needs.uniform, areVisible, bends.error / tolerance);
+    if (!hasFronts) raise(needs.uniform, areVisible, bends.error / tolerance);
     for (std::size_t i = 0; i < needs.sides.size(); ++i) {
       raise(needs.sides[i], areRough, bends.squares[i] / aim);
       raise(needs.squares[i], areRough, bends.squares[i]);
     }
-    // Pieces of a kink err by their length, not by its square.
-    const Mask areRoughKinks = logicalAnd(areBroken, areRough);
-    if (!any(areRoughKinks)) continue;
-    raise(needs.uniform, areRoughKinks, squareOf(bends.error / tolerance));
-    for (std::size_t i = 0; i < needs.sides.size(); ++i)
-      raise(needs.sides[i], areRoughKinks,
-            squareOf(min(criterion.kink * bends.squares[i] / aim, criterion.maxAtKinks)));
+    if (!any(areRough)) continue;
+    const Mask areRoughAtKinks = logicalAnd(areRough, areKinked(mesh.base, triangles, mesh.phases));
+    const std::array<Lanes, 3> lengths = screen.sideLengths();
+    for (std::size_t i = 0; i < needs.sides.size(); ++i) {
+      const Lanes most =
+          min(criterion.maxPiecesAtKink, lengths[i] / (criterion.minLengthAtKink * tolerance));
+      const Lanes pieces = min(criterion.kinkFactor * bends.squares[i] / aim, most);
+      raise(needs.sides[i], areRoughAtKinks, pieces * pieces);
+    }
   }
   return needs;
 }

@@ -23,6 +23,8 @@ struct WarpedMesh {
   std::span<const float> warped;
   // The numbers of kinks at the same samples.
   const PhaseSamples& phases;
+  // The triangles before all cuts, whose vertices come first; empty if there are no patches.
+  std::span<const Corners> given;
   // The triangles whose samples are warped. The others ask for no pieces.
   std::span<const std::uint32_t> triangles;
 };

@@ -1,7 +1,9 @@
 // The phases and fronts of a warp (see eval/phases.hpp) at samples of a mesh.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <vector>
 
@@ -23,19 +25,26 @@ struct PhaseSamples {
   std::uint32_t firstFront() const { return std::accumulate(sizes.begin(), sizes.end(), 0u); }
   std::uint32_t stride() const { return firstFront() + static_cast<std::uint32_t>(fronts.size()); }
 
+  bool hasKinksToCut() const {
+    return !areKinksCut && std::any_of(fronts.begin(), fronts.end(),
+                                       [](const Front& front) { return front.isStill(); });
+  }
+
   // Remembers that the mesh needs no cuts at fronts with these numbers, since measuring fronts
   // takes longer than all else if many are near the mesh.
   void settleFronts() {
-    settled = frontValues();
+    settled = values;
     areKinksCut = true;
   }
-  bool areFrontsSettled() const { return frontValues() == settled; }
-  std::vector<float> frontValues() const {
-    std::vector<float> found;
-    for (std::size_t start = 0; start < values.size(); start += stride())
-      found.insert(found.end(), values.begin() + start + firstFront(),
-                   values.begin() + start + stride());
-    return found;
+  bool areFrontsSettled() const {
+    if (settled.size() != values.size()) return false;
+    const std::size_t first = firstFront(), size = stride();
+    const std::size_t bytes = (size - first) * sizeof(float);
+    for (std::size_t start = first; start < values.size(); start += size) {
+      // Compares bits, since NaN equals nothing.
+      if (std::memcmp(values.data() + start, settled.data() + start, bytes) != 0) return false;
+    }
+    return true;
   }
 };
 

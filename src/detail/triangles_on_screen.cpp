@@ -82,21 +82,34 @@ std::array<Vec2, 3> TrianglesOnScreen::secondDifferences(const Cell& cell) const
   return differences;
 }
 
-Lanes TrianglesOnScreen::flatError() const {
-  const Vec3 start = samples_[cornerSamples[0]];
+Lanes TrianglesOnScreen::errorFrom(const std::array<Vec3, 3>& corners) const {
   const Lanes scale = 1.0f / sampleIntervals;
-  const Vec3 toFirst = (samples_[cornerSamples[1]] - start) * scale;
-  const Vec3 toSecond = (samples_[cornerSamples[2]] - start) * scale;
+  const Vec3 toFirst = (corners[1] - corners[0]) * scale;
+  const Vec3 toSecond = (corners[2] - corners[0]) * scale;
   Lanes maxSquare = 0.0f;
-  for (int row = 1; row <= sampleIntervals; ++row) {
+  for (int row = 0; row <= sampleIntervals; ++row) {
     for (int i = 0; i <= row; ++i) {
-      const Vec3 flat = start + toFirst * Lanes(static_cast<float>(row - i)) +
+      const Vec3 flat = corners[0] + toFirst * Lanes(static_cast<float>(row - i)) +
                         toSecond * Lanes(static_cast<float>(i));
       const Vec2 error = toScreen(samples_[sampleAt(row, i)] - flat);
       maxSquare = max(maxSquare, dot(error, error));
     }
   }
   return sqrt(maxSquare);
+}
+
+Lanes TrianglesOnScreen::flatError() const {
+  return errorFrom(
+      {samples_[cornerSamples[0]], samples_[cornerSamples[1]], samples_[cornerSamples[2]]});
+}
+
+std::array<Lanes, 3> TrianglesOnScreen::sideLengths() const {
+  std::array<Lanes, 3> lengths;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 side = toScreen(samples_[cornerSamples[(i + 1) % 3]] - samples_[cornerSamples[i]]);
+    lengths[i] = sqrt(dot(side, side));
+  }
+  return lengths;
 }
 
 // Limits the depth and the distance from the middle: points behind the eye have no position on the

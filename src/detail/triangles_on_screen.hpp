@@ -39,8 +39,13 @@ class TrianglesOnScreen {
   // The second differences of samples along the sides of a cell, in pixels.
   std::array<Vec2, 3> secondDifferences(const Cell& cell) const;
 
-  // The largest distance, in pixels, of a sample from the flat triangle between the corners.
+  // The largest distance, in pixels, of a sample from the flat triangle between these corners, and
+  // between the samples at the corners.
+  Lanes errorFrom(const std::array<Vec3, 3>& corners) const;
   Lanes flatError() const;
+
+  // The lengths of the sides between their ends, in pixels.
+  std::array<Lanes, 3> sideLengths() const;
 
  private:
   Vec4 findNearest() const;

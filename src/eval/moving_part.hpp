@@ -1,5 +1,5 @@
-// A value without what is the same at all vertices: differences of the value between vertices stay,
-// so a host that only needs these need not compute them anew when a uniform is added.
+// Removes terms that are equal at all vertices. Differences between vertices stay the same, so
+// phases need not be computed again when only such a term, as the time, changes.
 #pragma once
 
 #include <vector>
@@ -30,14 +30,16 @@ class MovingParts {
     if (op == ops::find("neg")) return graph_.apply(op, {part(0)});
     if (op == ops::find("add") || op == ops::find("sub"))
       return graph_.apply(op, {part(0), part(1)});
-    if (op == ops::find("mult") && isSame(operand(0)))
+    if (op == ops::find("mult") && isUniform(operand(0)))
       return graph_.apply(op, {operand(0), part(1)});
-    if ((op == ops::find("mult") || op == ops::find("div")) && isSame(operand(1)))
+    if ((op == ops::find("mult") || op == ops::find("div")) && isUniform(operand(1)))
       return graph_.apply(op, {part(0), operand(1)});
     return id;
   }
 
-  bool isSame(NodeId id) const { return !dependence_.isVarying(id) && !dependence_.isInLoop(id); }
+  bool isUniform(NodeId id) const {
+    return !dependence_.isVarying(id) && !dependence_.isInLoop(id);
+  }
 
   Graph& graph_;
   const Dependence& dependence_;

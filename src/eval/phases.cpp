@@ -23,6 +23,8 @@ constexpr int octavesOfNoise = 2;
 
 // A function with more kinks, such as a noise in shader source, has too many to cut a mesh at them.
 constexpr std::size_t maxKinks = 8;
+// Of more limits, it isn't tested which are kinks.
+constexpr std::size_t maxLimits = 4 * maxKinks;
 
 // Operations with crests or kinks at regular distances.
 struct Wave {
@@ -57,12 +59,13 @@ double stepOfCall(const Module& module, NodeId id) {
   return stepOfNoise * wavelengthOf(noise, octavesOfNoise - 1);
 }
 
-std::vector<std::uint32_t> otherInputs(const Graph& graph, std::span<const std::uint32_t> inputs) {
-  std::vector<std::uint32_t> others;
-  for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
-    if (std::find(inputs.begin(), inputs.end(), i) == inputs.end()) others.push_back(i);
-  }
-  return others;
+// Tests whether a node depends on no other inputs than these, given by number.
+bool readsOnly(const Graph& graph, NodeId root, std::span<const std::uint32_t> inputs) {
+  const std::vector<NodeId> nodes = reachable(graph, std::span(&root, 1));
+  return std::none_of(nodes.begin(), nodes.end(), [&](NodeId id) {
+    return graph.isInput(id) &&
+           std::find(inputs.begin(), inputs.end(), graph.node(id).operands[0]) == inputs.end();
+  });
 }
 
 }  // namespace
@@ -100,11 +103,8 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   const std::vector<FrontAt> found = kinksOf(graph, nodes);
   dependence.addNew();
   for (const FrontAt& kink : found) add(kinks, kink);
-  const std::vector<std::uint32_t> uniforms = otherInputs(graph, varying);
-  Dependence onUniforms(graph, uniforms);
-  for (std::uint32_t i = 0; i < graph.size(); ++i) onUniforms.add(NodeId{i});
-  for (auto& [argument, kink] : kinks) kink.second = onUniforms.isVarying(argument) ? 0 : 1;
-  removeSmooth(kinks, module, results, varying);
+  for (auto& [argument, kink] : kinks) kink.second = readsOnly(graph, argument, varying) ? 1 : 0;
+  if (kinks.size() <= maxLimits) removeSmooth(kinks, module, results, varying);
   if (kinks.size() <= maxKinks) fronts.insert(fronts.end(), kinks.begin(), kinks.end());
   Phases all;
   Output output{.name = "phases", .shape = {}, .components = {}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "eval/program.hpp"
 
@@ -11,21 +12,23 @@ namespace warpjet {
 
 namespace {
 
-using Numbers = std::vector<double>;
+using Values = std::vector<double>;
 
-// The max sizes of inputs that vary: a mesh may have the size of a unit or of a picture.
+// The max sizes of inputs that vary: a mesh may have the size of a unit or of a picture, and a kink
+// may be flattened everywhere but far from the origin.
 constexpr std::array sizes{1.0, 10.0, 100.0, 1000.0};
 constexpr int linesPerSize = 12;
-// A kink that is smooth on this many lines is no kink.
-constexpr int maxSmooth = 3;
+
+// Longer programs take too long.
+constexpr std::uint32_t maxInstructions = 10'000;
 
 // The distance of the points that are compared, as a share of the line.
 constexpr double reach = 1e-6;
 // The min jump, as a share of the slope: half a degree.
 constexpr double minJump = 0.01;
 
-// Returns arbitrary numbers from -1 to 1, always the same ones (Numerical Recipes, section 7.1).
-class Arbitrary {
+// Arbitrary numbers from -1 to 1, always the same ones (Numerical Recipes, section 7.1).
+class RandomNumbers {
  public:
   double next() {
     state_ = state_ * 1664525u + 1013904223u;
@@ -39,34 +42,37 @@ class Arbitrary {
 // The results of a module, followed by the numbers of its kinks, along a line through its inputs.
 class Line {
  public:
-  Line(const Program& program, std::size_t count, Numbers start, Numbers end)
-      : program_(program), count_(count), start_(std::move(start)), end_(std::move(end)) {}
+  Line(const Program& program, std::size_t count, Values start, Values end)
+      : program_(program), start_(std::move(start)), end_(std::move(end)), count_(count) {}
 
-  Numbers at(double share) const {
-    Numbers inputs(start_.size()), found(count_);
+  Values at(double share) const {
+    Values inputs(start_.size()), found(count_);
     for (std::size_t i = 0; i < inputs.size(); ++i)
       inputs[i] = start_[i] + share * (end_[i] - start_[i]);
     evaluate(program_.words, program_.instructions, inputs, found);
     return found;
   }
 
-  // Returns where a number passes a limit; empty if it has the same sign at both ends.
-  std::optional<double> crossing(std::size_t number, double limit) const {
+  // Returns where number i passes a limit, given its distances from it at both ends of the line: by
+  // the regula falsi, with each third point in the middle, so that no end stays far away.
+  double crossing(std::size_t i, double limit, double atStart, double atEnd) const {
     double low = 0, high = 1;
-    const auto isAbove = [&](double share) { return at(share)[number] > limit; };
-    const bool startsAbove = isAbove(low);
-    if (isAbove(high) == startsAbove) return std::nullopt;
-    for (int i = 0; i < 50; ++i) {
-      const double middle = 0.5 * (low + high);
-      (isAbove(middle) == startsAbove ? low : high) = middle;
+    for (int k = 0; k < 60 && high - low > 1e-13; ++k) {
+      const double share = k % 3 == 2 ? 0.5 : atStart / (atStart - atEnd);
+      const double middle = low + share * (high - low), found = at(middle)[i] - limit;
+      if (found == 0 || middle <= low || middle >= high) return middle;
+      const bool isBefore = (found > 0) == (atStart > 0);
+      (isBefore ? low : high) = middle;
+      (isBefore ? atStart : atEnd) = found;
     }
     return high;
   }
 
-  // Tests whether the slope of the first `results` numbers jumps. Second differences are
-  // jump * h + curvature * h^2 for a distance of h, so that two distances yield the jump.
+  // Tests whether the slope of the first `results` numbers jumps; empty if any isn't finite. Second
+  // differences are jump * h + curvature * h^2 for a distance of h, so that two distances yield the
+  // jump.
   std::optional<bool> jumpsAt(double share, std::size_t results) const {
-    const Numbers middle = at(share);
+    const Values middle = at(share);
     const std::array far{at(share - reach), at(share + reach)};
     const std::array near{at(share - reach / 2), at(share + reach / 2)};
     double squaredJump = 0, squaredSlope = 0;
@@ -83,14 +89,15 @@ class Line {
 
  private:
   const Program& program_;
+  Values start_, end_;
   std::size_t count_;
-  Numbers start_, end_;
 };
 
-// Makes inputs of a program. Those that don't vary are from 0.5 to 1.5.
-class Lines {
+// Makes random lines. Inputs that don't vary are from 0.5 to 1.5, or for every other line as large
+// as those that do.
+class RandomLines {
  public:
-  Lines(const Graph& graph, std::span<const std::uint32_t> varying) {
+  RandomLines(const Graph& graph, std::span<const std::uint32_t> varying) {
     for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
       const Shape shape = graph.input(i).shape;
       if (shape == imageShape) continue;
@@ -99,53 +106,63 @@ class Lines {
     }
   }
 
-  Line make(const Program& program, std::size_t count, double size) {
-    std::array<Numbers, 2> ends;
+  Line next(const Program& program, std::size_t count, double size) {
+    hasLargeUniforms_ = !hasLargeUniforms_;
+    std::array<Values, 2> ends;
     for (const bool varies : varies_) {
-      const double uniform = 1 + 0.5 * numbers_.next();
-      for (Numbers& end : ends) end.push_back(varies ? size * numbers_.next() : uniform);
+      const double uniform = (hasLargeUniforms_ ? size : 1) * (1 + 0.5 * numbers_.next());
+      for (Values& end : ends) end.push_back(varies ? size * numbers_.next() : uniform);
     }
     return {program, count, std::move(ends[0]), std::move(ends[1])};
   }
 
  private:
   std::vector<bool> varies_;
-  Arbitrary numbers_;
+  bool hasLargeUniforms_ = true;
+  RandomNumbers numbers_;
 };
+
+// Compiles the results, followed by the numbers of the kinks.
+std::optional<Program> compile(Module& module, std::vector<NodeId> numbers) {
+  module.outputs.push_back({.name = "kinks", .shape = {}, .components = std::move(numbers)});
+  const std::array all{static_cast<std::uint32_t>(module.outputs.size() - 1)};
+  std::optional<Program> made = program(module, all).program;
+  module.outputs.pop_back();
+  return made && made->instructions <= maxInstructions ? std::move(made) : std::nullopt;
+}
 
 }  // namespace
 
 void removeSmooth(std::vector<FrontAt>& kinks, Module& module,
                   std::span<const std::uint32_t> results, std::span<const std::uint32_t> varying) {
-  if (kinks.empty()) return;
-  Output numbers{.name = "kinks", .shape = {}, .components = module.roots(results)};
-  const std::size_t resultCount = numbers.components.size();
-  for (const FrontAt& kink : kinks) numbers.components.push_back(kink.argument);
-  const std::size_t count = numbers.components.size();
-  module.outputs.push_back(std::move(numbers));
-  const std::array all{static_cast<std::uint32_t>(module.outputs.size() - 1)};
-  const std::optional<Program> made = program(module, all).program;
-  module.outputs.pop_back();
-  if (!made) return;
-  std::vector<int> smooth(kinks.size()), jumps(kinks.size());
-  Lines lines(module.graph, varying);
+  std::vector<NodeId> numbers = module.roots(results);
+  const std::size_t resultCount = numbers.size();
+  for (const FrontAt& kink : kinks) numbers.push_back(kink.argument);
+  const std::size_t count = numbers.size();
+  const std::optional<Program> program = compile(module, std::move(numbers));
+  if (!program) return;
+  enum class Slope : std::uint8_t { Unknown, Smooth, Jumps };
+  std::vector<Slope> slopes(kinks.size(), Slope::Unknown);
+  RandomLines lines(module.graph, varying);
   for (const double size : sizes) {
     for (int i = 0; i < linesPerSize; ++i) {
-      const Line line = lines.make(*made, count, size);
+      const Line line = lines.next(*program, count, size);
+      const Values start = line.at(0), end = line.at(1);
       for (std::size_t k = 0; k < kinks.size(); ++k) {
-        const auto& [profile, limit, _] = kinks[k].front;
-        if (profile != Profile::Kink || jumps[k] > 0 || smooth[k] >= maxSmooth) continue;
-        const std::optional<double> crossing = line.crossing(resultCount + k, limit);
-        const std::optional<bool> isJump =
-            crossing ? line.jumpsAt(*crossing, resultCount) : std::nullopt;
-        if (!isJump) continue;
-        (*isJump ? jumps : smooth)[k]++;
+        const auto& [profile, limit, isStill] = kinks[k].front;
+        const std::size_t number = resultCount + k;
+        const double atStart = start[number] - limit, atEnd = end[number] - limit;
+        if (profile != Profile::Kink || slopes[k] == Slope::Jumps || !(atStart * atEnd < 0))
+          continue;
+        const double crossing = line.crossing(number, limit, atStart, atEnd);
+        if (const auto jumps = line.jumpsAt(crossing, resultCount))
+          slopes[k] = *jumps ? Slope::Jumps : Slope::Smooth;
       }
     }
   }
   std::vector<FrontAt> kept;
   for (std::size_t k = 0; k < kinks.size(); ++k) {
-    if (jumps[k] > 0 || smooth[k] == 0) kept.push_back(kinks[k]);
+    if (slopes[k] != Slope::Smooth) kept.push_back(kinks[k]);
   }
   kinks = std::move(kept);
 }

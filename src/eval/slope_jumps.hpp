@@ -14,7 +14,7 @@ namespace warpjet {
 
 // Removes the kinks at which the slope of `results` doesn't jump when the inputs `varying` move
 // across. Evaluates the results at both sides of each kink, with arbitrary inputs. Kinks that these
-// don't reach, and those of results that the CPU can't evaluate, stay.
+// don't reach stay, and so do those of results that the CPU can't evaluate, or that take too long.
 void removeSmooth(std::vector<FrontAt>& kinks, Module& module,
                   std::span<const std::uint32_t> results, std::span<const std::uint32_t> varying);
 

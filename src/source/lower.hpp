@@ -140,7 +140,7 @@ class Lowering {
   bool completeRoutine(Routine& routine) const;
 
   // lower_loops.cpp
-  void enterUnknown(Location location);
+  std::string enterUnknown();
   void loop(const Statement& statement);
   bool hasNoEnd(const Statement& statement) const;
   void unroll(const Statement& statement);

@@ -66,7 +66,8 @@ bool Lowering::foldLoop(const Statement& statement) {
   } else {
     if (maxIterations_ == rejectUnknown) return giveUp();
     evaluateTest(folding);
-    enterUnknown(statement.location);
+    // Unrolled, the loop may have a known end.
+    if (!enterUnknown().empty()) return giveUp();
     if (!record(statement, folding)) return giveUp();
   }
   while (widenStates(folding))

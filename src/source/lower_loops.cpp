@@ -34,24 +34,24 @@ std::string cutOffMessage() {
 }  // namespace
 
 // Counts an enclosing loop whose end only the shader knows. Nested ones multiply `maxIterations`,
-// so that they can't all stay loops, and are too long if they don't.
-void Lowering::enterUnknown(Location location) {
+// so that they can't all stay loops, and are too long if they don't. Returns the message if there
+// are too many.
+std::string Lowering::enterUnknown() {
   ++unknownLoops_;
   const auto product = [&](int iterations) {
     return std::pow(iterations, static_cast<double>(unknownLoops_));
   };
-  if (maxIterations_ <= 0 || product(maxIterations_) <= maxFoldedSteps) return;
+  if (maxIterations_ <= 0 || product(maxIterations_) <= maxFoldedSteps) return {};
   int allowed = maxIterations_;
   while (product(allowed) > maxFoldedSteps) --allowed;
   std::string factors = std::to_string(maxIterations_);
   for (std::size_t i = 1; i < unknownLoops_; ++i) factors += " * " + std::to_string(maxIterations_);
-  problems_.addFinal(
-      location,
-      "nested loops whose ends only the shader knows multiply the option maxIterations: expected "
-      "at most " +
-          std::to_string(maxFoldedSteps) + " iterations in all, got " + factors + " = " +
-          std::to_string(static_cast<std::int64_t>(product(maxIterations_))) +
-          "; set it to at most " + std::to_string(allowed));
+  return "nested loops whose ends only the shader knows multiply the option maxIterations: "
+         "expected "
+         "at most " +
+         std::to_string(maxFoldedSteps) + " iterations in all, got " + factors + " = " +
+         std::to_string(static_cast<std::int64_t>(product(maxIterations_))) +
+         "; set it to at most " + std::to_string(allowed) + ", or less if they are nested deeper";
 }
 
 void Lowering::loop(const Statement& statement) {
@@ -86,7 +86,9 @@ void Lowering::unroll(const Statement& statement) {
   int unknown = statement.testsAfterBody;
   const std::size_t unknownLoops = unknownLoops_;
   const auto enterOnce = [&] {
-    if (unknownLoops_ == unknownLoops) enterUnknown(statement.location);
+    if (unknownLoops_ != unknownLoops) return;
+    if (std::string tooMany = enterUnknown(); !tooMany.empty())
+      problems_.addFinal(statement.location, std::move(tooMany));
   };
   const bool isEndless = hasNoEnd(statement), rejectsUnknown = maxIterations_ == rejectUnknown;
   const int limit = maxIterations_ == untilEnd ? maxUnrolledUnknown : maxIterations_;

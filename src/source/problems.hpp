@@ -22,9 +22,10 @@ class Problems {
     if (!found_) found_ = {location, std::move(message)};
   }
 
-  // Adds a problem that `restore` keeps.
+  // Adds a problem that `restore` keeps, in place of one that it would forget.
   void addFinal(Location location, std::string message) {
-    add(location, std::move(message));
+    if (isFinal_) return;
+    found_ = {location, std::move(message)};
     isFinal_ = true;
   }
 

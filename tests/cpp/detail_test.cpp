@@ -160,7 +160,7 @@ bool update(Needs& needs, const BaseMesh& base, const std::vector<float>& warped
             float tolerance = 1) {
   std::vector<std::uint32_t> triangles(base.triangles().size());
   std::iota(triangles.begin(), triangles.end(), 0);
-  return needs.update({base, {}, warped, {}, triangles}, std::array{viewAlongX()}, tolerance);
+  return needs.update({base, {}, warped, {}, {}, triangles}, std::array{viewAlongX()}, tolerance);
 }
 
 std::uint32_t piecesBetween(const BaseMesh& base, const Needs& needs, std::uint32_t a,

@@ -64,6 +64,31 @@ TEST(Kinks, OfANumberThatAUniformChangesAreNotStill) {
             (std::vector<Front>{{Profile::Kink, 0, 0}}));
 }
 
+// A step function of a uniform moves a kink, too.
+TEST(Kinks, OfANumberThatStepsWithAUniformAreNotStill) {
+  KinksFound bench;
+  const int whole = bench.call("floor", {bench.u});
+  EXPECT_EQ(bench.kinks(bench.call("abs", {bench.call("sub", {bench.x, whole})})),
+            (std::vector<Front>{{Profile::Kink, 0, 0}}));
+}
+
+// The kink of abs is flattened where x is below 30.
+TEST(Kinks, ThatAreFlattenedNearTheOriginAreFound) {
+  KinksFound bench;
+  const int ramp =
+      bench.call("max", {bench.call("sub", {bench.x, bench.number(30)}), bench.number(0)});
+  const int wave = bench.call("abs", {bench.call("sin", {bench.x})});
+  EXPECT_EQ(bench.kinks(bench.call("mult", {ramp, wave})).size(), 2u);
+}
+
+// The jump of the slope is u / 200, against a slope of 1.
+TEST(Kinks, ThatOnlyLargeUniformsShowAreFound) {
+  KinksFound bench;
+  const int slow = bench.call("mult", {bench.x, bench.number(0.0025)});
+  const int kinked = bench.call("mult", {bench.call("abs", {slow}), bench.u});
+  EXPECT_EQ(bench.kinks(bench.call("add", {bench.x, kinked})).size(), 1u);
+}
+
 TEST(Kinks, OfTwoNumbersAreWhereTheseAreEqual) {
   KinksFound bench;
   const int twice = bench.call("mult", {bench.x, bench.number(2)});

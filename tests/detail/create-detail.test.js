@@ -282,17 +282,17 @@ test('unknown arrays of a mesh are named', () => {
   const known = 'positions, normals, uvs, colors, tangents, indices'
   const { positions, ...others } = mesh
   for (const [given, message] of [
-    [{ ...mesh, index: [0, 1, 2] }, 'there is no array "index" in a mesh; did you mean indices?'],
+    [{ ...mesh, index: [0, 1, 2] }, 'a mesh has no property "index"; did you mean indices?'],
     [
       { position: positions, ...others },
-      'there is no array "position" in a mesh; did you mean positions?',
+      'a mesh has no property "position"; did you mean positions?',
     ],
-    [{ vertices: positions }, 'there is no array "vertices" in a mesh; did you mean positions?'],
-    [{ ...mesh, faces: [0, 1, 2] }, 'there is no array "faces" in a mesh; did you mean indices?'],
-    [{ ...mesh, normal: [] }, 'there is no array "normal" in a mesh; did you mean normals?'],
-    [{ ...mesh, uv: [] }, 'there is no array "uv" in a mesh; did you mean uvs?'],
-    [{ ...mesh, color: undefined }, 'there is no array "color" in a mesh; did you mean colors?'],
-    [{ ...mesh, weight: [] }, `there is no array "weight" in a mesh; the arrays are ${known}.`],
+    [{ vertices: positions }, 'a mesh has no property "vertices"; did you mean positions?'],
+    [{ ...mesh, faces: [0, 1, 2] }, 'a mesh has no property "faces"; did you mean indices?'],
+    [{ ...mesh, normal: [] }, 'a mesh has no property "normal"; did you mean normals?'],
+    [{ ...mesh, uv: [] }, 'a mesh has no property "uv"; did you mean uvs?'],
+    [{ ...mesh, color: undefined }, 'a mesh has no property "color"; did you mean colors?'],
+    [{ ...mesh, weight: [] }, `a mesh has no property "weight"; its arrays are ${known}.`],
   ])
     assert.throws(() => createDetail(given, warp), {
       name: 'WarpError',

@@ -2,9 +2,17 @@
 // random points.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
+import * as THREE from 'three'
 import { compileWarp } from 'warpjet'
 import { createDetail } from 'warpjet/detail'
-import { coarseMeshes, expectClose, raise, views } from '../support/detail-error.js'
+import {
+  arraysOf,
+  coarseMeshes,
+  expectClose,
+  raise,
+  viewFrom,
+  views,
+} from '../support/detail-error.js'
 
 const { abs, hypot, max, min } = Math
 
@@ -72,7 +80,7 @@ for (const [meshName, { z, ...mesh }] of Object.entries(coarseMeshes))
     })
   }
 
-test('a kink that a uniform moves is followed in each frame, without new cuts', () => {
+test('a kink that a uniform moves is followed in each frame', () => {
   for (const { z, ...mesh } of Object.values(coarseMeshes))
     for (const name of ['abs', 'a ramp by max', 'the larger of x and y / 2']) {
       const divided = createDetail(
@@ -88,6 +96,35 @@ test('a kink that a uniform moves is followed in each frame, without new cuts', 
     }
 })
 
+// Cuts along a kink are flat on both sides, so that no triangle bends.
+test('a kink along the cuts of a mesh is drawn', () => {
+  const mesh = arraysOf(new THREE.PlaneGeometry(2, 2, 4, 4))
+  const diagonal = kink(
+    (x, y) => x.sub(y).abs(),
+    (x, y) => abs(x - y),
+    (x, y) => x - y,
+  )
+  const divided = createDetail(mesh, compileWarp(still(diagonal).offset))
+  for (const view of views) {
+    divided.update(view)
+    expectClose(divided, diagonal, view)
+  }
+  divided.dispose()
+})
+
+test('a surface that only bends outside of the view is drawn', () => {
+  const { z, ...mesh } = coarseMeshes['a plane of two triangles']
+  const view = viewFrom([0.65, 0.1, 0.5], [0.65, 0, 0.15])
+  for (const [name, each] of Object.entries(cases)) {
+    const divided = createDetail(mesh, compileWarp(still(each).offset))
+    divided.update(views[0])
+    divided.update(view)
+    expectClose(divided, { ...each, isNear: () => true }, view)
+    assert.ok(divided.indices.length > 6, name)
+    divided.dispose()
+  }
+})
+
 /** Returns the number of triangles of a sphere of 720 triangles. */
 function countTriangles(offset) {
   const { z, ...mesh } = coarseMeshes['a sphere of 24 × 16 parts']
@@ -99,6 +136,8 @@ function countTriangles(offset) {
 }
 
 test('a limit without a kink costs nothing', () => {
+  const kinked = countTriangles(({ glsl, position }) => raise(glsl, position.x().sub(0.2).max(0)))
+  assert.ok(kinked > 1300, `a ramp: ${kinked} triangles`)
   const smooth = {
     'the square of a ramp': (x) => x.sub(0.2).max(0).pow(2),
     'x times abs(x)': (x) => x.mult(x.abs()).mult(0.5),

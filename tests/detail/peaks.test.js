@@ -111,7 +111,7 @@ test(
       { normals: false },
     )
     const divided = createDetail({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] }, warp)
-    divided.update(viewFrom(0, 0, 4))
+    divided.update(viewFrom([0, 0, 4]))
     assert.ok(divided.indices.length >= 3)
     divided.dispose()
   },

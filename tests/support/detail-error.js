@@ -4,7 +4,7 @@ import * as THREE from 'three'
 import { quantile, randomScreenErrors } from './screen-error.js'
 import { randomNumbers } from './three-meshes.js'
 
-const arraysOf = ({ attributes, index }) => ({
+export const arraysOf = ({ attributes, index }) => ({
   positions: attributes.position.array,
   indices: index.array,
 })
@@ -22,16 +22,17 @@ export const coarseMeshes = {
 /** Moves points along z. */
 export const raise = (glsl, height) => glsl.vec3(0, 0, height.mult(0.3))
 
-export function viewFrom(...place) {
+/** Returns the view of a camera at a place, which looks at a target. */
+export function viewFrom(place, target = [0, 0, 0]) {
   const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 30)
   camera.position.set(...place)
-  camera.lookAt(0, 0, 0)
+  camera.lookAt(...target)
   camera.updateMatrixWorld()
   const { projectionMatrix, matrixWorldInverse } = camera
   const { elements } = projectionMatrix.clone().multiply(matrixWorldInverse)
   return { matrix: elements, width: 600, height: 600 }
 }
-export const views = [viewFrom(2, 1, 4), viewFrom(3, -2, 2), viewFrom(-1, 3, 2.5)]
+export const views = [viewFrom([2, 1, 4]), viewFrom([3, -2, 2]), viewFrom([-1, 3, 2.5])]
 
 const copyOf = ({ positions, indices }) => ({
   positions: positions.slice(),
