@@ -249,8 +249,9 @@ class Lowering {
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
   std::vector<std::uint32_t> openLoops_;
-  // The number of enclosing loops whose ends only the shader knows.
-  std::size_t unknownLoops_ = 0;
+  // The number of enclosing loops whose ends only the shader knows, and of those among them that
+  // may still be unrolled.
+  std::size_t unknownLoops_ = 0, unknownFolds_ = 0;
   // Represents, in a key, the unknown value of a global that is assigned somewhere.
   static constexpr std::size_t unknowable = 255;
   std::set<RoutineKey> inlined_;

@@ -47,9 +47,10 @@ bool Lowering::foldLoop(const Statement& statement) {
   const Id first = iterate(statement, false, [] {});
   const Store::Changes changes = store_.close();
   const std::size_t once = recorder_.size() - size;
-  const std::size_t unknownLoops = unknownLoops_;
+  const std::size_t unknownLoops = unknownLoops_, unknownFolds = unknownFolds_;
   const auto giveUp = [&] {
     unknownLoops_ = unknownLoops;
+    unknownFolds_ = unknownFolds;
     problems_.restore(before);
     cutOff_ = cutOffBefore;
     return false;
@@ -66,8 +67,8 @@ bool Lowering::foldLoop(const Statement& statement) {
   } else {
     if (maxIterations_ == rejectUnknown) return giveUp();
     evaluateTest(folding);
-    // Unrolled, the loop may have a known end.
     if (!enterUnknown().empty()) return giveUp();
+    if (hasNoEnd(statement)) ++unknownFolds_;
     if (!record(statement, folding)) return giveUp();
   }
   while (widenStates(folding))
@@ -76,6 +77,7 @@ bool Lowering::foldLoop(const Statement& statement) {
   const bool isShort = !folding.isCounted() || 1.0 * folding.steps * inner <= maxFoldedSteps;
   if (!isShort || !isWorthIt(folding, once) || !close(statement, folding)) return giveUp();
   unknownLoops_ = unknownLoops;
+  unknownFolds_ = unknownFolds;
   return true;
 }
 

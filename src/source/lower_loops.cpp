@@ -87,7 +87,12 @@ void Lowering::unroll(const Statement& statement) {
   const std::size_t unknownLoops = unknownLoops_;
   const auto enterOnce = [&] {
     if (unknownLoops_ != unknownLoops) return;
-    if (std::string tooMany = enterUnknown(); !tooMany.empty())
+    std::string tooMany = enterUnknown();
+    if (tooMany.empty()) return;
+    // Unrolled, an enclosing loop may have a known end.
+    if (unknownFolds_ > 0)
+      problems_.add(statement.location, std::move(tooMany));
+    else
       problems_.addFinal(statement.location, std::move(tooMany));
   };
   const bool isEndless = hasNoEnd(statement), rejectsUnknown = maxIterations_ == rejectUnknown;
