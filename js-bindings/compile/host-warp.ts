@@ -26,8 +26,8 @@ const quickBudget = 20_000
 
 /**
  * The arguments of the waves and noises in the warped position, called phases, and of functions that change within a short part of their
- * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be. Errors name the call
- * `place`. Default: the call that made the warp.
+ * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be. Errors of its
+ * functions name the call `place`. Default: the call that made the warp.
  */
 export interface SurfacePhases {
   /** The number of floats per vertex, for each phase. */

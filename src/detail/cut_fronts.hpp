@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// Whether to cut at kinks and cusps that stay where they are, too: then the division needs fewer
+// `Yes` cuts at kinks and cusps that stay where they are, too, so that the division needs fewer
 // pieces there.
 enum class CutKinks : bool { No, Yes };
 

@@ -23,7 +23,7 @@ constexpr int octavesOfNoise = 2;
 
 // A function with more kinks, such as a noise in shader source, has too many to cut a mesh at them.
 constexpr std::size_t maxKinks = 8;
-// Of more limits, it isn't tested which are kinks.
+// A function with more limits has none of them tested for being a kink, since that takes long.
 constexpr std::size_t maxLimits = 4 * maxKinks;
 
 // Operations with crests or kinks at regular distances.

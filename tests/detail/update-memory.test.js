@@ -57,10 +57,10 @@ for (const [name, offset] of Object.entries(warps))
     for (let i = 0; i < 4000; i++) update()
     changes = 0
 
-    // The engine itself may allocate in a series, while it still compiles, but hardly in each.
+    // The engine itself may allocate in a series, while it still compiles, but hardly in two of three.
     const series = []
     for (let i = 0; i < 3; i++) series.push(await bytesOf(update, 500))
-    const bytes = Math.min(...series)
+    const [, bytes] = series.sort((a, b) => a - b)
     assert.ok(changes > 0, 'the mesh must change')
     assert.ok(bytes < 16, `${bytes} bytes per update`)
   })
