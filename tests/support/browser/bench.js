@@ -16,13 +16,16 @@ export const cells = (table) =>
       rows.map((row) => [...row.cells].map((cell) => cell.textContent.replaceAll(',', ''))),
     )
 
-/** Waits until no overlay covers the picture and all numbers are shown. */
+/**
+ * Waits until no overlay covers the picture and all numbers are shown. The page may still be
+ * loading: the elements are missing then.
+ */
 export function waitUntilMeasured(page) {
   return page.waitForFunction(
     () =>
-      !document.querySelector('.picture output').textContent &&
+      document.querySelector('.picture output')?.textContent === '' &&
       ['rate', 'frame', 'first', 'error'].every((name) =>
-        /\d/.test(document.querySelector(`dd.${name}`).textContent),
+        /\d/.test(document.querySelector(`dd.${name}`)?.textContent),
       ),
     null,
     timeoutOptions,
