@@ -92,11 +92,11 @@ std::array<bool, 3> sidesToHalve(const FrontInTriangle& front, const FrontScale&
 }  // namespace
 
 std::vector<bool> edgesToHalve(const BaseMesh& base, const PhaseSamples& samples, float maxLength,
-                               CutKinks cutKinks) {
+                               CutCreases cutCreases) {
   std::vector<bool> edges(base.edgeCount());
   for (std::size_t i = 0; i < samples.fronts.size(); ++i) {
     const Front& front = samples.fronts[i];
-    if (front.isKink() && (cutKinks == CutKinks::No || !front.isStill())) continue;
+    if (front.isCrease() && (cutCreases == CutCreases::No || !front.isStill())) continue;
     const float minLength =
         maxLength / (front.profile == Profile::Kink ? maxShorteningAtKinks : maxShortening);
     const auto offset = static_cast<std::uint32_t>(samples.firstFront() + i);

@@ -17,7 +17,7 @@ namespace {
 constexpr double maxCutTriangles = 1 << 16;
 
 // The approximate max number of triangles of a mesh that is cut at kinks.
-constexpr double maxTrianglesAtKinks = 1 << 14;
+constexpr double maxTrianglesAtCreases = 1 << 14;
 
 // Returns the distance of two points with `size` coordinates.
 float distanceOf(const float* a, const float* b, std::uint32_t size) {
@@ -69,18 +69,18 @@ std::vector<float> cutLengths(const BaseMesh& base, const PhaseSamples& samples,
   const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
   for (float& length : lengths) length *= scale;
   if (samples.fronts.empty() || samples.areFrontsSettled()) return lengths;
-  const auto cutAlso = [&](CutKinks cutKinks, double maxTriangles) {
+  const auto cutAlso = [&](CutCreases cutCreases, double maxTriangles) {
     std::vector<float> longer = lengths;
-    const std::vector<bool> halved = edgesToHalve(base, samples, maxLength, cutKinks);
+    const std::vector<bool> halved = edgesToHalve(base, samples, maxLength, cutCreases);
     for (std::size_t edge = 0; edge < lengths.size(); ++edge)
       if (halved[edge]) longer[edge] = std::max(2.0f, lengths[edge]);
     const bool areFew = countTriangles(base, longer) <= maxTriangles;
     return areFew ? std::optional(std::move(longer)) : std::nullopt;
   };
-  if (samples.hasKinksToCut()) {
-    if (auto cut = cutAlso(CutKinks::Yes, maxTrianglesAtKinks)) return *std::move(cut);
+  if (samples.hasCreasesToCut()) {
+    if (auto cut = cutAlso(CutCreases::Yes, maxTrianglesAtCreases)) return *std::move(cut);
   }
-  return cutAlso(CutKinks::No, maxCutTriangles).value_or(std::move(lengths));
+  return cutAlso(CutCreases::No, maxCutTriangles).value_or(std::move(lengths));
 }
 
 }  // namespace warpjet

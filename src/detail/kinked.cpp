@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "detail/samples.hpp"
 
@@ -22,15 +23,15 @@ Mask isBetween(Lanes limit, Lanes low, Lanes high) {
 
 Mask areKinked(const BaseMesh& base, const FourTriangles& triangles, const PhaseSamples& phases) {
   Mask found{};
-  const auto isKink = [](const Front& front) { return front.profile == Profile::Kink; };
-  if (std::none_of(phases.fronts.begin(), phases.fronts.end(), isKink)) return found;
+  if (std::none_of(phases.fronts.begin(), phases.fronts.end(), std::mem_fn(&Front::isKink)))
+    return found;
   // If the last allowed cut was not enough, the phases of the mesh have not been computed.
   const std::size_t samples = base.sampleOfTriangle(base.triangles().size(), 0);
   if (phases.values.size() != samples * phases.stride()) return found;
   const std::array<SampleIndices, Lanes::count> indices = sampleIndicesOf(base, triangles);
   for (std::size_t i = 0; i < phases.fronts.size(); ++i) {
     const Front& front = phases.fronts[i];
-    if (!isKink(front)) continue;
+    if (!front.isKink()) continue;
     const float* values = phases.values.data() + phases.firstFront() + i;
     Lanes low = INFINITY, high = -INFINITY;
     for (std::size_t k = 0; k < samplesPerTriangle; ++k) {

@@ -20,21 +20,21 @@ struct PhaseSamples {
   std::vector<float> settled = {};  // see `settleFronts`
   // True after the first cuts: then the mesh is not cut at kinks again, even if the object moves in
   // the space of the warp.
-  bool areKinksCut = false;
+  bool areCreasesCut = false;
 
   std::uint32_t firstFront() const { return std::accumulate(sizes.begin(), sizes.end(), 0u); }
   std::uint32_t stride() const { return firstFront() + static_cast<std::uint32_t>(fronts.size()); }
 
-  bool hasKinksToCut() const {
-    return !areKinksCut && std::any_of(fronts.begin(), fronts.end(),
-                                       [](const Front& front) { return front.isStill(); });
+  bool hasCreasesToCut() const {
+    return !areCreasesCut && std::any_of(fronts.begin(), fronts.end(),
+                                         [](const Front& front) { return front.isStill(); });
   }
 
   // Remembers that the mesh needs no cuts at fronts with these numbers, since measuring fronts
   // takes longer than all else if many are near the mesh.
   void settleFronts() {
     settled = values;
-    areKinksCut = true;
+    areCreasesCut = true;
   }
   bool areFrontsSettled() const {
     if (settled.size() != values.size()) return false;

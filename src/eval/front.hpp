@@ -1,6 +1,6 @@
-// A front: a number at which a function of it is evaluated that changes within a short part of the
-// number's range, and hardly elsewhere, such as the argument of a narrow exp or of a steep clamp.
-// Also a kink: a number at which the slope of a function jumps.
+// A front: the argument of a function that changes within a short part of the argument's range and
+// hardly elsewhere, such as a narrow exp or a steep clamp. Also a crease: the argument of a
+// function whose slope jumps (a kink) or is infinite (a cusp).
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,9 @@ struct Front {
   Profile profile;
   double first = 0, second = 0;
 
-  bool isKink() const { return profile == Profile::Kink || profile == Profile::Cusp; }
-  bool isStill() const { return isKink() && second == 1; }
+  bool isKink() const { return profile == Profile::Kink; }
+  bool isCrease() const { return isKink() || profile == Profile::Cusp; }
+  bool isStill() const { return isCrease() && second == 1; }
   bool operator==(const Front&) const = default;
 };
 

@@ -38,7 +38,7 @@ std::optional<FrontAt> frontOfPow(const Graph& graph, NodeId base, NodeId expone
 std::optional<FrontAt> stepAt(Graph& graph, NodeId argument, std::optional<double> first,
                               std::optional<double> second) {
   if (!first || !second || !(*first < *second)) return std::nullopt;
-  // A sum of squares doesn't reach beyond 0, for which vectors that are normalized are tested.
+  // The argument must pass a limit: see `addAtLimit` in kinks.cpp.
   const Interval range = graph.range(argument);
   if (*second == infinity ? range.low >= *first : *first == -infinity && range.high <= *second)
     return std::nullopt;

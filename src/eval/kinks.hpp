@@ -10,8 +10,9 @@
 
 namespace warpjet {
 
-// Returns the kinks and cusps of these nodes, which must contain all users of each node. Lengths by
-// which vectors are normalized have no cusp.
-std::vector<FrontAt> kinksOf(Graph& graph, std::span<const NodeId> nodes);
+// Returns the kinks and cusps of these nodes: all that the roots need. Lengths by which vectors are
+// normalized have no cusp.
+std::vector<FrontAt> kinksOf(Graph& graph, std::span<const NodeId> nodes,
+                             std::span<const NodeId> roots);
 
 }  // namespace warpjet

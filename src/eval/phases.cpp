@@ -8,8 +8,8 @@
 #include "eval/dependence.hpp"
 #include "eval/fronts.hpp"
 #include "eval/kinks.hpp"
-#include "eval/moving_part.hpp"
 #include "eval/slope_jumps.hpp"
+#include "eval/varying_part.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
 
@@ -75,8 +75,10 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   // A loaded graph has no room for the nodes of moving parts.
   module.graph = module.graph.copy();
   Graph& graph = module.graph;
+  std::vector<NodeId> roots = module.roots(results);
+  if (canUnroll(graph)) roots = unrollFolds(graph, roots);
   Dependence dependence(graph, varying);
-  MovingParts movingParts(graph, dependence);
+  VaryingParts varyingParts(graph, dependence);
   const auto isVarying = [&](NodeId id) { return dependence.isVarying(id); };
   const auto isInLoop = [&](NodeId id) { return dependence.isInLoop(id); };
   std::map<std::vector<NodeId>, double> steps;
@@ -85,10 +87,10 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
     if (isVarying(front.argument) && std::find(to.begin(), to.end(), front) == to.end())
       to.push_back(front);
   };
-  const std::vector<NodeId> nodes = reachable(graph, module.roots(results));
+  const std::vector<NodeId> nodes = reachable(graph, roots);
   for (const NodeId id : nodes) {
     dependence.add(id);
-    movingParts.add(id);
+    varyingParts.add(id);
     if (const std::optional<FrontAt> front = frontOf(graph, id)) add(fronts, *front);
     std::vector<NodeId> point = pointOf(module, id);
     if (std::none_of(point.begin(), point.end(), isVarying) ||
@@ -96,15 +98,15 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
       continue;
     const double step =
         graph.isLibraryCall(id) ? stepOfCall(module, id) : *stepOfWave(graph.node(id).op);
-    for (NodeId& coordinate : point) coordinate = movingParts[coordinate];
+    for (NodeId& coordinate : point) coordinate = varyingParts[coordinate];
     const auto [found, isNew] = steps.try_emplace(point, step);
     if (!isNew) found->second = std::min(found->second, step);
   }
-  const std::vector<FrontAt> found = kinksOf(graph, nodes);
+  const std::vector<FrontAt> found = kinksOf(graph, nodes, roots);
   dependence.addNew();
   for (const FrontAt& kink : found) add(kinks, kink);
   for (auto& [argument, kink] : kinks) kink.second = readsOnly(graph, argument, varying) ? 1 : 0;
-  if (kinks.size() <= maxLimits) removeSmooth(kinks, module, results, varying);
+  if (kinks.size() <= maxLimits) removeSmoothKinks(kinks, module, results, varying);
   if (kinks.size() <= maxKinks) fronts.insert(fronts.end(), kinks.begin(), kinks.end());
   Phases all;
   Output output{.name = "phases", .shape = {}, .components = {}};

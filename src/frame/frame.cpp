@@ -24,17 +24,6 @@ struct SeparatedModule {
   Separation separation;
 };
 
-// Returns true if all loops, unrolled, are small enough to compile quickly.
-bool canUnroll(const Graph& graph) {
-  if (!graph.has(foldOp)) return false;
-  std::uint64_t unrolledSize = graph.size();
-  for (std::uint32_t i = 0; i < graph.loopCount() && unrolledSize <= maxUnrolledNodes; ++i) {
-    if (!graph.loop(i).isCounted()) return false;
-    unrolledSize *= graph.loop(i).steps;
-  }
-  return unrolledSize <= maxUnrolledNodes;
-}
-
 // Replaces values that no result reads by zero, so that they need not be computed.
 void clearUnread(const Graph& graph, std::span<const NodeId> roots, std::uint32_t firstInput,
                  std::vector<NodeId>& values, NodeId zero) {

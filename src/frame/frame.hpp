@@ -16,14 +16,11 @@ inline constexpr const char* frameLabel = "warpjetFrame";
 // including those of the host.
 inline constexpr std::size_t maxFrameValues = 128;
 
-// Loops remain loops if unrolling them gives more nodes than this.
-inline constexpr std::size_t maxUnrolledNodes = 20'000;
-
 // Modifies the module: its results read frame inputs in place of expressions that depend only on
 // the inputs `known` (by number), and an additional last result has the values of the frame inputs.
 // Frame constants inside of periodic functions are reduced by whole periods, so that float32 keeps
 // its precision however long a sketch runs. To make that possible, loops whose steps add different
-// constants are unrolled. Returns the number of vec4s.
+// constants are unrolled, if they are small. Returns the number of vec4s.
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known);
 
 }  // namespace warpjet

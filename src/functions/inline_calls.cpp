@@ -210,6 +210,16 @@ std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const 
   return inlineAll(graph, &library, roots);
 }
 
+bool canUnroll(const Graph& graph) {
+  if (!graph.has(foldOp)) return false;
+  std::uint64_t unrolledSize = graph.size();
+  for (std::uint32_t i = 0; i < graph.loopCount() && unrolledSize <= maxUnrolledNodes; ++i) {
+    if (!graph.loop(i).isCounted()) return false;
+    unrolledSize *= graph.loop(i).steps;
+  }
+  return unrolledSize <= maxUnrolledNodes;
+}
+
 std::vector<NodeId> unrollFolds(Graph& graph, std::span<const NodeId> roots) {
   return inlineAll(graph, nullptr, roots);
 }

@@ -60,6 +60,14 @@ class Library {
 // Replaces calls of our functions by their bodies, and unrolls folds, in the same graph.
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots);
 
+// The max number of nodes of a graph whose folds are unrolled so that more is known about each
+// step.
+inline constexpr std::size_t maxUnrolledNodes = 20'000;
+
+// Tests whether there are folds, which all have a fixed number of steps and together at most
+// `maxUnrolledNodes` nodes.
+bool canUnroll(const Graph& graph);
+
 // Unrolls folds, but keeps calls.
 std::vector<NodeId> unrollFolds(Graph& graph, std::span<const NodeId> roots);
 

@@ -79,7 +79,7 @@ struct FrontsFound : Bench {
     for (std::uint32_t i = 0; i < module.graph.inputCount(); ++i) varying.push_back(i);
     std::vector<Front> found = addPhases(module, results, varying).fronts;
     EXPECT_EQ(module.outputs.back().components.size(), found.size());
-    std::erase_if(found, [](const Front& front) { return front.isKink(); });
+    std::erase_if(found, [](const Front& front) { return front.isCrease(); });
     return found;
   }
 };

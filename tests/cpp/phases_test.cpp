@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "functions/fold.hpp"
+#include "support.hpp"
 
 namespace warpjet {
 namespace {
@@ -28,15 +30,30 @@ TEST(Phases, LackWhatIsTheSameAtAllVertices) {
   EXPECT_EQ(module.outputs.back().components, (std::vector<NodeId>{x, twiceX}));
 }
 
+// Each step of the loop adds a wave of another length.
+TEST(Phases, AreFoundInLoops) {
+  Module module;
+  Graph& graph = module.graph;
+  const Expression x = scalar(graph, "x"), zero{&graph, graph.constant(0)};
+  const Expression sum = fold(3, {zero}, [&](const Numbers& s, Expression i) {
+    return Numbers{s[0] + sin(x * (i + 1.0))};
+  })[0];
+  module.outputs.push_back({.name = "result", .shape = {}, .components = {sum.id}});
+  const std::uint32_t results[] = {0}, varying[] = {graph.findInput("x").value()};
+  EXPECT_EQ(addPhases(module, results, varying).phases.size(), 3);
+}
+
 // A result of x, and of the uniform u.
 struct KinksFound : Bench {
-  std::vector<Front> kinks(int value) {
+  std::vector<Front> kinks(int value, const std::vector<const char*>& varyingInputs = {"x"}) {
     builder.output("gen", "result", value);
     EXPECT_TRUE(builder.finish()) << builder.problem();
     Module module = load(save(builder.module()));
-    const std::uint32_t results[] = {0}, varying[] = {module.graph.findInput("x").value()};
+    const std::uint32_t results[] = {0};
+    std::vector<std::uint32_t> varying;
+    for (const char* name : varyingInputs) varying.push_back(module.graph.findInput(name).value());
     std::vector<Front> found = addPhases(module, results, varying).fronts;
-    std::erase_if(found, [](const Front& front) { return !front.isKink(); });
+    std::erase_if(found, [](const Front& front) { return !front.isCrease(); });
     return found;
   }
 
@@ -87,6 +104,38 @@ TEST(Kinks, ThatOnlyLargeUniformsShowAreFound) {
   const int slow = bench.call("mult", {bench.x, bench.number(0.0025)});
   const int kinked = bench.call("mult", {bench.call("abs", {slow}), bench.u});
   EXPECT_EQ(bench.kinks(bench.call("add", {bench.x, kinked})).size(), 1u);
+}
+
+// The kink of abs is used only if u is negative, or zero.
+TEST(Kinks, ThatOnlySomeUniformsShowAreFound) {
+  KinksFound negative;
+  const int slope = negative.call(
+      "max", {negative.call("mult", {negative.u, negative.number(-1)}), negative.number(0)});
+  EXPECT_EQ(
+      negative.kinks(negative.call("mult", {negative.call("abs", {negative.x}), slope})).size(),
+      1u);
+  KinksFound zero;
+  const int isPositive = zero.call("gt", {zero.call("abs", {zero.u}), zero.number(0.4)});
+  const int choice = zero.call("ifElse", {isPositive, zero.x, zero.call("abs", {zero.x})});
+  EXPECT_EQ(zero.kinks(choice).size(), 1u);
+}
+
+// The kink of abs is damped by exp(-k y^2).
+TEST(Kinks, ThatAreSeenOnlyCloseToAnAxisAreFound) {
+  for (const double k : {100.0, 1000.0, 3000.0}) {
+    KinksFound bench;
+    const int y = bench.input("y"), square = bench.call("mult", {y, y});
+    const int damping = bench.call("exp", {bench.call("mult", {square, bench.number(-k)})});
+    const int kinked = bench.call("mult", {bench.call("abs", {bench.x}), damping});
+    EXPECT_EQ(bench.kinks(bench.call("add", {bench.x, kinked}), {"x", "y"}).size(), 1u) << k;
+  }
+}
+
+TEST(Kinks, OfRootsThatAreNeverZeroAreNotFound) {
+  KinksFound bench;
+  const int square = bench.call("mult", {bench.x, bench.x});
+  EXPECT_TRUE(
+      bench.kinks(bench.call("sqrt", {bench.call("add", {square, bench.number(1)})})).empty());
 }
 
 TEST(Kinks, OfTwoNumbersAreWhereTheseAreEqual) {

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { createDetail } from 'warpjet/detail'
+import { glslOffset } from 'warpjet/glsl'
 import {
   expectClose,
   coarseMeshes as meshes,
@@ -53,6 +54,24 @@ const cases = {
   'a bump in the middle': bump(0, 0),
   'a bump off the middle': bump(0.13, 0.27),
   'a negative power': spike(0.13, 0.27),
+  'waves in a loop': () => ({
+    offset: glslOffset(`
+      uniform float shift;
+      vec3 offset(vec3 position) {
+        float height = 0.0;
+        for (int i = 1; i <= 12; i++) {
+          float wave = sin((position.x - shift) * 3.0 * float(i) + position.y * float(i * i) * 0.3);
+          height += wave * wave * wave / float(i * i);
+        }
+        return vec3(0.0, 0.0, 0.3 * height);
+      }`),
+    height(p) {
+      let sum = 0
+      for (let i = 1; i <= 12; i++) sum += Math.sin(p[0] * 3 * i + p[1] * i * i * 0.3) ** 3 / i ** 2
+      return sum
+    },
+    isNear: () => true,
+  }),
   'a smoothstep of width 0.04': along(
     (x, glsl) => glsl.smoothstep(0.37, 0.41, x),
     (x) => smoothstep(0.37, 0.41, x),

@@ -10,9 +10,9 @@
 namespace warpjet {
 
 // Nodes are added in ascending order, after they were added to the `Dependence`.
-class MovingParts {
+class VaryingParts {
  public:
-  MovingParts(Graph& graph, const Dependence& dependence)
+  VaryingParts(Graph& graph, const Dependence& dependence)
       : graph_(graph), dependence_(dependence), parts_(graph.size(), noNode) {}
 
   void add(NodeId id) { parts_[index(id)] = partOf(id); }
