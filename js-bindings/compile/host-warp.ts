@@ -37,7 +37,7 @@ export interface SurfacePhases {
   /** 3 numbers per front: its profile and two parameters (src/eval/front.hpp). Each front has 1 float per vertex, after the phases. */
   readonly fronts: readonly number[]
   /** `true` if any front is neither a kink nor a cusp: the mesh is cut again when such a front moves. */
-  readonly hasFronts: boolean
+  readonly hasPeaksOrSteps: boolean
   /** `true` if any front is a kink: triangles that it passes through are divided more finely. */
   readonly hasKinks: boolean
   /** The number of floats per vertex, for all phases and fronts together. */
@@ -158,7 +158,7 @@ export class HostWarp extends OffsetWarp {
       sizes,
       steps,
       fronts,
-      hasFronts: profiles.some((profile) => profile < kinkProfile),
+      hasPeaksOrSteps: profiles.some((profile) => profile < kinkProfile),
       hasKinks: profiles.includes(kinkProfile),
       size,
       writeState: (drawValues, to, place = this.place) =>

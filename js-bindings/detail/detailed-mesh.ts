@@ -6,6 +6,7 @@ import type { Place } from '../options/place.js'
 import { diagonalOf } from './arrays.js'
 import type { DetailBase } from './detail-base.js'
 import { LastNumbers } from './last-numbers.js'
+import { Pace } from './pace.js'
 import { SurfaceSamples, noPhases, type ToSpace } from './surface-samples.js'
 import { WasmMesh } from './wasm-mesh.js'
 
@@ -59,6 +60,7 @@ export class DetailedMesh {
   private readonly lastState = new LastNumbers()
   private readonly lastViews = new LastNumbers()
   private lastTolerance = 0
+  private readonly pace = new Pace()
   private readonly state: number[] = []
   private posed: DetailBase | undefined
   /** Changes when the arrays change. */
@@ -82,7 +84,8 @@ export class DetailedMesh {
 
   /**
    * Divides the mesh for a frame. `given` are the values of the draw call, and `place` the numbers that `toSpace` depends on.
-   * Returns `true` if the arrays changed. Creates no garbage while the cuts stay the same and the warp's inputs are numbers.
+   * Returns `true` if the arrays changed. While camera and surface move slowly and steadily, every second frame keeps the division.
+   * Creates no garbage while the cuts stay the same and the warp's inputs are numbers.
    */
   update(
     given: DrawValues,
@@ -95,16 +98,23 @@ export class DetailedMesh {
     const { state, lastState, lastViews } = this
     const now = this.warp.withUniformsNow(given, this.call)
     const count = this.writeState(now, place, state)
-    if (!lastState.are(state, count)) {
+    const isSameTolerance = tolerance === this.lastTolerance
+    const isSameSurface = lastState.are(state, count)
+    if (isSameTolerance && isSameSurface && lastViews.are(views)) return false
+    if (this.pace.leavesOut(state, count, views) && isSameTolerance) return false
+    if (!isSameSurface) {
+      // If the warp fails, as without one of its uniforms, the samples have no state.
+      lastState.forget()
       this.cut(now, toSpace, place)
       this.started!.samples.warpFirst(now)
       lastState.set(state, count)
-    } else if (tolerance === this.lastTolerance && lastViews.are(views)) return false
+    }
     const { mesh, samples } = this.started!
     this.lastTolerance = tolerance
     lastViews.set(views)
-    samples.warpMissing(mesh.show(views, !samples.areAllWarped))
+    samples.warpMissing(mesh.show(views, !samples.areAllWarped), now)
     const isChanged = mesh.update(tolerance)
+    this.pace.measured(mesh.staysExact())
     if (isChanged) this.version++
     return isChanged
   }
@@ -116,7 +126,7 @@ export class DetailedMesh {
     place: readonly number[] = noPlace,
   ): boolean {
     const { mesh, samples } = this.startedMesh()
-    if (!samples.haveFronts) return false
+    if (!samples.havePeaksOrSteps) return false
     samples.place(toSpace, place)
     if (!samples.writePhases(this.warp.withUniformsNow(given, this.call))) return false
     const isCoarse = mesh.isCoarse(this.maxLength)
@@ -165,7 +175,7 @@ export class DetailedMesh {
     mesh.fill(posed)
     mesh.detail.pose()
     samples.read()
-    this.lastState.forget()
+    this.forgetSurface()
     this.baseVersion++
   }
 
@@ -217,9 +227,14 @@ export class DetailedMesh {
     const samples = new SurfaceSamples(this.warp, phases, this.base, mesh, this.call)
     this.started = { mesh, samples }
     this.firstSampleCount = undefined
-    this.lastState.forget()
+    this.forgetSurface()
     this.baseVersion++
     if (this.posed) this.pose(this.posed)
+  }
+
+  private forgetSurface() {
+    this.lastState.forget()
+    this.pace.forget()
   }
 
   private writeState(given: DrawValues, place: readonly number[], to: number[]): number {
@@ -248,7 +263,7 @@ export class DetailedMesh {
   private isOvercut(): boolean {
     const { firstSampleCount, laterCuts } = this
     const { mesh, samples } = this.started!
-    if (firstSampleCount === undefined || laterCuts === 0 || !samples.haveFronts) return false
+    if (firstSampleCount === undefined || laterCuts === 0 || !samples.havePeaksOrSteps) return false
     return laterCuts > maxLaterCuts || mesh.sampleCount > maxGrowth * firstSampleCount
   }
 }

@@ -18,7 +18,7 @@ export const noPhases: SurfacePhases = {
   sizes: [],
   steps: [],
   fronts: [],
-  hasFronts: false,
+  hasPeaksOrSteps: false,
   hasKinks: false,
   size: 0,
   writeState: () => 0,
@@ -41,8 +41,6 @@ export class SurfaceSamples {
   private readonly lastPlace = new LastNumbers()
   private readonly lastPhases = new LastNumbers()
   private readonly phaseState: number[] = []
-  /** The values of the draw call for which samples are warped now. */
-  private given: DrawValues = {}
   /** Samples below this index are warped whether views show them or not. */
   private warpedFirst = 0
   /** The other samples that are warped, one after another. */
@@ -61,8 +59,8 @@ export class SurfaceSamples {
     this.read()
   }
 
-  get haveFronts(): boolean {
-    return this.phases.hasFronts
+  get havePeaksOrSteps(): boolean {
+    return this.phases.hasPeaksOrSteps
   }
 
   /** Reads the samples after the mesh was cut or moved. */
@@ -111,26 +109,25 @@ export class SurfaceSamples {
   /** Warps the samples that are warped whether views show them or not: at least the vertices. */
   warpFirst(given: DrawValues) {
     const { mesh } = this
-    this.given = given
     mesh.forgetSamples()
-    this.warpUpTo(this.areAllWarped ? mesh.sampleCount : mesh.vertexCount)
+    this.warpUpTo(this.areAllWarped ? mesh.sampleCount : mesh.vertexCount, given)
   }
 
   /** Warps the samples that `show` has listed. */
-  warpMissing(count: number) {
+  warpMissing(count: number, given: DrawValues) {
     const { mesh, chosen, warpedChosen } = this
     const { sampleCount, words } = mesh
     if (!count || this.warpedFirst === sampleCount) return
-    if (count > maxShare * sampleCount) return this.warpUpTo(sampleCount)
+    if (count > maxShare * sampleCount) return this.warpUpTo(sampleCount, given)
     const at = mesh.missingSamplesAt()
     gather(this.placed, words, at, count, chosen)
-    this.warp.evaluatePositions(chosen, count, this.given, warpedChosen, this.call)
+    this.warp.evaluatePositions(chosen, count, given, warpedChosen, this.call)
     scatter(warpedChosen, words, at, count, mesh.warped())
   }
 
   /** Warps the first `count` samples. */
-  private warpUpTo(count: number) {
-    this.warp.evaluatePositions(this.placed, count, this.given, this.mesh.warped(), this.call)
+  private warpUpTo(count: number, given: DrawValues) {
+    this.warp.evaluatePositions(this.placed, count, given, this.mesh.warped(), this.call)
     this.warpedFirst = count
   }
 

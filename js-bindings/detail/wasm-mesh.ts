@@ -121,6 +121,11 @@ export class WasmMesh {
     return Boolean(this.bound._detail_update(this.address, tolerance))
   }
 
+  /** Tests whether the division will be exact enough if camera and surface change once more as they did before the last update. */
+  staysExact(): boolean {
+    return Boolean(this.bound._detail_stays_exact(this.address))
+  }
+
   dispose() {
     registry.unregister(this)
     free(this)

@@ -57,8 +57,8 @@ std::uint32_t vertexCount(const Detail& detail) {
 }
 std::vector<float> criterionNumbers() {
   const Criterion& c = criterion;
-  return {c.margin, c.nearest, c.aside,      c.away,   c.beyondCells, c.beyondFlat,
-          c.error,  c.aim,     c.hysteresis, c.lowest, c.minGain};
+  return {c.margin, c.nearest, c.aside,      c.away,      c.beyondCells, c.beyondFlat,
+          c.error,  c.aim,     c.hysteresis, c.minLength, c.minGain};
 }
 Words pieceNumbers() { return {pieceCounts.begin(), pieceCounts.end()}; }
 
@@ -109,6 +109,7 @@ EMSCRIPTEN_KEEPALIVE const std::uint32_t* detail_missing_samples(const Detail* d
 EMSCRIPTEN_KEEPALIVE bool detail_update(Detail* detail, float tolerance) {
   return detail->update(tolerance);
 }
+EMSCRIPTEN_KEEPALIVE bool detail_stays_exact(const Detail* detail) { return detail->staysExact(); }
 }  // extern "C"
 
 EMSCRIPTEN_BINDINGS(detail) {

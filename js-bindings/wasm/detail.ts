@@ -17,6 +17,7 @@ interface FrameFunctions {
   _detail_show(mesh: number, listsSamples: number): number
   _detail_missing_samples(mesh: number): number
   _detail_update(mesh: number, tolerance: number): number
+  _detail_stays_exact(mesh: number): number
 }
 
 export type DetailModule = Bound & Emscripten & FrameFunctions

@@ -15,45 +15,38 @@ Vec3 cornersAt(const BaseMesh& base, const FourTriangles& triangles, int corner)
   return gatherVectors({at(0), at(1), at(2), at(3)});
 }
 
-// Returns the weights of a corner of patches.
-Vec3 weightsAt(int corner, std::span<const Patch> patches, const FourTriangles& triangles) {
+}  // namespace
+
+Vec3 weightsOf(int corner, std::span<const Patch> patches, const FourTriangles& triangles) {
   const auto at = [&](std::size_t lane) { return patches[triangles[lane]].corners[corner].data(); };
   return gatherVectors({at(0), at(1), at(2), at(3)});
 }
-
-}  // namespace
 
 PlanarTriangles::PlanarTriangles(const BaseMesh& base, const FourTriangles& triangles) {
   const Vec3 origin = cornersAt(base, triangles, 0);
   const Vec3 u = cornersAt(base, triangles, 1) - origin;
   const Vec3 v = cornersAt(base, triangles, 2) - origin;
-  width = sqrt(dot(u, u));
+  const Lanes minLength = criterion.minLength * sqrt(dot(u, u) + dot(v, v));
+  width = max(minLength, sqrt(dot(u, u)));
   apex.x = dot(u, v) / width;
-  const Lanes lowest = criterion.lowest * sqrt(dot(u, u) + dot(v, v));
-  apex.y = max(lowest, sqrt(max(0.0f, dot(v, v) - apex.x * apex.x)));
+  apex.y = max(minLength, sqrt(max(0.0f, dot(v, v) - apex.x * apex.x)));
 }
 
 Directions directionsOf(const PlanarTriangles& planar, std::span<const Patch> patches,
                         const FourTriangles& triangles) {
   const Vec2 first(planar.width, 0.0f), second = planar.apex;
-  Directions directions{first, second - first, second};
-  if (patches.empty()) {
-    for (std::size_t i = 0; i < 3; ++i) directions[i + 3] = directions[i];
-    return directions;
-  }
+  const std::array<Vec2, 3> sides{first, second - first, second};
+  if (patches.empty()) return {sides, sides};
   // u and v are the sides of the patch at its first corner, as changes of the weights of corners 1
   // and 2 of the given triangle (y and z), whose sides are (1, 0), (-1, 1) and (0, 1) in these
   // coordinates.
-  const Vec3 origin = weightsAt(0, patches, triangles);
-  const Vec3 u = weightsAt(1, patches, triangles) - origin;
-  const Vec3 v = weightsAt(2, patches, triangles) - origin;
+  const Vec3 origin = weightsOf(0, patches, triangles);
+  const Vec3 u = weightsOf(1, patches, triangles) - origin;
+  const Vec3 v = weightsOf(2, patches, triangles) - origin;
   const Lanes area = u.y * v.z - u.z * v.y;
   const Vec2 wholeFirst = (first * v.z - second * u.z) / area;
   const Vec2 wholeSecond = (second * u.y - first * v.y) / area;
-  directions[3] = wholeFirst;
-  directions[4] = wholeSecond - wholeFirst;
-  directions[5] = wholeSecond;
-  return directions;
+  return {sides, {wholeFirst, wholeSecond - wholeFirst, wholeSecond}};
 }
 
 // A difference of numbers that are not finite is NaN.

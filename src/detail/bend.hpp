@@ -19,9 +19,11 @@ struct PlanarTriangles {
   PlanarTriangles(const BaseMesh& base, const FourTriangles& triangles);
 };
 
-// The sides of triangles in their planes, then those of the given triangles that their patches are
+// The sides of triangles in their planes, and those of the given triangles that their patches are
 // parts of. Without patches, the triangles are the given ones.
-using Directions = std::array<Vec2, 6>;
+struct Directions {
+  std::array<Vec2, 3> sides, givenSides;
+};
 Directions directionsOf(const PlanarTriangles& planar, std::span<const Patch> patches,
                         const FourTriangles& triangles);
 
@@ -35,6 +37,9 @@ struct Quadratics {
   // Tests whether the numbers are finite.
   Mask areFinite() const;
 };
+
+// Returns the weights of a corner of patches.
+Vec3 weightsOf(int corner, std::span<const Patch> patches, const FourTriangles& triangles);
 
 // Returns M such that e' M e bounds the second derivative along e, from the second derivatives
 // along the sides. M is the root of the sum of the squared Hessians of x and y on the screen, in

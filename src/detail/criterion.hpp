@@ -1,5 +1,5 @@
-// The constants by which the numbers of pieces of edges are chosen: see need.cpp. The compute
-// passes in WGSL get them from here, too.
+// The constants by which the numbers of pieces of edges are chosen: see triangle_needs.cpp. The
+// compute passes in WGSL get them from here, too.
 #pragma once
 
 namespace warpjet {
@@ -7,7 +7,7 @@ namespace warpjet {
 struct Criterion {
   // Triangles are invisible if all of their samples are outside of the view times this factor.
   float margin = 1.3f;
-  // The min depth of a sample, as a share of the depth of its triangle's middle.
+  // The min depth of a sample, as a share of the largest depth of its triangle's corners.
   float nearest = 0.1f;
   // The max distance of a sample from the middle of the view, in halves of the view. Samples that
   // are farther away are treated as if they were at this distance.
@@ -37,14 +37,14 @@ struct Criterion {
   float maxPiecesAtKink = 8;
   float minLengthAtKink = 2;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
-  float aim = 0.8f;
+  float aim = 0.7f;
   // The number of pieces is lowered only to a number that would suffice for this many times the
   // need.
   float hysteresis = 1.1f;
-  // The min height of a triangle, as a share of its sides. Slivers are treated as if they were this
-  // high: second differences of floats, divided by the square of almost no height, would be
+  // The min width and height of a triangle, as a share of its sides. Slivers are treated as if they
+  // had these: second differences of floats, divided by the square of almost no length, would be
   // rounding errors.
-  float lowest = 0.01f;
+  float minLength = 0.01f;
   // A diagonal is flipped only if that shortens its square by more than this share of the sizes of
   // all terms of the difference, so that rounding doesn't decide.
   float minGain = 0.01f;

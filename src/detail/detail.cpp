@@ -59,7 +59,7 @@ void Detail::begin() {
     triangles.push_back({givenIndices_[i], givenIndices_[i + 1], givenIndices_[i + 2]});
   baseGroups_ = givenGroups_;
   cuts_.clear();
-  phases_.areKinksCut = false;
+  phases_.areCreasesCut = false;
   BaseMesh mesh(given_, std::move(triangles));
   surface_.reset();
   const auto normals = std::find_if(given_.begin(), given_.end(), [](auto& a) { return a.isUnit; });
@@ -158,7 +158,10 @@ double Detail::countTriangles() {
 // choice doesn't alternate.
 std::uint32_t Detail::chooseUniform(double adaptiveTriangles) {
   constexpr float maxUniform = 256;
-  const float need = std::max(1.0f, needs_.uniformNeed());
+  // A surface that starts to move away from a flat one soon needs more pieces: its error, which is
+  // inversely proportional to the square of their number, grows by several tenths in a frame.
+  constexpr float spare = 0.5f;
+  const float need = std::max(1.0f, std::sqrt(needs_.squaredUniform()) + spare);
   if (cuts_.empty() || need > maxUniform) return 0;
   const auto pieces =
       std::clamp(uniformPieces_, static_cast<std::uint32_t>(std::ceil(need)),
@@ -183,15 +186,13 @@ bool Detail::update(float tolerance) {
   const std::span<const Corners> given =
       cuts_.empty() ? std::span<const Corners>() : cuts_[0].mesh.triangles();
   const WarpedMesh mesh{*base_, patches, warped_, phases_, given, visible_.triangles()};
-  bool isChanged = needs_.update(mesh, views_, tolerance);
+  needs_.update(mesh, views_, tolerance);
   double triangles = countTriangles();
   // The error is inversely proportional to the number of triangles.
-  for (int i = 0; i < 4 && triangles > maxDrawnTriangles; ++i, triangles = countTriangles()) {
-    tolerance *= static_cast<float>(1.1 * triangles / maxDrawnTriangles);
-    isChanged |= needs_.update(mesh, views_, tolerance);
-  }
+  for (int i = 0; i < 4 && triangles > maxDrawnTriangles; ++i, triangles = countTriangles())
+    needs_.lower(static_cast<float>(1.1 * triangles / maxDrawnTriangles));
   const std::uint32_t uniform = chooseUniform(triangles);
-  const bool isSame = uniform == uniformPieces_ && (uniform != 0 || !isChanged);
+  const bool isSame = uniform == uniformPieces_ && (uniform != 0 || !needs_.areChanged());
   if (isSame && !indices_.empty()) return false;
   uniformPieces_ = uniform;
   write();
@@ -207,7 +208,7 @@ void Detail::divideBase() {
 void Detail::write() {
   if (uniformPieces_ == 0) {
     pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
-    division_.write(makeInterpolation(), pieces_, tessellations_, needs_.squaredSides());
+    division_.write(makeInterpolation(), pieces_, tessellations_, needs_.bentSides());
   } else {
     pieces_.assign(makeInterpolationOfGiven().base().edgeCount(), uniformPieces_);
     division_.write(makeInterpolationOfGiven(), pieces_, tessellations_);

@@ -3,6 +3,7 @@
 // the surface change enough.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,7 +12,7 @@
 #include "detail/base_mesh.hpp"
 #include "detail/division.hpp"
 #include "detail/interpolation.hpp"
-#include "detail/need.hpp"
+#include "detail/needs.hpp"
 #include "detail/phase_samples.hpp"
 #include "detail/pn_triangles.hpp"
 #include "detail/tessellation.hpp"
@@ -69,6 +70,11 @@ class Detail {
   // Divides the mesh for the views. These samples must be warped, too. Returns true if the divided
   // mesh changed.
   bool update(float tolerance);
+  // Tests whether the division will be within the tolerance if camera and surface change once more
+  // as they did before the last update: see `Needs::stayExact`.
+  bool staysExact() const {
+    return uniformPieces_ == 0 ? needs_.stayExact() : needs_.staysExact(uniformPieces_);
+  }
 
   // The mesh after all cuts, and the numbers of pieces of its edges.
   const BaseMesh& base() const { return *base_; }

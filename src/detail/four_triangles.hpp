@@ -19,12 +19,17 @@ using Vec4 = glm::vec<4, Lanes>;
 inline Lanes dot(const Vec2& a, const Vec2& b) { return a.x * b.x + a.y * b.y; }
 inline Lanes dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Returns m * (p, 1).
-inline Vec4 transform(const glm::mat4& m, const Vec3& p) {
+// Returns m * (v, 0).
+inline Vec4 transformVector(const glm::mat4& m, const Vec3& v) {
   Vec4 all;
   for (int i = 0; i < 4; ++i)
-    all[i] = p.x * Lanes(m[0][i]) + p.y * Lanes(m[1][i]) + p.z * Lanes(m[2][i]) + Lanes(m[3][i]);
+    all[i] = v.x * Lanes(m[0][i]) + v.y * Lanes(m[1][i]) + v.z * Lanes(m[2][i]);
   return all;
+}
+
+// Returns m * (p, 1).
+inline Vec4 transformPoint(const glm::mat4& m, const Vec3& p) {
+  return transformVector(m, p) + Vec4(m[3]);
 }
 
 // Returns number `offset` of each of four arrays. (Setting one lane after another would write them

@@ -8,10 +8,6 @@ namespace warpjet {
 
 namespace {
 
-Vec2 select(Mask where, const Vec2& yes, const Vec2& no) {
-  return {ifElse(where, yes.x, no.x), ifElse(where, yes.y, no.y)};
-}
-
 Vec2 scaleToPixels(const ScreenView& view, const Vec2& v) {
   return {v.x * view.halfSize.x, v.y * view.halfSize.y};
 }
@@ -50,15 +46,22 @@ Mask areHidden(const ScreenView& view, const std::array<Vec4, 3>& clip, float sh
 
 TrianglesOnScreen::TrianglesOnScreen(const ScreenView& view, const Samples& samples)
     : view_(view), samples_(samples) {
-  for (std::size_t i = 0; i < samples.size(); ++i) clip_[i] = transform(view.clip, samples[i]);
-  // A position on the screen is halfSize * xy / w.
-  const Vec4 nearest = findNearest();
-  const Vec2 place = Vec2(nearest) / nearest.w;
-  for (int k = 0; k < 3; ++k) {
-    const glm::vec4& change = view.clip[k];
-    const Vec2 moved(change.x - place.x * change.w, change.y - place.y * change.w);
-    jacobian_[k] = scaleToPixels(view, moved / nearest.w);
+  const Vec4 first = transformPoint(view.clip, samples[0]);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    changes_[i] = changeTo(samples[i]);
+    clip_[i] = first + changes_[i];
   }
+  const auto [a, b, c] = cornerSamples;
+  const Lanes minDepth =
+      criterion.nearest * max(max(abs(clip_[a].w), abs(clip_[b].w)), abs(clip_[c].w));
+  depth_ = clip_[a].w;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    depth_ = min(depth_, clip_[i].w);
+    const Vec2 place = Vec2(clip_[i]) / max(clip_[i].w, minDepth);
+    const Lanes aside = criterion.aside;
+    places_[i] = {clamp(place.x, -aside, aside), clamp(place.y, -aside, aside)};
+  }
+  depth_ = max(depth_, minDepth);
 }
 
 // Tests whether any cell is drawn, or almost drawn: then the surface between its samples may be.
@@ -74,59 +77,56 @@ Mask TrianglesOnScreen::areVisible() const {
   return logicalAnd(isDrawn, logicalNot(outside));
 }
 
+// A place on the screen is halfSize * xy / w.
+Vec2 TrianglesOnScreen::toPixels(const Vec4& change, int sample) const {
+  return scaleToPixels(view_, (Vec2(change) - places_[sample] * change.w) / depth_);
+}
+
 std::array<Vec2, 3> TrianglesOnScreen::secondDifferences(const Cell& cell) const {
+  const auto& [corners, middles] = cell;
   std::array<Vec2, 3> differences;
-  for (int i = 0; i < 3; ++i)
-    differences[i] = toScreen(samples_[cell.corners[i]] + samples_[cell.corners[(i + 1) % 3]] -
-                              Lanes(2.0f) * samples_[cell.middles[i]]);
+  for (int i = 0; i < 3; ++i) {
+    const Vec4 change =
+        changes_[corners[i]] + changes_[corners[(i + 1) % 3]] - changes_[middles[i]] * Lanes(2.0f);
+    differences[i] = toPixels(change, middles[i]);
+  }
   return differences;
 }
 
 Lanes TrianglesOnScreen::errorFrom(const std::array<Vec3, 3>& corners) const {
+  return errorFromChanges({changeTo(corners[0]), changeTo(corners[1]), changeTo(corners[2])});
+}
+
+Lanes TrianglesOnScreen::flatError() const {
+  const auto [a, b, c] = cornerSamples;
+  return errorFromChanges({changes_[a], changes_[b], changes_[c]});
+}
+
+Lanes TrianglesOnScreen::errorFromChanges(const std::array<Vec4, 3>& corners) const {
   const Lanes scale = 1.0f / sampleIntervals;
-  const Vec3 toFirst = (corners[1] - corners[0]) * scale;
-  const Vec3 toSecond = (corners[2] - corners[0]) * scale;
+  const Vec4 toFirst = (corners[1] - corners[0]) * scale;
+  const Vec4 toSecond = (corners[2] - corners[0]) * scale;
   Lanes maxSquare = 0.0f;
   for (int row = 0; row <= sampleIntervals; ++row) {
     for (int i = 0; i <= row; ++i) {
-      const Vec3 flat = corners[0] + toFirst * Lanes(static_cast<float>(row - i)) +
+      const int sample = sampleAt(row, i);
+      const Vec4 flat = corners[0] + toFirst * Lanes(static_cast<float>(row - i)) +
                         toSecond * Lanes(static_cast<float>(i));
-      const Vec2 error = toScreen(samples_[sampleAt(row, i)] - flat);
+      const Vec2 error = toPixels(changes_[sample] - flat, sample);
       maxSquare = max(maxSquare, dot(error, error));
     }
   }
   return sqrt(maxSquare);
 }
 
-Lanes TrianglesOnScreen::flatError() const {
-  return errorFrom(
-      {samples_[cornerSamples[0]], samples_[cornerSamples[1]], samples_[cornerSamples[2]]});
-}
-
 std::array<Lanes, 3> TrianglesOnScreen::sideLengths() const {
   std::array<Lanes, 3> lengths;
   for (int i = 0; i < 3; ++i) {
-    const Vec2 side = toScreen(samples_[cornerSamples[(i + 1) % 3]] - samples_[cornerSamples[i]]);
+    const Vec2 side =
+        scaleToPixels(view_, places_[cornerSamples[(i + 1) % 3]] - places_[cornerSamples[i]]);
     lengths[i] = sqrt(dot(side, side));
   }
   return lengths;
-}
-
-// Limits the depth and the distance from the middle: points behind the eye have no position on the
-// screen, and points close to it an almost infinite one.
-Vec4 TrianglesOnScreen::findNearest() const {
-  const auto [a, b, c] = cornerSamples;
-  const Lanes middle = (clip_[a].w + clip_[b].w + clip_[c].w) / 3.0f;
-  Lanes depth = clip_[0].w;
-  Vec2 place(clip_[0]);
-  for (const Vec4& point : clip_) {
-    const Mask isNearer = lt(point.w, depth);
-    depth = ifElse(isNearer, point.w, depth);
-    place = select(isNearer, Vec2(point), place);
-  }
-  depth = max(depth, criterion.nearest * abs(middle));
-  const Lanes aside = criterion.aside * depth;
-  return {clamp(place.x, -aside, aside), clamp(place.y, -aside, aside), 0.0f, depth};
 }
 
 }  // namespace warpjet

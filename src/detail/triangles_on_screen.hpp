@@ -43,21 +43,29 @@ class TrianglesOnScreen {
   // between the samples at the corners.
   Lanes errorFrom(const std::array<Vec3, 3>& corners) const;
   Lanes flatError() const;
-
   // The lengths of the sides between their ends, in pixels.
   std::array<Lanes, 3> sideLengths() const;
 
  private:
-  Vec4 findNearest() const;
-  Vec2 toScreen(const Vec3& change) const {
-    return jacobian_[0] * change.x + jacobian_[1] * change.y + jacobian_[2] * change.z;
+  // The change in clip space from sample 0 to a point. Differences of these have smaller rounding
+  // errors than differences of positions.
+  Vec4 changeTo(const Vec3& point) const {
+    return transformVector(view_.clip, point - samples_[0]);
   }
+  // The corners are changes from sample 0.
+  Lanes errorFromChanges(const std::array<Vec4, 3>& corners) const;
+  // Returns by how many pixels a small change in clip space moves a sample, if that were the
+  // nearest.
+  Vec2 toPixels(const Vec4& change, int sample) const;
 
   const ScreenView& view_;
   const Samples& samples_;
-  std::array<Vec4, samplesPerTriangle> clip_;
-  // The columns of the Jacobian of the position on the screen, in pixels, at the nearest sample.
-  std::array<Vec2, 3> jacobian_;
+  std::array<Vec4, samplesPerTriangle> changes_, clip_;
+  // The depth of the nearest sample, and the places of all, in halves of the view from its middle.
+  // Both are limited (see criterion.hpp): points behind the eye have no place, and points close to
+  // it are almost infinitely far from the middle.
+  Lanes depth_;
+  std::array<Vec2, samplesPerTriangle> places_;
 };
 
 }  // namespace warpjet

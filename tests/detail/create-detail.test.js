@@ -384,6 +384,36 @@ test('a wave with thousands of periods makes about a million triangles', () => {
   const divided = createDetail(mesh, warp)
   divided.update(near, { uniforms: { waves: 1e5 } })
   const count = divided.indices.length / 3
+  // They stay as they are while the camera hardly moves.
+  const matrix = near.matrix.map((x) => 1.0001 * x)
+  const isChanged = divided.update({ ...near, matrix }, { uniforms: { waves: 1e5 } })
   divided.dispose()
+  assert.equal(isChanged, false)
   assert.ok(count > 2 ** 16 && count < 1.2 * 2 ** 20, `${count} triangles`)
+})
+
+test('an update without a uniform leaves nothing behind', () => {
+  const warp = compileWarp(
+    ({ glsl, position, millis, uniforms }) => {
+      const moved = position.mult(uniforms.scale)
+      return glsl.vec3(0, glsl.fbm(moved, { octaves: 5 }).mult(millis), 0)
+    },
+    { normals: false, uniforms: { scale: 0.02 } },
+  )
+  const { attributes, index } = new THREE.SphereGeometry(120)
+  const mesh = { positions: attributes.position.array, indices: index.array }
+  const divided = createDetail(mesh, warp)
+  const uniforms = { millis: 30, scale: 0.02 }
+  divided.update(near, { uniforms })
+  assert.throws(() => divided.update(near, { uniforms: { scale: 0.02 } }), /millis/)
+  const far = viewFrom(-300, 200, -900)
+  divided.update(far, { uniforms })
+  const fresh = createDetail(mesh, warp)
+  fresh.update(far, { uniforms })
+  const [count, freshCount] = [divided.indices.length, fresh.indices.length]
+  divided.dispose()
+  fresh.dispose()
+  assert.ok(freshCount > 3 * index.count)
+  // Hysteresis keeps some more.
+  assert.ok(count >= freshCount && count < 1.5 * freshCount, `${count}, ${freshCount}`)
 })

@@ -41,7 +41,7 @@ function viewFrom(distance, angle) {
   return { matrix: elements, width: 400, height: 400 }
 }
 
-const frames = 25
+const frames = 50
 /** The number of triangles of each division that are measured, at equal intervals. */
 const measuredCount = 200
 
@@ -96,7 +96,7 @@ test('jumps are measured between the same places of both divisions', () => {
 
 test('jumps are as small as errors while camera and surface move slowly', (t) => {
   const cases = {
-    box: [box, twist, (frame) => ({ turn: 1 + frame / 200 })],
+    box: [box, twist, (frame) => ({ turn: 1 + frame / 50 })],
     sphere: [sphere, bumps, (frame) => ({ millis: 16 * frame })],
   }
   for (const [name, given] of Object.entries(cases)) {

@@ -64,10 +64,10 @@ class Locator {
   originalOf = (t) => Math.round(this.corner(t, 0, 0))
   corner = (t, i, k) => this.colors[4 * this.indices[3 * t + i] + k]
 
-  /** Returns the first and the last cell that a triangle overlaps. */
+  /** Returns the first and the last cell that a triangle overlaps, or would overlap without rounding. */
   cellsAlong(t, k, size) {
     const all = [this.corner(t, 0, k), this.corner(t, 1, k), this.corner(t, 2, k)]
-    return [cellAt(Math.min(...all), size), cellAt(Math.max(...all), size)]
+    return [cellAt(Math.min(...all) - rounding, size), cellAt(Math.max(...all) + rounding, size)]
   }
 
   /**
@@ -92,6 +92,7 @@ class Locator {
   }
 }
 
+const rounding = 1e-6
 const cellAt = (x, size) => Math.min(size - 1, Math.max(0, Math.floor(x * size)))
 
 const locators = new WeakMap()

@@ -36,7 +36,7 @@ const criterionNames = [
   'error',
   'aim',
   'hysteresis',
-  'lowest',
+  'minLength',
   'minGain',
 ]
 
@@ -64,15 +64,15 @@ export const lanes = 8
 export const stateNames = ['isStale', 'isWritten', 'vertices', 'triangles'] as const
 
 /**
- * Declares the struct `State`; passes may set its `flag` at the same time if that is atomic. `squaredSides` are those of `Needs` in
- * src/detail/need.hpp. They share this buffer because a pass can bind only eight storage buffers.
+ * Declares the struct `State`; passes may set its `flag` at the same time if that is atomic. `bentSides` are those of `Needs` in
+ * src/detail/needs.hpp. They share this buffer because a pass can bind only eight storage buffers.
  */
 export const stateOf = (flag: 'u32' | 'atomic<u32>') => `struct State {
   isStale: ${flag},
   isWritten: u32,
   vertices: u32,
   triangles: u32,
-  squaredSides: array<f32>,
+  bentSides: array<f32>,
 }`
 
 /** Declares functions that read the chosen levels, from the bindings `pieces` and `topology`. */

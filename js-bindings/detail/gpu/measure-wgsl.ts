@@ -1,4 +1,4 @@
-// The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/need.cpp explains the
+// The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/triangle_needs.cpp explains the
 // formulas.
 import { groupSize, parameters, stateOf } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
@@ -160,34 +160,41 @@ fn isVisible(clips: ptr<function, Clips>, view: View) -> bool {
   return view.facing == 0 || !facesAway(clips, view.halfSize, view.facing);
 }
 
-fn nearestOf(clips: ptr<function, Clips>) -> vec4f {
-  let middle = ((*clips)[0] + (*clips)[${sampleAt(4, 0)}] + (*clips)[${sampleAt(4, 4)}]) / 3;
-  var found = (*clips)[0];
-  for (var i = 1; i < 15; i++) { if ((*clips)[i].w < found.w) { found = (*clips)[i]; } }
-  found.w = max(found.w, nearest * abs(middle.w));
-  let limit = aside * found.w;
-  return vec4f(clamp(found.xy, vec2f(-limit), vec2f(limit)), found.zw);
+/** Samples on the screen: see src/detail/triangles_on_screen.hpp. */
+struct Places {
+  depth: f32,
+  places: array<vec2f, 15>,
 }
 
-/** Returns the Jacobian of the position on the screen, in pixels. */
-fn jacobianOf(view: View, nearestClip: vec4f) -> mat3x2f {
-  var jacobian: mat3x2f;
-  for (var k = 0; k < 3; k++) {
-    let change = view.clip[k];
-    jacobian[k] = view.halfSize * (change.xy - nearestClip.xy * (change.w / nearestClip.w)) / nearestClip.w;
+fn placesOf(clips: ptr<function, Clips>) -> Places {
+  var found: Places;
+  let a = (*clips)[0].w;
+  let b = (*clips)[${sampleAt(4, 0)}].w;
+  let c = (*clips)[${sampleAt(4, 4)}].w;
+  let minDepth = nearest * max(max(abs(a), abs(b)), abs(c));
+  found.depth = a;
+  for (var i = 0; i < 15; i++) {
+    let clip = (*clips)[i];
+    found.depth = min(found.depth, clip.w);
+    found.places[i] = clamp(clip.xy / max(clip.w, minDepth), vec2f(-aside), vec2f(aside));
   }
-  return jacobian;
+  found.depth = max(found.depth, minDepth);
+  return found;
 }
 
-fn flatError(samples: ptr<function, Samples>, jacobian: mat3x2f) -> f32 {
-  let start = (*samples)[0];
-  let toFirst = ((*samples)[${sampleAt(4, 0)}] - start) / 4;
-  let toSecond = ((*samples)[${sampleAt(4, 4)}] - start) / 4;
+fn toPixels(halfSize: vec2f, change: vec4f, place: vec2f, depth: f32) -> vec2f {
+  return halfSize * (change.xy - place * change.w) / depth;
+}
+
+fn flatError(changes: ptr<function, Clips>, screen: ptr<function, Places>, halfSize: vec2f) -> f32 {
+  let toFirst = (*changes)[${sampleAt(4, 0)}] / 4;
+  let toSecond = (*changes)[${sampleAt(4, 4)}] / 4;
   var square = 0.0;
   for (var row = 1u; row <= 4; row++) {
     for (var i = 0u; i <= row; i++) {
-      let flat = start + f32(row - i) * toFirst + f32(i) * toSecond;
-      let distance = jacobian * ((*samples)[row * (row + 1) / 2 + i] - flat);
+      let sample = row * (row + 1) / 2 + i;
+      let flat = f32(row - i) * toFirst + f32(i) * toSecond;
+      let distance = toPixels(halfSize, (*changes)[sample] - flat, (*screen).places[sample], (*screen).depth);
       square = max(square, dot(distance, distance));
     }
   }
@@ -222,19 +229,25 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
   let a = placeOf(topology[first]);
   let u = placeOf(topology[first + 1]) - a;
   let v = placeOf(topology[first + 2]) - a;
-  let width = length(u);
+  let shortest = minLength * sqrt(dot(u, u) + dot(v, v));
+  let width = max(shortest, length(u));
   let x = dot(u, v) / width;
-  let apex = vec2f(x, max(lowest * sqrt(dot(u, u) + dot(v, v)), sqrt(max(0, dot(v, v) - x * x))));
+  let apex = vec2f(x, max(shortest, sqrt(max(0, dot(v, v) - x * x))));
   var samples = samplesOf(triangle);
   var squares = vec3f(0);
-  var squaredSides = vec3f(0);
+  var bentSides = vec3f(0);
   for (var k = 0u; k < parameters.views; k++) {
     let view = views[k];
+    var changes: Clips;
     var clips: Clips;
-    for (var i = 0; i < 15; i++) { clips[i] = view.clip * vec4f(samples[i], 1); }
+    let start = view.clip * vec4f(samples[0], 1);
+    for (var i = 0; i < 15; i++) {
+      changes[i] = view.clip * vec4f(samples[i] - samples[0], 0);
+      clips[i] = start + changes[i];
+    }
     if (!isVisible(&clips, view)) { continue; }
-    let jacobian = jacobianOf(view, nearestOf(&clips));
-    let flat = flatError(&samples, jacobian) * beyondFlat / (aim * parameters.tolerance);
+    var screen = placesOf(&clips);
+    let flat = flatError(&changes, &screen, view.halfSize) * beyondFlat / (aim * parameters.tolerance);
     if (flat <= 1) {
       squares = max(squares, vec3f(flat));
       continue;
@@ -245,7 +258,8 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
       let cell = cells[i];
       var bends: array<vec2f, 3>;
       for (var j = 0u; j < 3; j++) {
-        bends[j] = jacobian * (16 * (samples[cell[j]] + samples[cell[(j + 1) % 3]] - 2 * samples[cell[j + 3]]));
+        let change = changes[cell[j]] + changes[cell[(j + 1) % 3]] - 2 * changes[cell[j + 3]];
+        bends[j] = 16 * toPixels(view.halfSize, change, screen.places[cell[j + 3]], screen.depth);
       }
       let bend = bendOf(width, apex, bends[0], bends[1], bends[2]);
       let here = vec3f(along(bend, vec2f(width, 0)), along(bend, apex - vec2f(width, 0)), along(bend, apex));
@@ -254,10 +268,10 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
       sum += here;
     }
     let byBends = (largest + beyondCells * (largest - sum / 6)) * error;
-    squaredSides = max(squaredSides, byBends);
+    bentSides = max(bentSides, byBends);
     squares = max(squares, byBends / (aim * parameters.tolerance));
   }
-  for (var i = 0u; i < 3; i++) { state.squaredSides[3 * triangle + i] = squaredSides[i]; }
+  for (var i = 0u; i < 3; i++) { state.bentSides[3 * triangle + i] = bentSides[i]; }
   for (var i = 0u; i < 3; i++) {
     let side = topology[first + 3 + i] >> 1;
     let edge = topology[6 * parameters.triangles + 3 * side + 2];

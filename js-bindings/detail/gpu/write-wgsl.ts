@@ -55,9 +55,9 @@ fn numbersAt(place: u32) -> vec3f {
   return vec3f(bitcast<f32>(table[place]), bitcast<f32>(table[place + 1]), bitcast<f32>(table[place + 2]));
 }
 
-fn squaredSidesOf(triangle: u32) -> vec3f {
+fn bentSidesOf(triangle: u32) -> vec3f {
   let at = 3 * triangle;
-  return vec3f(state.squaredSides[at], state.squaredSides[at + 1], state.squaredSides[at + 2]);
+  return vec3f(state.bentSides[at], state.bentSides[at + 1], state.bentSides[at + 2]);
 }
 
 /** See \`Flip::isShorter\`. */
@@ -84,7 +84,7 @@ fn writeTriangle(triangle: u32, lane: u32) {
     blend(inner + i, corners, numbersAt(data + 3 * i));
   }
   let triangles = data + 3 * innerCount;
-  let squares = squaredSidesOf(triangle);
+  let squares = bentSidesOf(triangle);
   for (var i = lane; i < count; i += ${lanes}) {
     var points = pointsAt(triangles + i);
     let flip = triangles + count + 3 * (i / 2);

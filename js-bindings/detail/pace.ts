@@ -1,0 +1,60 @@
+// The frames of a steady motion in which a mesh need not be measured. Creates no garbage.
+
+/** The max difference of a step of a steady motion from the step before, as a share of that: frames never take equally long. */
+const maxChange = 0.5
+
+/** Smaller differences are rounding errors, which the matrices of a moving camera have. */
+const rounding = 1e-9
+
+/** The steps between numbers of successive frames. */
+class Steps {
+  private numbers = new Float64Array()
+  private steps = new Float64Array()
+
+  /** Tests whether each of the first `count` numbers moves on as in its last step. */
+  areSteadyTo(now: readonly number[], count = now.length): boolean {
+    let areSteady = count === this.steps.length
+    if (!areSteady) {
+      this.numbers = new Float64Array(count).fill(NaN)
+      this.steps = new Float64Array(count).fill(NaN)
+    }
+    const { numbers, steps } = this
+    for (let i = 0; i < count; i++) {
+      const step = now[i]! - numbers[i]!
+      const change = Math.abs(step - steps[i]!)
+      if (!(change <= maxChange * Math.abs(steps[i]!) + rounding)) areSteady = false
+      steps[i] = step
+      numbers[i] = now[i]!
+    }
+    return areSteady
+  }
+}
+
+/**
+ * Chooses the frames in which a moving mesh is measured: all of them, except that a steady motion leaves out every second one, as long as
+ * the division will still be within the tolerance.
+ */
+export class Pace {
+  private readonly surface = new Steps()
+  private readonly views = new Steps()
+  private canLeaveOut = false
+
+  /** Moves to the state of the surface, of which there are `count` numbers, and the views of a frame. Returns `true` if it can be left out. */
+  leavesOut(state: readonly number[], count: number, views: readonly number[]): boolean {
+    const isSteadySurface = this.surface.areSteadyTo(state, count)
+    const areSteadyViews = this.views.areSteadyTo(views)
+    const leavesOut = this.canLeaveOut && isSteadySurface && areSteadyViews
+    this.canLeaveOut = false
+    return leavesOut
+  }
+
+  /** Has the next frame measured, since the mesh has changed. */
+  forget() {
+    this.canLeaveOut = false
+  }
+
+  /** Ends a measurement. `staysExact` is `true` if the division will be exact enough after another step such as the last one. */
+  measured(staysExact: boolean) {
+    this.canLeaveOut = staysExact
+  }
+}
