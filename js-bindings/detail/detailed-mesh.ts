@@ -101,7 +101,7 @@ export class DetailedMesh {
     const isSameTolerance = tolerance === this.lastTolerance
     const isSameSurface = lastState.are(state, count)
     if (isSameTolerance && isSameSurface && lastViews.are(views)) return false
-    if (this.pace.leavesOut(state, count, views) && isSameTolerance) return false
+    if (isSameTolerance && this.pace.leavesOut(state, count, views)) return false
     if (!isSameSurface) {
       // If the warp fails, as without one of its uniforms, the samples have no state.
       lastState.forget()
@@ -114,7 +114,8 @@ export class DetailedMesh {
     lastViews.set(views)
     samples.warpMissing(mesh.show(views, !samples.areAllWarped), now)
     const isChanged = mesh.update(tolerance)
-    this.pace.measured(mesh.staysExact())
+    // A front that moves reaches triangles that showed nothing of it.
+    this.pace.measured(!samples.haveFronts && mesh.staysExact())
     if (isChanged) this.version++
     return isChanged
   }
@@ -230,6 +231,11 @@ export class DetailedMesh {
     this.forgetSurface()
     this.baseVersion++
     if (this.posed) this.pose(this.posed)
+  }
+
+  /** Has the next update measure the mesh, even within a steady motion. */
+  measureNext() {
+    this.pace.forget()
   }
 
   private forgetSurface() {

@@ -11,6 +11,13 @@ class Steps {
   private numbers = new Float64Array()
   private steps = new Float64Array()
 
+  /** Tests whether these are the numbers of the last step. */
+  areAt(now: readonly number[], count = now.length): boolean {
+    if (count !== this.numbers.length) return false
+    for (let i = 0; i < count; i++) if (now[i] !== this.numbers[i]) return false
+    return true
+  }
+
   /** Tests whether each of the first `count` numbers moves on as in its last step. */
   areSteadyTo(now: readonly number[], count = now.length): boolean {
     let areSteady = count === this.steps.length
@@ -30,27 +37,37 @@ class Steps {
   }
 }
 
+/** If a frame is left out, so are this many more calls with equal numbers: other passes of the same frame. */
+const maxRepeats = 4
+
 /**
- * Chooses the frames in which a moving mesh is measured: all of them, except that a steady motion leaves out every second one, as long as
- * the division will still be within the tolerance.
+ * Chooses the frames in which a moving mesh is measured. That is every second frame while the motion is steady and the division will stay
+ * within the tolerance, and every frame otherwise.
  */
 export class Pace {
   private readonly surface = new Steps()
   private readonly views = new Steps()
   private canLeaveOut = false
+  private repeats = 0
 
   /** Moves to the state of the surface, of which there are `count` numbers, and the views of a frame. Returns `true` if it can be left out. */
   leavesOut(state: readonly number[], count: number, views: readonly number[]): boolean {
+    if (this.repeats > 0 && this.surface.areAt(state, count) && this.views.areAt(views)) {
+      this.repeats--
+      return true
+    }
     const isSteadySurface = this.surface.areSteadyTo(state, count)
     const areSteadyViews = this.views.areSteadyTo(views)
     const leavesOut = this.canLeaveOut && isSteadySurface && areSteadyViews
     this.canLeaveOut = false
+    this.repeats = leavesOut ? maxRepeats : 0
     return leavesOut
   }
 
   /** Has the next frame measured, since the mesh has changed. */
   forget() {
     this.canLeaveOut = false
+    this.repeats = 0
   }
 
   /** Ends a measurement. `staysExact` is `true` if the division will be exact enough after another step such as the last one. */

@@ -59,6 +59,10 @@ export class SurfaceSamples {
     this.read()
   }
 
+  get haveFronts(): boolean {
+    return this.phases.fronts.length > 0
+  }
+
   get havePeaksOrSteps(): boolean {
     return this.phases.hasPeaksOrSteps
   }

@@ -21,6 +21,10 @@ namespace {
 constexpr double stepOfNoise = 0.36;
 constexpr int octavesOfNoise = 2;
 
+// With more phases, because of loops, those in loops are left out: all are evaluated at each
+// sample.
+constexpr std::size_t maxPhases = 32;
+
 // A function with more kinks, such as a noise in shader source, has too many to cut a mesh at them.
 constexpr std::size_t maxKinks = 8;
 // A function with more limits has none of them tested for being a kink, since that takes long.
@@ -72,16 +76,33 @@ bool readsOnly(const Graph& graph, NodeId root, std::span<const std::uint32_t> i
 
 Phases addPhases(Module& module, std::span<const std::uint32_t> results,
                  std::span<const std::uint32_t> varying) {
-  // A loaded graph has no room for the nodes of moving parts.
+  // A loaded graph has no room for new nodes: those of unrolled loops and of varying parts.
   module.graph = module.graph.copy();
   Graph& graph = module.graph;
-  std::vector<NodeId> roots = module.roots(results);
-  if (canUnroll(graph)) roots = unrollFolds(graph, roots);
+  const std::vector<NodeId> roots = module.roots(results);
+  const std::vector<NodeId> unrolled = canUnroll(graph) ? unrollFolds(graph, roots) : roots;
   Dependence dependence(graph, varying);
   VaryingParts varyingParts(graph, dependence);
   const auto isVarying = [&](NodeId id) { return dependence.isVarying(id); };
   const auto isInLoop = [&](NodeId id) { return dependence.isInLoop(id); };
+  std::vector<NodeId> allRoots = roots;
+  allRoots.insert(allRoots.end(), unrolled.begin(), unrolled.end());
+  for (const NodeId id : reachable(graph, allRoots)) {
+    dependence.add(id);
+    varyingParts.add(id);
+  }
   std::map<std::vector<NodeId>, double> steps;
+  const auto addPhase = [&](NodeId id) {
+    std::vector<NodeId> point = pointOf(module, id);
+    if (std::none_of(point.begin(), point.end(), isVarying) ||
+        std::any_of(point.begin(), point.end(), isInLoop))
+      return;
+    const double step =
+        graph.isLibraryCall(id) ? stepOfCall(module, id) : *stepOfWave(graph.node(id).op);
+    for (NodeId& coordinate : point) coordinate = varyingParts[coordinate];
+    const auto [found, isNew] = steps.try_emplace(point, step);
+    if (!isNew) found->second = std::min(found->second, step);
+  };
   std::vector<FrontAt> fronts, kinks;
   const auto add = [&](std::vector<FrontAt>& to, const FrontAt& front) {
     if (isVarying(front.argument) && std::find(to.begin(), to.end(), front) == to.end())
@@ -89,19 +110,12 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   };
   const std::vector<NodeId> nodes = reachable(graph, roots);
   for (const NodeId id : nodes) {
-    dependence.add(id);
-    varyingParts.add(id);
+    addPhase(id);
     if (const std::optional<FrontAt> front = frontOf(graph, id)) add(fronts, *front);
-    std::vector<NodeId> point = pointOf(module, id);
-    if (std::none_of(point.begin(), point.end(), isVarying) ||
-        std::any_of(point.begin(), point.end(), isInLoop))
-      continue;
-    const double step =
-        graph.isLibraryCall(id) ? stepOfCall(module, id) : *stepOfWave(graph.node(id).op);
-    for (NodeId& coordinate : point) coordinate = varyingParts[coordinate];
-    const auto [found, isNew] = steps.try_emplace(point, step);
-    if (!isNew) found->second = std::min(found->second, step);
   }
+  const auto stepsOutside = steps;
+  for (const NodeId id : reachable(graph, unrolled)) addPhase(id);
+  if (steps.size() > std::max(maxPhases, stepsOutside.size())) steps = stepsOutside;
   const std::vector<FrontAt> found = kinksOf(graph, nodes, roots);
   dependence.addNew();
   for (const FrontAt& kink : found) add(kinks, kink);

@@ -28,8 +28,8 @@ struct Phases {
 // Appends a result to the module: the coordinates of all phases, then one number for each front,
 // that `results` depend on and that vary continuously with any of the inputs `varying` (by number).
 // Coordinates lack what is the same at all vertices, since samples are compared with each other.
-// Loops are unrolled if they are small; what is in a larger one, or in a function of the host, has
-// no phases and fronts. Returns them in order.
+// Small loops are unrolled to find their phases. Fronts in loops are skipped, and so is all in
+// larger loops and in functions of the host. Returns phases and fronts in order.
 Phases addPhases(Module& module, std::span<const std::uint32_t> results,
                  std::span<const std::uint32_t> varying);
 

@@ -82,7 +82,7 @@ test('the end of a motion is measured', () => {
     const { step } = start()
     for (let i = 0; i < length; i++) step(0.01 * i)
     measured = 0
-    for (let i = 0; i < 3; i++) step(0.01 * length)
+    for (let i = 0; i < 8; i++) step(0.01 * length)
     assert.equal(measured, 1)
   }
 })

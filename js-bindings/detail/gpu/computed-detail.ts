@@ -56,7 +56,10 @@ export class ComputedDetail {
     }
     const { given, views, tolerance, toSpace, place, instances } = frame
     const state = mesh.stateOf(given, place)
-    if (watch.isCoarse(given, state, toSpace)) return undefined
+    if (watch.isCoarse(given, state, toSpace)) {
+      mesh.measureNext()
+      return undefined
+    }
     if (mesh.hasMovedFronts(given, toSpace, place)) return undefined
     division.update(given, state, views, tolerance, instances)
     if (!division.isTooLarge) return division
