@@ -1,6 +1,6 @@
 // The frames of a steady motion in which a mesh need not be measured. Creates no garbage.
 
-/** The max difference of a step of a steady motion from the step before, as a share of that: frames never take equally long. */
+/** The max difference of a step from the step before, as a share of the step before. It is large, since frames never take equally long. */
 const maxChange = 0.5
 
 /** Smaller differences are rounding errors, which the matrices of a moving camera have. */
@@ -18,8 +18,8 @@ class Steps {
     return true
   }
 
-  /** Tests whether each of the first `count` numbers moves on as in its last step. */
-  areSteadyTo(now: readonly number[], count = now.length): boolean {
+  /** Moves to the first `count` numbers of a frame. Returns `true` if each moves on about as in its last step. */
+  moveTo(now: readonly number[], count = now.length): boolean {
     let areSteady = count === this.steps.length
     if (!areSteady) {
       this.numbers = new Float64Array(count).fill(NaN)
@@ -56,8 +56,8 @@ export class Pace {
       this.repeats--
       return true
     }
-    const isSteadySurface = this.surface.areSteadyTo(state, count)
-    const areSteadyViews = this.views.areSteadyTo(views)
+    const isSteadySurface = this.surface.moveTo(state, count)
+    const areSteadyViews = this.views.moveTo(views)
     const leavesOut = this.canLeaveOut && isSteadySurface && areSteadyViews
     this.canLeaveOut = false
     this.repeats = leavesOut ? maxRepeats : 0
@@ -70,7 +70,7 @@ export class Pace {
     this.repeats = 0
   }
 
-  /** Ends a measurement. `staysExact` is `true` if the division will be exact enough after another step such as the last one. */
+  /** Called after each measurement. `staysExact` is `true` if the division will still be within the tolerance after another step like the last one. */
   measured(staysExact: boolean) {
     this.canLeaveOut = staysExact
   }

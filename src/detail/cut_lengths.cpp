@@ -16,7 +16,7 @@ namespace {
 // evaluations of a warp for each of them.
 constexpr double maxCutTriangles = 1 << 16;
 
-// The approximate max number of triangles of a mesh that is cut at kinks.
+// The approximate max number of triangles of a mesh that is cut at creases.
 constexpr double maxTrianglesAtCreases = 1 << 14;
 
 // Returns the distance of two points with `size` coordinates.

@@ -18,8 +18,8 @@ struct PhaseSamples {
   // For each sample the numbers of all phases, then one number for each front.
   std::vector<float> values = {};
   std::vector<float> settled = {};  // see `settleFronts`
-  // True after the first cuts: then the mesh is not cut at kinks again, even if the object moves in
-  // the space of the warp.
+  // True after the first cuts: then the mesh is not cut at creases again, even if the object moves
+  // in the space of the warp.
   bool areCreasesCut = false;
 
   std::uint32_t firstFront() const { return std::accumulate(sizes.begin(), sizes.end(), 0u); }

@@ -1,5 +1,5 @@
-// The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/triangle_needs.cpp explains the
-// formulas.
+// The passes that warp the samples of the base, and measure into how many pieces its edges must be divided. src/detail/triangle_needs.cpp
+// explains the formulas.
 import { groupSize, parameters, stateOf } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
