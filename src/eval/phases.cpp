@@ -21,6 +21,10 @@ namespace {
 constexpr double stepOfNoise = 0.36;
 constexpr int octavesOfNoise = 2;
 
+// The max turn of a normal, in radians. Between vertices whose normals are almost opposite, the
+// normal turns within a short part of the side, and a surface that it moves bends there.
+constexpr double stepOfNormal = 1;
+
 // With more phases, because of loops, those in loops are left out: all are evaluated at each
 // sample.
 constexpr std::size_t maxPhases = 32;
@@ -63,12 +67,22 @@ double stepOfCall(const Module& module, NodeId id) {
   return stepOfNoise * wavelengthOf(noise, octavesOfNoise - 1);
 }
 
+bool isIn(std::span<const std::uint32_t> inputs, std::uint32_t input) {
+  return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
+}
+
 // Tests whether a node depends on no other inputs than these, given by number.
 bool readsOnly(const Graph& graph, NodeId root, std::span<const std::uint32_t> inputs) {
   const std::vector<NodeId> nodes = reachable(graph, std::span(&root, 1));
   return std::none_of(nodes.begin(), nodes.end(), [&](NodeId id) {
-    return graph.isInput(id) &&
-           std::find(inputs.begin(), inputs.end(), graph.node(id).operands[0]) == inputs.end();
+    return graph.isInput(id) && !isIn(inputs, graph.node(id).operands[0]);
+  });
+}
+
+// Tests whether any of the nodes is a component of an input, given by number.
+bool readsInput(const Graph& graph, std::span<const NodeId> nodes, std::uint32_t input) {
+  return std::any_of(nodes.begin(), nodes.end(), [&](NodeId id) {
+    return graph.isInput(id) && graph.node(id).operands[0] == input;
   });
 }
 
@@ -112,6 +126,12 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   for (const NodeId id : nodes) {
     addPhase(id);
     if (const std::optional<FrontAt> front = frontOf(graph, id)) add(fronts, *front);
+  }
+  const std::optional<std::uint32_t> normal = graph.findInput("normal");
+  if (normal && readsInput(graph, nodes, *normal) && isIn(varying, *normal)) {
+    std::vector<NodeId> direction;
+    for (std::uint32_t i = 0; i < 3; ++i) direction.push_back(graph.component(*normal, i));
+    steps.try_emplace(direction, stepOfNormal);
   }
   const auto stepsOutside = steps;
   for (const NodeId id : reachable(graph, unrolled)) addPhase(id);

@@ -30,6 +30,23 @@ TEST(Phases, LackWhatIsTheSameAtAllVertices) {
   EXPECT_EQ(module.outputs.back().components, (std::vector<NodeId>{x, twiceX}));
 }
 
+TEST(Phases, IncludeTheNormalThatAResultReads) {
+  const auto countPhases = [](bool readsNormal) {
+    Bench bench;
+    const int position = bench.input("position", vectorOf(3));
+    const int normal = bench.input("normal", vectorOf(3));
+    bench.builder.output("gen", "result", readsNormal ? normal : position);
+    EXPECT_TRUE(bench.builder.finish()) << bench.builder.problem();
+    Module module = load(save(bench.builder.module()));
+    const std::uint32_t results[] = {0};
+    const std::uint32_t varying[] = {module.graph.findInput("position").value(),
+                                     module.graph.findInput("normal").value()};
+    return addPhases(module, results, varying).phases.size();
+  };
+  EXPECT_EQ(countPhases(true), 1);
+  EXPECT_EQ(countPhases(false), 0);
+}
+
 // Each step of the loop adds a wave of another length.
 TEST(Phases, AreFoundInLoops) {
   Module module;

@@ -8,7 +8,7 @@ import { bakeWarp, surfaceVariation } from 'warpjet/mesh'
 import { edgesNotUsed } from '../support/deviation.js'
 import { pixelsOf, quantile, screenErrors } from '../support/screen-error.js'
 
-const { cos, sin } = Math
+const { cos, hypot, sin } = Math
 
 /** Turns points around the y axis, by as many radians as `turn` times their height. */
 const twist = ({ glsl, position: p, uniforms }) => {
@@ -78,6 +78,25 @@ test('fewer triangles suffice from afar, for a larger tolerance, or if only the 
   assert.ok(count(viewFrom(3000, 2000, 4000)) < both / 2)
   assert.ok(count(near, { tolerance: 8 }) < both / 2)
   assert.ok(count({ ...near, side: 'front' }) < both)
+  divided.dispose()
+})
+
+test('a surface is exact where its normals turn within a short part of a side', () => {
+  // A square whose left and right normals are almost opposite, and a triangle far away, beside which the square is too small to be cut.
+  const slope = 0.1
+  const square = {
+    positions: [-10, -10, 0, 10, -10, 0, 10, 10, 0, -10, 10, 0, 0, 0, 200, 1, 0, 200, 0, 1, 200],
+    normals: [-1, 1, 1, -1, 0, 0, 0].flatMap((x) => [x, 0, slope].map((n) => n / hypot(x, slope))),
+    indices: [0, 1, 2, 0, 2, 3, 4, 5, 6],
+  }
+  const move = ({ normal }) => normal.mult(50)
+  const moved = ({ positions, normals }) =>
+    Float64Array.from(positions, (x, i) => x + 50 * normals[i])
+  const divided = createDetail(square, compileWarp(move, { normals: false }))
+  const view = viewFrom(0, -300, 100)
+  divided.update(view)
+  const errors = screenErrors(divided, moved, view, all(divided))
+  assert.ok(quantile(errors, 1) <= 1, `${quantile(errors, 1)}`)
   divided.dispose()
 })
 
