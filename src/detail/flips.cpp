@@ -61,20 +61,28 @@ std::vector<Flip> orderIntoPairs(std::vector<Corners>& triangles, std::span<cons
   std::stable_sort(
       quadrilaterals.begin(), quadrilaterals.end(),
       [](const Quadrilateral& p, const Quadrilateral& q) { return p.square > q.square; });
+  constexpr auto none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> quadrilateralOf(triangles.size(), none);
+  for (std::size_t i = 0; i < quadrilaterals.size(); ++i) {
+    std::size_t& first = quadrilateralOf[quadrilaterals[i].first];
+    std::size_t& second = quadrilateralOf[quadrilaterals[i].second];
+    if (first == none && second == none) first = second = i;
+  }
   std::vector<Flip> flips;
-  std::vector<bool> isPaired(triangles.size());
-  std::vector<Corners> ordered;
-  for (const auto& [square, first, second, a, b, c, d] : quadrilaterals) {
-    if (isPaired[first] || isPaired[second]) continue;
-    isPaired[first] = isPaired[second] = true;
+  std::vector<Corners> ordered, alone;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (quadrilateralOf[t] == none) {
+      alone.push_back(triangles[t]);
+      continue;
+    }
+    const auto& [square, first, second, a, b, c, d] = quadrilaterals[quadrilateralOf[t]];
+    if (t != std::min(first, second)) continue;
     ordered.push_back({a, b, c});
     ordered.push_back({b, a, d});
     const glm::vec3 factors(squareOf(points[d] - points[c]) - squareOf(points[b] - points[a]));
     flips.push_back({{factors.x, factors.y, factors.z}});
   }
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!isPaired[t]) ordered.push_back(triangles[t]);
-  }
+  ordered.insert(ordered.end(), alone.begin(), alone.end());
   triangles = std::move(ordered);
   return flips;
 }

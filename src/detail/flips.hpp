@@ -34,10 +34,11 @@ struct Flip {
   }
 };
 
-// Pairs triangles into convex quadrilaterals, longest diagonals first. Reorders the triangles: the
-// halves of pair k are triangle 2k = (a, b, c) and triangle 2k + 1 = (b, a, d), and triangles
-// without a partner come last. `points` are weights of the corners of the whole triangle, and
-// `sides` the squares of its sides, by which diagonals are compared.
+// Pairs triangles into convex quadrilaterals, longest diagonals first. Then reorders the triangles:
+// the halves of pair k are triangle 2k = (a, b, c) and triangle 2k + 1 = (b, a, d), and triangles
+// without a partner come last. Otherwise, pairs and triangles keep their order. `points` are
+// weights of the corners of the whole triangle, and `sides` the squares of its sides, by which
+// diagonals are compared.
 std::vector<Flip> orderIntoPairs(std::vector<Corners>& triangles,
                                  std::span<const glm::dvec3> points, const SquaredSides& sides);
 

@@ -77,6 +77,19 @@ dvec2 bulgeAt(const dvec3& weights, const std::array<dvec2, 3>& corners, double 
   return scale * sum;
 }
 
+// Orders triangles by columns, each about a piece wide, in which neighbors share vertices that a
+// GPU has just computed.
+void orderByColumns(std::vector<Corners>& triangles, std::span<const dvec2> points) {
+  const auto middleOf = [&](const Corners& t) {
+    return (points[t[0]] + points[t[1]] + points[t[2]]) / 3.0;
+  };
+  std::stable_sort(triangles.begin(), triangles.end(), [&](const Corners& s, const Corners& t) {
+    const dvec2 p = middleOf(s), q = middleOf(t);
+    const double column = std::floor(p.x), other = std::floor(q.x);
+    return column != other ? column < other : p.y < q.y;
+  });
+}
+
 bool areEqual(const SidePieces& pieces) { return pieces[0] == pieces[1] && pieces[1] == pieces[2]; }
 
 // Divides the triangle into n * n triangles, by lines parallel to its sides.
@@ -90,16 +103,21 @@ Tessellation makeRegular(std::uint32_t n) {
     if (i == 0) return 3 * n - k;
     return 3 * n + (k - 1) * (n - 1) - (k - 1) * k / 2 + i - 1;
   };
-  for (std::uint32_t k = 0; k < n; ++k) {
-    for (std::uint32_t i = 0; i + k < n; ++i) {
-      if (i > 0 && k > 0)
-        tessellation.inner.push_back({static_cast<float>(n - i - k) / static_cast<float>(n),
-                                      static_cast<float>(i) / static_cast<float>(n),
-                                      static_cast<float>(k) / static_cast<float>(n)});
-      tessellation.triangles.push_back({pointAt(i, k), pointAt(i + 1, k), pointAt(i, k + 1)});
-      if (i + k + 1 < n)
-        tessellation.triangles.push_back(
-            {pointAt(i + 1, k), pointAt(i + 1, k + 1), pointAt(i, k + 1)});
+  const auto share = [n](std::uint32_t i) { return static_cast<float>(i) / static_cast<float>(n); };
+  for (std::uint32_t k = 1; k < n; ++k) {
+    for (std::uint32_t i = 1; i + k < n; ++i)
+      tessellation.inner.push_back({share(n - i - k), share(i), share(k)});
+  }
+  // A GPU remembers the last 16 vertices or more, so rows of at most 12 pieces share vertices.
+  constexpr std::uint32_t maxRow = 12;
+  for (std::uint32_t first = 0; first < n; first += maxRow) {
+    for (std::uint32_t k = 0; k + first < n; ++k) {
+      for (std::uint32_t i = first; i < std::min(first + maxRow, n - k); ++i) {
+        tessellation.triangles.push_back({pointAt(i, k), pointAt(i + 1, k), pointAt(i, k + 1)});
+        if (i + k + 1 < n)
+          tessellation.triangles.push_back(
+              {pointAt(i + 1, k), pointAt(i + 1, k + 1), pointAt(i, k + 1)});
+      }
     }
   }
   return tessellation;
@@ -126,6 +144,7 @@ Tessellation makeTessellation(const SidePieces& pieces) {
     placed.push_back(corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2] +
                      bulgeAt(w, corners, 0.08 * std::min(1.0, height)));
   tessellation.triangles = triangulate(placed, hullSize);
+  orderByColumns(tessellation.triangles, placed);
   const auto square = [](std::uint32_t count) { return static_cast<float>(count * count); };
   tessellation.flips = orderIntoPairs(tessellation.triangles, points,
                                       {square(pieces[0]), square(pieces[1]), square(pieces[2])});
