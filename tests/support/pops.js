@@ -104,39 +104,58 @@ function locatorOf(division) {
 }
 
 /**
- * Returns the distances on the screen, in pixels, by which points jump when the division `before` is replaced by the division `after`, with
- * the same view and warp: between the same place of the original mesh in the triangles of both divisions. `chosen` maps a division to its
- * triangles to measure; places outside of the picture are left out. The other arguments are as for `screenErrors`.
+ * Returns the distances, in pixels, by which points of the drawn surface jump on the screen between two frames, `before` and `after`:
+ * { division, warpPositions, view }, where `warpPositions` and `view` are as for `screenErrors`. A jump is how much a point moves more than
+ * the warped surface does at its place of the original mesh. `choose` maps a division to the triangles that are measured; points outside of
+ * the picture are left out.
  */
-export function popsBetween(before, after, warpPositions, view, chosen = allOf) {
-  const [a, b] = [before, after].map((division) => ({
-    ...division,
-    warped: warpPositions(division),
-    locator: locatorOf(division),
+export function popsBetween(before, after, choose = allOf) {
+  const [a, b] = [before, after].map((frame) => ({
+    ...frame,
+    warped: frame.warpPositions(frame.division),
+    locator: locatorOf(frame.division),
   }))
-  return [...popsAt(a, b, view, chosen(a)), ...popsAt(b, a, view, chosen(b))]
+  return [...popsAt(a, b, choose(a.division)), ...popsAt(b, a, choose(b.division))]
 }
 
 const allOf = ({ indices }) => Array.from({ length: indices.length / 3 }, (_, t) => t)
 
-/** Returns the distances at the points of triangles of `from`. */
-function popsAt(from, to, view, triangles) {
+/** Returns the distances at the points of triangles of the frame `here`, which follows or precedes the frame `there`. */
+function popsAt(here, there, triangles) {
+  const { division } = here
+  const points = triangles.flatMap((t) => places.map((weights) => ({ t, weights })))
+  const count = 3 * points.length
+  const samples = { positions: new Float32Array(count), normals: new Float32Array(count) }
+  points.forEach(({ t, weights }, i) => {
+    samples.positions.set(vectorOf(division.positions, division, t, weights), 3 * i)
+    const normal = vectorOf(division.normals, division, t, weights)
+    const length = Math.hypot(...normal)
+    samples.normals.set(
+      normal.map((x) => x / length),
+      3 * i,
+    )
+  })
+  const [truthHere, truthThere] = [here, there].map((frame) => frame.warpPositions(samples))
   const pops = []
-  for (const t of triangles) {
-    const original = Math.round(from.colors[4 * from.indices[3 * t]])
-    for (const weights of places) {
-      const [x, y] = [1, 2].map((k) => blend(from.colors, 4, k, from.indices, t, weights))
-      const found = to.locator.find(original, x, y)
-      // A place that no triangle covers would be a defect of its own.
-      if (!(found.minWeight > -1e-3)) throw new Error(`no triangle at ${original}, ${x}, ${y}`)
-      const [a, b] = [
-        pixelsOf(pointOf(from, t, weights), 0, view),
-        pixelsOf(pointOf(to, found.t, found.weights), 0, view),
-      ]
-      if (a && b) pops.push(Math.hypot(a[0] - b[0], a[1] - b[1]))
-    }
-  }
+  points.forEach(({ t, weights }, i) => {
+    const original = Math.round(division.colors[4 * division.indices[3 * t]])
+    const [x, y] = [1, 2].map((k) => blend(division.colors, 4, k, division.indices, t, weights))
+    const found = there.locator.find(original, x, y)
+    // A place that no triangle covers would be a defect of its own.
+    if (!(found.minWeight > -1e-3)) throw new Error(`no triangle at ${original}, ${x}, ${y}`)
+    const errorHere = errorOf(here, t, weights, truthHere, i)
+    const errorThere = errorOf(there, found.t, found.weights, truthThere, i)
+    if (errorHere && errorThere)
+      pops.push(Math.hypot(errorHere[0] - errorThere[0], errorHere[1] - errorThere[1]))
+  })
   return pops
+}
+
+/** Returns the way on the screen from warped point `i` of `truth` to the drawn point; `undefined` if one is outside of the picture. */
+function errorOf({ division, warped, view }, t, weights, truth, i) {
+  const drawn = pixelsOf(vectorOf(warped, division, t, weights), 0, view)
+  const place = pixelsOf(truth, 3 * i, view)
+  return drawn && place && [drawn[0] - place[0], drawn[1] - place[1]]
 }
 
 function blend(values, size, k, indices, t, [a, b, c]) {
@@ -144,5 +163,5 @@ function blend(values, size, k, indices, t, [a, b, c]) {
   return a * at(0) + b * at(1) + c * at(2)
 }
 
-const pointOf = ({ warped, indices }, t, weights) =>
-  [0, 1, 2].map((k) => blend(warped, 3, k, indices, t, weights))
+const vectorOf = (values, { indices }, t, weights) =>
+  [0, 1, 2].map((k) => blend(values, 3, k, indices, t, weights))

@@ -27,28 +27,29 @@ function viewAt(frame, halfSize) {
  * exceeds, both in pixels. `changes` counts how often the mesh was divided again, `pops` how often a point then jumped by more than a pixel.
  * `sizes` are half of the mesh's size along x, y and z.
  */
-export function measurePops(warp, mesh, sizes, uniforms) {
+export function measurePops(warp, mesh, sizes, firstUniforms) {
   const random = randomNumbers(11)
   const detail = createDetail(markPlaces(scale(mesh, sizes)), warp)
   const choose = (division) => chooseTriangles(random, division, maxTriangles)
   const allJumps = []
   let [changes, pops] = [0, 0]
-  let before
+  let division, before
   for (let frame = 0; frame < frames; frame++) {
-    const inputs = Object.fromEntries(
-      Object.entries(uniforms).map(([name, x]) => [name, x + frame * (steps[name] ?? 0)]),
+    const uniforms = Object.fromEntries(
+      Object.entries(firstUniforms).map(([name, x]) => [name, x + frame * (steps[name] ?? 0)]),
     )
     const view = viewAt(frame, Math.max(...sizes))
-    if (!detail.update(view, { uniforms: inputs })) continue
-    const after = copyDivision(detail)
-    if (before) {
+    const isChanged = detail.update(view, { uniforms })
+    if (isChanged) division = copyDivision(detail)
+    const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms }).positions
+    const now = { division, warpPositions, view }
+    if (isChanged && before) {
       changes++
-      const warpPositions = (vertices) => warp.evaluate(vertices, { uniforms: inputs }).positions
-      const jumps = popsBetween(before, after, warpPositions, view, choose)
+      const jumps = popsBetween(before, now, choose)
       for (const distance of jumps) allJumps.push(distance)
       if (quantile(jumps, 1) > 1) pops++
     }
-    before = after
+    before = now
   }
   detail.dispose()
   return {
