@@ -57,7 +57,7 @@ std::uint32_t vertexCount(const Detail& detail) {
 }
 std::vector<float> criterionNumbers() {
   const Criterion& c = criterion;
-  return {c.margin, c.nearest, c.aside,      c.away,      c.beyondCells, c.beyondFlat,
+  return {c.margin, c.nearest, c.aside,      c.away,      c.beyondFlat,
           c.error,  c.aim,     c.hysteresis, c.minLength, c.minGain};
 }
 Words pieceNumbers() { return {pieceCounts.begin(), pieceCounts.end()}; }

@@ -19,12 +19,9 @@ struct Criterion {
   // no samples if by these values it is invisible, and so are its neighbors.
   float flatMargin = 1.5f;
   float flatAway = 0.5f;
-  // The bend between samples can exceed that of all cells. This estimates by how much, as a share
-  // of the difference of their maximum and mean; `npm run report -- detail` shows the effect.
-  float beyondCells = 0.3f;
   // The error of an undivided triangle, as a multiple of that at its 15 samples. If the surface
   // bends equally in all directions, the factor is 16/15.
-  float beyondFlat = 1.1f;
+  float beyondFlat = 1.2f;
   // A piece of length h errs by h^2 / 8 times the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;
@@ -37,7 +34,7 @@ struct Criterion {
   float maxPiecesAtKink = 8;
   float minLengthAtKink = 2;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
-  float aim = 0.7f;
+  float aim = 0.6f;
   // The number of pieces is lowered only to a number that would suffice for this many times the
   // need.
   float hysteresis = 1.1f;

@@ -169,7 +169,7 @@ std::uint32_t Detail::chooseUniform(double adaptiveTriangles) {
   const auto givenTriangles =
       static_cast<double>(makeInterpolationOfGiven().base().triangles().size());
   const double uniformTriangles = givenTriangles * pieces * pieces;
-  const double advantage = uniformPieces_ != 0 ? 1.2 : 1;
+  const double advantage = uniformPieces_ != 0 ? 1.3 : 1.1;
   return uniformTriangles < advantage * adaptiveTriangles ? pieces : 0;
 }
 

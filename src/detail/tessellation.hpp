@@ -13,7 +13,7 @@ namespace warpjet {
 
 // The possible numbers of pieces of a side. Rounding up to them adds at most 9% to the triangles;
 // powers of two would add 13% to 46%.
-inline constexpr std::array<std::uint32_t, 10> pieceCounts{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+inline constexpr std::array<std::uint32_t, 13> pieceCounts{1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 32};
 inline constexpr std::uint32_t maxPieces = pieceCounts.back();
 
 // Has one number per side. Side i goes from corner i to the next one.

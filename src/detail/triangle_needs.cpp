@@ -23,7 +23,6 @@ struct Bends {
 Bends bendsOf(const PlanarTriangles& planar, const Directions& directions,
               const TrianglesOnScreen& screen) {
   Bends bends;
-  std::array<Lanes, 3> sum{0.0f, 0.0f, 0.0f};
   for (const Cell& cell : cells) {
     std::array<Vec2, 3> alongSides = screen.secondDifferences(cell);
     for (Vec2& along : alongSides) along *= Lanes(float{sampleIntervals * sampleIntervals});
@@ -31,19 +30,12 @@ Bends bendsOf(const PlanarTriangles& planar, const Directions& directions,
     const auto squareAlong = [&, isBent = bend.areFinite()](const Vec2& side) {
       return ifElse(isBent, bend.along(side), 0.0f);
     };
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      const Lanes square = squareAlong(directions.sides[i]);
-      bends.squaredSides[i] = max(bends.squaredSides[i], square);
-      sum[i] += square;
-    }
+    for (std::size_t i = 0; i < bends.squaredSides.size(); ++i)
+      bends.squaredSides[i] =
+          max(bends.squaredSides[i], criterion.error * squareAlong(directions.sides[i]));
     const auto& [first, second, third] = directions.givenSides;
     const Lanes error = errorOf(squareAlong(first), squareAlong(second), squareAlong(third));
     bends.error = max(bends.error, ifElse(bend.areFinite(), error, 0.0f));
-  }
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    Lanes& square = bends.squaredSides[i];
-    const Lanes mean = sum[i] / static_cast<float>(cells.size());
-    square = (square + criterion.beyondCells * (square - mean)) * criterion.error;
   }
   return bends;
 }

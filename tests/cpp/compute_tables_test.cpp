@@ -53,12 +53,12 @@ TessellationTable tableUpTo(int last) {
   return table;
 }
 
-// The tessellation with 4, 4 and 4 pieces on its sides is number 333, counted from 0. It has 16
+// The tessellation with 4, 4 and 4 pieces on its sides is number 549, counted from 0. It has 16
 // equal triangles with three inner points, whose weights are 1/4, 1/4 and 1/2.
 TEST(ComputeTables, TessellationsHaveTheirWeights) {
-  const TessellationTable table = tableUpTo(333);
+  const TessellationTable table = tableUpTo(549);
   const Words& words = table.words();
-  const std::uint32_t first = words[666], counts = words[667];
+  const std::uint32_t first = words[1098], counts = words[1099];
   EXPECT_EQ(counts, 3u << 21 | 16u);
   ASSERT_EQ(words.size(), first + 9 + 16);
   std::multiset<float> weights;
@@ -71,12 +71,12 @@ TEST(ComputeTables, TessellationsHaveTheirWeights) {
   EXPECT_EQ(weights.count(0.5f), 3u);
 }
 
-// The tessellation with 3, 3 and 1 pieces is number 220. It has two quadrilaterals between the long
+// The tessellation with 3, 3 and 1 pieces is number 364. It has two quadrilaterals between the long
 // sides, whose diagonals can be flipped, and the triangle at the corner between them.
 TEST(ComputeTables, TessellationsHaveTheirFlips) {
-  const TessellationTable table = tableUpTo(220);
+  const TessellationTable table = tableUpTo(364);
   const Words& words = table.words();
-  const std::uint32_t first = words[440], counts = words[441];
+  const std::uint32_t first = words[728], counts = words[729];
   EXPECT_EQ(counts, 2u << 11 | 5u);
   ASSERT_EQ(words.size(), first + 5 + 2 * 3);
   std::set<std::uint32_t> corners;

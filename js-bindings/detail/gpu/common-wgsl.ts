@@ -31,7 +31,6 @@ const criterionNames = [
   'nearest',
   'aside',
   'away',
-  'beyondCells',
   'beyondFlat',
   'error',
   'aim',

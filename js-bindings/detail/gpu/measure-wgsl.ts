@@ -252,8 +252,7 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
       squares = max(squares, vec3f(flat));
       continue;
     }
-    var largest = vec3f(0);
-    var sum = vec3f(0);
+    var byBends = vec3f(0);
     for (var i = 0; i < 6; i++) {
       let cell = cells[i];
       var bends: array<vec2f, 3>;
@@ -264,10 +263,8 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
       let bend = bendOf(width, apex, bends[0], bends[1], bends[2]);
       let here = vec3f(along(bend, vec2f(width, 0)), along(bend, apex - vec2f(width, 0)), along(bend, apex));
       if (!isFinite(here.x + here.y + here.z)) { continue; }
-      largest = max(largest, here);
-      sum += here;
+      byBends = max(byBends, error * here);
     }
-    let byBends = (largest + beyondCells * (largest - sum / 6)) * error;
     bentSides = max(bentSides, byBends);
     squares = max(squares, byBends / (aim * parameters.tolerance));
   }
