@@ -25,7 +25,7 @@ type CpuResult = 'position' | 'offset'
 const quickBudget = 20_000
 
 /**
- * The arguments of the waves and noises in the warped position, called phases, and of functions that change within a short part of their
+ * The arguments of the waves and noises in the warped position, and its normal, called phases, and the arguments of functions that change within a short part of their
  * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be. Errors of its
  * functions name the call `place`. Default: the call that made the warp.
  */

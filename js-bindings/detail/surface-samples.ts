@@ -13,7 +13,7 @@ import type { WasmMesh } from './wasm-mesh.js'
 /** Transforms samples into the space of the offset: see `transformSamples`. */
 export type ToSpace = (samples: Vertices, to: InSpace) => Vertices
 
-/** The phases of a warp without waves, noises and fronts. */
+/** The phases of a warp without waves, noises, normals and fronts. */
 export const noPhases: SurfacePhases = {
   sizes: [],
   steps: [],

@@ -19,8 +19,8 @@ struct Criterion {
   // no samples if by these values it is invisible, and so are its neighbors.
   float flatMargin = 1.5f;
   float flatAway = 0.5f;
-  // The error of an undivided triangle, as a multiple of that at its 15 samples. If the surface
-  // bends equally in all directions, the factor is 16/15.
+  // The error of an undivided triangle, as a multiple of that at its 15 samples: at least 16/15, as
+  // if the surface bends equally in all directions.
   float beyondFlat = 1.2f;
   // A piece of length h errs by h^2 / 8 times the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
@@ -34,6 +34,8 @@ struct Criterion {
   float maxPiecesAtKink = 8;
   float minLengthAtKink = 2;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
+  // With 0.6, few points of the warps of the gallery err by more than the tolerance, and none by
+  // more than 1.06 times as much.
   float aim = 0.6f;
   // The number of pieces is lowered only to a number that would suffice for this many times the
   // need.

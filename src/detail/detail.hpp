@@ -71,9 +71,10 @@ class Detail {
   // mesh changed.
   bool update(float tolerance);
   // Tests whether the division will be within the tolerance if camera and surface change once more
-  // as they did before the last update: see `Needs::stayExact`.
+  // as they did before the last update: see `Needs::piecesStayExact`.
   bool staysExact() const {
-    return uniformPieces_ == 0 ? needs_.stayExact() : needs_.staysExact(uniformPieces_);
+    return uniformPieces_ == 0 ? needs_.piecesStayExact()
+                               : needs_.uniformStaysExact(uniformPieces_);
   }
 
   // The mesh after all cuts, and the numbers of pieces of its edges.
@@ -114,7 +115,7 @@ class Detail {
     return cuts_.empty() ? makeInterpolation() : makeInterpolation(cuts_[0].mesh, cuts_[0].patches);
   }
   // Returns the number of pieces per side of a uniform division of the given mesh, if that has
-  // fewer triangles than a division by the needs of each edge; otherwise 0.
+  // fewer triangles, or only slightly more, than a division by the needs of each edge; otherwise 0.
   std::uint32_t chooseUniform(double adaptiveTriangles);
   // Returns the number of triangles of a division by the needs of each edge.
   double countTriangles();

@@ -36,7 +36,7 @@ struct Flip {
 
 // Pairs triangles into convex quadrilaterals, longest diagonals first. Then reorders the triangles:
 // the halves of pair k are triangle 2k = (a, b, c) and triangle 2k + 1 = (b, a, d), and triangles
-// without a partner come last. Otherwise, pairs and triangles keep their order. `points` are
+// without a partner come last. Pairs are in the order of their earlier triangle. `points` are
 // weights of the corners of the whole triangle, and `sides` the squares of its sides, by which
 // diagonals are compared.
 std::vector<Flip> orderIntoPairs(std::vector<Corners>& triangles,

@@ -35,8 +35,8 @@ void Needs::update(const WarpedMesh& mesh, std::span<const ScreenView> views, fl
       }
     }
   }
-  // A former change counts, too: a need that falls to zero and grows again can be the same before
-  // and after.
+  // Half of the former change counts, too: a need that falls to zero and grows again can be the
+  // same in two measurements. An infinite former change says nothing about the next one.
   const float change = std::abs(squaredUniform - squaredUniform_);
   const float formerChange = std::isfinite(uniformChange_) ? uniformChange_ / 2 : 0;
   uniformChange_ = change >= formerChange ? change : formerChange;
@@ -60,9 +60,10 @@ void Needs::choosePieces() {
   }
 }
 
-// Edges become visible, by their margins, before a view shows them. So they count only if they are
-// more than a slow motion reveals.
-bool Needs::stayExact() const {
+// An edge without a former need was invisible or flat, so its change predicts nothing. Within the
+// margins of a view, edges get their pieces before they are seen. So such edges count only if they
+// are more than a slow motion reveals.
+bool Needs::piecesStayExact() const {
   constexpr float maxRevealed = 0.05f;
   if (formerSquares_.size() != squares_.size()) return false;
   std::size_t divided = 0, revealed = 0;
@@ -79,9 +80,9 @@ bool Needs::stayExact() const {
   return static_cast<float>(revealed) <= maxRevealed * static_cast<float>(divided);
 }
 
-bool Needs::staysExact(std::uint32_t uniformPieces) const {
-  const auto pieces = static_cast<float>(uniformPieces);
-  return squaredUniform_ + uniformChange_ <= pieces * pieces;
+bool Needs::uniformStaysExact(std::uint32_t pieces) const {
+  const auto count = static_cast<float>(pieces);
+  return squaredUniform_ + uniformChange_ <= count * count;
 }
 
 }  // namespace warpjet

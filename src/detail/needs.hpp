@@ -33,9 +33,9 @@ class Needs {
   // Tests whether these pieces will be within the tolerance if each need grows by as much as it
   // changed in the last update. Returns false if that was the first update, or if it revealed more
   // than a few edges.
-  bool stayExact() const;
+  bool piecesStayExact() const;
   // Tests the same for a number of pieces that all sides of the given mesh have.
-  bool staysExact(std::uint32_t uniformPieces) const;
+  bool uniformStaysExact(std::uint32_t pieces) const;
 
  private:
   void choosePieces();

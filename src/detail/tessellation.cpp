@@ -77,8 +77,8 @@ dvec2 bulgeAt(const dvec3& weights, const std::array<dvec2, 3>& corners, double 
   return scale * sum;
 }
 
-// Orders triangles by columns, each about a piece wide, in which neighbors share vertices that a
-// GPU has just computed.
+// Sorts triangles into columns, so that successive ones share vertices that a GPU has just
+// computed.
 void orderByColumns(std::vector<Corners>& triangles, std::span<const dvec2> points) {
   const auto middleOf = [&](const Corners& t) {
     return (points[t[0]] + points[t[1]] + points[t[2]]) / 3.0;
@@ -108,7 +108,7 @@ Tessellation makeRegular(std::uint32_t n) {
     for (std::uint32_t i = 1; i + k < n; ++i)
       tessellation.inner.push_back({share(n - i - k), share(i), share(k)});
   }
-  // A GPU remembers the last 16 vertices or more, so rows of at most 12 pieces share vertices.
+  // Many GPUs remember about 16 vertices, so that rows of at most 12 pieces share theirs.
   constexpr std::uint32_t maxRow = 12;
   for (std::uint32_t first = 0; first < n; first += maxRow) {
     for (std::uint32_t k = 0; k + first < n; ++k) {
@@ -162,9 +162,9 @@ const Tessellation& Tessellations::get(const SidePieces& pieces) {
     const auto place = std::lower_bound(pieceCounts.begin(), pieceCounts.end(), count);
     index = index * pieceCounts.size() + static_cast<std::size_t>(place - pieceCounts.begin());
   }
-  Tessellation& tessellation = irregular_[index];
-  if (tessellation.triangles.empty()) tessellation = makeTessellation(pieces);
-  return tessellation;
+  std::unique_ptr<Tessellation>& tessellation = irregular_[index];
+  if (!tessellation) tessellation = std::make_unique<Tessellation>(makeTessellation(pieces));
+  return *tessellation;
 }
 
 }  // namespace warpjet

@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// Makes tessellations one by one, since all together take more than half a second.
+// Makes tessellations one by one, since all together take a second or more.
 class TessellationTable {
  public:
   // Appends a tessellation. Returns false if it was the last one.

@@ -10,6 +10,7 @@
 #include "eval/kinks.hpp"
 #include "eval/slope_jumps.hpp"
 #include "eval/varying_part.hpp"
+#include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
 
@@ -21,8 +22,9 @@ namespace {
 constexpr double stepOfNoise = 0.36;
 constexpr int octavesOfNoise = 2;
 
-// The max turn of a normal, in radians. Between vertices whose normals are almost opposite, the
-// normal turns within a short part of the side, and a surface that it moves bends there.
+// The max change of a normal's direction along a side, in radians. Between vertices whose normals
+// are almost opposite, the normal turns within a short part of the side, and a surface that it
+// moves bends there.
 constexpr double stepOfNormal = 1;
 
 // With more phases, because of loops, those in loops are left out: all are evaluated at each
@@ -86,6 +88,16 @@ bool readsInput(const Graph& graph, std::span<const NodeId> nodes, std::uint32_t
   });
 }
 
+// Returns a vector of three components with length 1, or zero if the input is zero. Adapters may
+// give normals of other lengths.
+std::vector<NodeId> directionOf(Graph& graph, std::uint32_t input) {
+  const auto component = [&](int i) { return Expression{&graph, graph.component(input, i)}; };
+  const Expression x = component(0), y = component(1), z = component(2);
+  constexpr double tiny = 1e-30;
+  const Expression length = max(sqrt(x * x + y * y + z * z), tiny);
+  return {(x / length).id, (y / length).id, (z / length).id};
+}
+
 }  // namespace
 
 Phases addPhases(Module& module, std::span<const std::uint32_t> results,
@@ -129,9 +141,7 @@ Phases addPhases(Module& module, std::span<const std::uint32_t> results,
   }
   const std::optional<std::uint32_t> normal = graph.findInput("normal");
   if (normal && readsInput(graph, nodes, *normal) && isIn(varying, *normal)) {
-    std::vector<NodeId> direction;
-    for (std::uint32_t i = 0; i < 3; ++i) direction.push_back(graph.component(*normal, i));
-    steps.try_emplace(direction, stepOfNormal);
+    steps.try_emplace(directionOf(graph, *normal), stepOfNormal);
   }
   const auto stepsOutside = steps;
   for (const NodeId id : reachable(graph, unrolled)) addPhase(id);

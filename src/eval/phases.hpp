@@ -12,11 +12,11 @@
 
 namespace warpjet {
 
-// A point that a wave or a noise is evaluated at.
+// A point that a wave or a noise is evaluated at, or the direction of the normal.
 struct Phase {
   std::uint32_t size;  // its dimensions
   // Between two samples, the point should move by no more than this: half of a wave, a quarter of
-  // a cell of noise.
+  // a cell of noise, or a radian.
   double step;
 };
 

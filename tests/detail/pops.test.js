@@ -85,10 +85,12 @@ test('jumps are measured between the same places of both divisions', () => {
     indices: [0, 3, 4, 3, 1, 5, 4, 5, 2, 3, 5, 4],
   }
   // A motion of the whole surface is no jump.
-  const raiseBy = (all) => ({ positions: p }) =>
-    Float32Array.from(p, (number, i) =>
-      i % 3 === 2 ? all + 0.5 * p[i - 2] * (1 - p[i - 2]) + p[i - 1] * (1 - p[i - 1]) : number,
-    )
+  const raiseBy =
+    (all) =>
+    ({ positions: p }) =>
+      Float32Array.from(p, (number, i) =>
+        i % 3 === 2 ? all + 0.5 * p[i - 2] * (1 - p[i - 2]) + p[i - 1] * (1 - p[i - 1]) : number,
+      )
   // prettier-ignore
   const view = { matrix: [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1], width: 20, height: 20 }
   const pops = popsBetween(

@@ -161,7 +161,7 @@ export const makeProgram = (
   })
 
 /**
- * The arguments of the waves and noises in results, called phases, and of functions that change within a short part of their argument's
+ * The arguments of the waves and noises in results, and the normal, called phases, and the arguments of functions that change within a short part of their argument's
  * range, called fronts (src/eval/phases.hpp), and the program that computes them.
  */
 export interface Phases {

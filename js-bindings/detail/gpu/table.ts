@@ -3,7 +3,7 @@ import { details } from '../../wasm/detail.js'
 
 let table: Promise<Uint32Array<ArrayBuffer>> | undefined
 
-/** Returns the words of src/detail/tessellation_table.hpp: about 0.7 MB, which take more than half a second in total. */
+/** Returns the words of src/detail/tessellation_table.hpp: about 1.9 MB, which take a second or more in total. */
 export const tessellationTable = (): Promise<Uint32Array<ArrayBuffer>> =>
   (table ??= makeTable().catch((error) => {
     table = undefined
