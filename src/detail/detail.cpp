@@ -154,8 +154,8 @@ double Detail::countTriangles() {
 
 // A uniform division of the given mesh is better where the surface bends about equally everywhere:
 // it does without the cuts, which only serve to measure, and can have any number of pieces. It is
-// chosen if it has less than 1.1 times as many triangles, and given up from 1.3 times on, so that
-// the choice doesn't alternate.
+// chosen once it has fewer triangles, and given up once it has 1.2 times as many, so that the
+// choice doesn't alternate.
 std::uint32_t Detail::chooseUniform(double adaptiveTriangles) {
   constexpr float maxUniform = 256;
   // A surface that starts to move away from a flat one soon needs more pieces: its error, which is
@@ -169,7 +169,7 @@ std::uint32_t Detail::chooseUniform(double adaptiveTriangles) {
   const auto givenTriangles =
       static_cast<double>(makeInterpolationOfGiven().base().triangles().size());
   const double uniformTriangles = givenTriangles * pieces * pieces;
-  const double advantage = uniformPieces_ != 0 ? 1.3 : 1.1;
+  const double advantage = uniformPieces_ != 0 ? 1.2 : 1;
   return uniformTriangles < advantage * adaptiveTriangles ? pieces : 0;
 }
 

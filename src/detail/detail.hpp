@@ -115,7 +115,7 @@ class Detail {
     return cuts_.empty() ? makeInterpolation() : makeInterpolation(cuts_[0].mesh, cuts_[0].patches);
   }
   // Returns the number of pieces per side of a uniform division of the given mesh, if that has
-  // fewer triangles, or only slightly more, than a division by the needs of each edge; otherwise 0.
+  // fewer triangles than a division by the needs of each edge; otherwise 0.
   std::uint32_t chooseUniform(double adaptiveTriangles);
   // Returns the number of triangles of a division by the needs of each edge.
   double countTriangles();

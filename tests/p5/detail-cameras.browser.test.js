@@ -30,7 +30,7 @@ for (const host of await openP5Hosts())
       warps.squares.updatePixels()
       warps.own = createWarp(swell)
       warps.divided = createWarp(swell, { detail: 1 })
-      warps.rough = createWarp(swell, { detail: 6 })`
+      warps.rough = createWarp(swell, { detail: 8 })`
     const places = placesAround(120).slice(0, count)
     const scenes = {}
     for (const [i, place] of places.entries())

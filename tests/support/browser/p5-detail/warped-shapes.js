@@ -1,15 +1,15 @@
 // Shapes with detail, and sketches that draw them.
 import { size } from './sketches.js'
 
+// Boxes and planes bend more on one side. Otherwise the CPU would divide them uniformly, which compute passes cannot do.
 const offsets = {
   twist({ glsl, position }) {
-    const angle = position.y().mult(1.8)
+    const angle = position.y().mult(2).exp()
     const [c, s] = [angle.cos(), angle.sin()]
     const [x, y, z] = [position.x(), position.y(), position.z()]
     return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
   },
-  flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30)),
-  // Bends more on one side. Otherwise the CPU would divide uniformly, which compute passes cannot do.
+  flag: ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x().pow(2)).mult(30)),
   bend: ({ glsl, position }) => glsl.vec3(0, position.x().mult(0.05).exp().mult(4), 0),
   noise: ({ normal, position, uniforms }) =>
     normal.mult(

@@ -38,7 +38,7 @@ export async function around(host, { places }) {
   return {
     covered: dense.map(covered),
     divided: await beyond(1),
-    rough: await beyond(6),
+    rough: await beyond(8),
     coarse: await beyond(),
   }
 }

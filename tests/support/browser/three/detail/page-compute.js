@@ -89,7 +89,7 @@ function start(renderer, { shape, name, offset, uniforms, detail = 1, space, mat
 const makeCameras = (count) =>
   Array.from({ length: count }, (_, i) => {
     const view = camera()
-    view.position.setFromSphericalCoords(1.6 + 3 * ((i * 0.382) % 1), 0.4 + 0.3 * i, 2.4 * i)
+    view.position.setFromSphericalCoords(1.7 + 3 * ((i * 0.382) % 1), 0.4 + 0.3 * i, 2.4 * i)
     view.lookAt(0, 0, 0)
     return view
   })
