@@ -35,7 +35,7 @@ struct Criterion {
   float minLengthAtKink = 2;
   // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
   // With 0.6, few points of the warps of the gallery err by more than the tolerance, and none by
-  // more than 1.06 times as much.
+  // more than 1.07 times as much.
   float aim = 0.6f;
   // The number of pieces is lowered only to a number that would suffice for this many times the
   // need.
