@@ -25,9 +25,9 @@ type CpuResult = 'position' | 'offset'
 const quickBudget = 20_000
 
 /**
- * The arguments of the waves and noises in the warped position, and its normal, called phases, and the arguments of functions that change within a short part of their
- * argument's range, called fronts, or whose slope jumps, called kinks. They determine how far apart samples may be. Errors of its
- * functions name the call `place`. Default: the call that made the warp.
+ * Phases, fronts and kinks limit how far apart samples may be: phases are the arguments of waves and noises in the warped position, and the normal that it
+ * reads; fronts are the arguments of functions that change within a short part of their argument's range; at kinks, the slope jumps. Errors
+ * of its functions name the call `place`. Default: the call that made the warp.
  */
 export interface SurfacePhases {
   /** The number of floats per vertex, for each phase. */

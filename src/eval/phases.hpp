@@ -1,6 +1,6 @@
-// Finds the arguments of waves and noises, and of functions that change within a short part of
-// their argument's range. From these, a host can determine how far apart samples of a surface may
-// be without missing a crest.
+// Finds the arguments of waves and noises, the normal, and the arguments of functions that change
+// within a short part of their argument's range. From these, a host can determine how far apart
+// samples of a surface may be without missing a crest.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,8 @@ async function run(t, check, settings, warnings = []) {
 
 for (const [shape, name, others] of [
   ['box', 'twist'],
-  ['plane', 'flag'],
+  // The tolerance is small, so that a side is less than a hundredth of the vertices.
+  ['plane', 'flag', { detail: 0.5, frames: 6 }],
   ['ball', 'noise'],
   ['box', 'bend', { space: 'world' }],
   ['ball', 'swelling', { space: 'world' }],
@@ -43,7 +44,7 @@ for (const [shape, name, others] of [
 ])
   test(`passes divide a ${shape} under ${name} as the CPU does, ${JSON.stringify(others ?? {})}`, async (t) => {
     // Spaces and places differ in matrices, which fewer frames show.
-    const frames = others ? 3 : 6
+    const frames = others?.frames ?? (others ? 3 : 6)
     const { found } = await run(t, 'divide', { shape, name, frames, ...others })
     assert.equal(found.length, others?.hasPlaces ? 3 * frames : frames)
     for (const each of found) {
@@ -53,13 +54,13 @@ for (const [shape, name, others] of [
       if (shape !== 'plane') assert.equal(openSides, 0)
       if (shape === 'box' && isUniform(expected, 12)) {
         // Only the last place of a picture has the number of pixels.
-        assert.ok(!(beyond >= 10), `${beyond} pixels`)
+        assert.ok((beyond ?? 0) < 10, `${beyond} pixels`)
         continue
       }
       assert.ok(!beyond, `${beyond} pixels`)
       // If a need is a whole number except for rounding errors, only one of the two may round it up: then a few sides have more pieces.
       assert.ok(Math.abs(triangles - expected) <= 0.01 * expected, `${triangles}, ${expected}`)
-      assert.ok(strays <= (isEqual ? 0 : 0.02 * vertices), `${strays} of ${vertices}`)
+      assert.ok(strays <= (isEqual ? 0 : 0.01 * vertices), `${strays} of ${vertices}`)
     }
     const uniform = found.filter(({ expected }) => shape === 'box' && isUniform(expected, 12))
     assert.ok(uniform.length < found.length / 2)

@@ -1,5 +1,5 @@
 // Measures pops: how far drawn surfaces jump on the screen when a mesh is subdivided again.
-import { pixelsOf } from './screen-error.js'
+import { pixelsOf, samplesOf } from './screen-error.js'
 
 /** Points of a triangle: corners, quarters of the sides, and points inside, as weights of the corners. */
 const places = []
@@ -124,17 +124,7 @@ const allOf = ({ indices }) => Array.from({ length: indices.length / 3 }, (_, t)
 function popsAt(here, there, triangles) {
   const { division } = here
   const points = triangles.flatMap((t) => places.map((weights) => ({ t, weights })))
-  const count = 3 * points.length
-  const samples = { positions: new Float32Array(count), normals: new Float32Array(count) }
-  points.forEach(({ t, weights }, i) => {
-    samples.positions.set(vectorOf(division.positions, division, t, weights), 3 * i)
-    const normal = vectorOf(division.normals, division, t, weights)
-    const length = Math.hypot(...normal)
-    samples.normals.set(
-      normal.map((x) => x / length),
-      3 * i,
-    )
-  })
+  const samples = samplesOf(division, triangles, places)
   const [truthHere, truthThere] = [here, there].map((frame) => frame.warpPositions(samples))
   const pops = []
   points.forEach(({ t, weights }, i) => {
@@ -151,7 +141,7 @@ function popsAt(here, there, triangles) {
   return pops
 }
 
-/** Returns the way on the screen from warped point `i` of `truth` to the drawn point; `undefined` if one is outside of the picture. */
+/** Returns the offset on the screen, in pixels, of the drawn point from warped point `i` of `truth`; `undefined` if one is outside of the picture. */
 function errorOf({ division, warped, view }, t, weights, truth, i) {
   const drawn = pixelsOf(vectorOf(warped, division, t, weights), 0, view)
   const place = pixelsOf(truth, 3 * i, view)

@@ -6,18 +6,13 @@ for (let i = 0; i <= 4; i++)
   for (let j = 0; i + j <= 4; j++)
     if (Math.max(i, j, 4 - i - j) < 4) lattice.push([1 - (i + j) / 4, i / 4, j / 4])
 
-/**
- * Returns the distances, in pixels, between points of the drawn triangles and the warped points at which they should be.
- * Points outside of the picture are left out. `warpPositions` maps { positions, normals } → warped positions; `view` is
- * { matrix, width, height }, as for `createDetail`; `triangles` are the indices of the triangles to measure.
- */
-export function screenErrors(mesh, warpPositions, view, triangles) {
-  const { positions, normals, indices } = mesh
-  const count = triangles.length * lattice.length
-  const samples = { positions: new Float32Array(3 * count), normals: new Float32Array(3 * count) }
+/** Interpolates positions and unit normals at places of triangles, given as weights of their corners. */
+export function samplesOf({ positions, normals, indices }, triangles, places) {
+  const count = 3 * triangles.length * places.length
+  const samples = { positions: new Float32Array(count), normals: new Float32Array(count) }
   let at = 0
   for (const t of triangles)
-    for (const weights of lattice) {
+    for (const weights of places) {
       let square = 0
       for (let k = 0; k < 3; k++) {
         const mix = (from) =>
@@ -28,11 +23,22 @@ export function screenErrors(mesh, warpPositions, view, triangles) {
       for (let k = 0; k < 3; k++) samples.normals[at + k] /= Math.sqrt(square)
       at += 3
     }
+  return samples
+}
+
+/**
+ * Returns the distances, in pixels, between points of the drawn triangles and the warped points at which they should be.
+ * Points outside of the picture are left out. `warpPositions` maps { positions, normals } → warped positions; `view` is
+ * { matrix, width, height }, as for `createDetail`; `triangles` are the indices of the triangles to measure.
+ */
+export function screenErrors(mesh, warpPositions, view, triangles) {
+  const { positions, normals, indices } = mesh
+  const samples = samplesOf(mesh, triangles, lattice)
   const corners = warpPositions({ positions, normals })
   const truth = warpPositions(samples)
   const errors = []
   const flat = [0, 0, 0]
-  at = 0
+  let at = 0
   for (const t of triangles)
     for (const weights of lattice) {
       for (let k = 0; k < 3; k++)

@@ -161,8 +161,8 @@ export const makeProgram = (
   })
 
 /**
- * The arguments of the waves and noises in results, and the normal, called phases, and the arguments of functions that change within a short part of their argument's
- * range, called fronts (src/eval/phases.hpp), and the program that computes them.
+ * The phases and fronts of results (src/eval/phases.hpp), and the program that computes them. Phases are the arguments of waves and noises,
+ * and the normal that results read; fronts are the arguments of functions that change within a short part of their argument's range.
  */
 export interface Phases {
   program: Program
